@@ -1,0 +1,10 @@
+# What every target of the project is compiled with. Consumers inherit none of it but C++20.
+add_library(impinge_options INTERFACE)
+target_compile_features(impinge_options INTERFACE cxx_std_20)
+# Answers are defined on doubles in which every product and sum is rounded once (Pose). Compilers may otherwise fuse a*b + c
+# into one rounding: g++ does so by default, even across intrinsics.
+target_compile_options(impinge_options INTERFACE -ffp-contract=off)
+target_compile_options(impinge_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(IMPINGE_WARNINGS_AS_ERRORS)
+  target_compile_options(impinge_options INTERFACE -Werror)
+endif()

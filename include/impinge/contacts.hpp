@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "impinge/options.hpp"
+
+namespace impinge {
+
+/// Triangle `a` of the row's first object and triangle `b` of its second.
+struct TrianglePair {
+  std::uint32_t a, b;
+  friend bool operator==(const TrianglePair&, const TrianglePair&) = default;
+};
+
+/// What a query did and what it cost. Stage times add up the threads' own times.
+/// The cost function is the paper's equation 1, T = N_v C_v + N_p C_p + N_u C_u.
+struct Statistics {
+  std::uint64_t object_pairs = 0;    ///< survivors of the broad phase
+  std::uint64_t box_tests = 0;       ///< N_v: pairs of bounding volumes tested
+  std::uint64_t element_tests = 0;   ///< N_p: edges tested against triangles
+  std::uint64_t nodes_built = 0;     ///< N_u: tree nodes made by this query
+  std::uint64_t leaf_pairs = 0;      ///< pairs of leaves that the walk could not separate
+  std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that the grid could not separate
+  std::uint64_t exact_calls = 0;     ///< pairs of triangles that floating point could not decide
+  double box_test_seconds = 0;       ///< C_v, calibrated on this machine; 0 unless `Options::predict_cost`
+  double element_test_seconds = 0;   ///< C_p, likewise
+  double node_seconds = 0;           ///< C_u, likewise
+  double predicted_seconds = 0;      ///< T by equation 1; 0 unless `Options::predict_cost`
+  double measured_seconds = 0;       ///< hierarchy, partition, narrow and exact: the part that T speaks of
+  double broad_seconds = 0;
+  double hierarchy_seconds = 0;
+  double partition_seconds = 0;
+  double narrow_seconds = 0;
+  double exact_seconds = 0;
+  double results_seconds = 0;
+  double total_seconds = 0;  ///< wall clock of the whole query
+};
+
+/// Every pair of triangles that touch: compressed rows, a row a pair of objects that touch, in canonical order
+/// (object, object, triangle, triangle).
+struct Contacts {
+  std::vector<std::array<std::uint32_t, 2>> objects;  ///< per row, the lower object first
+  std::vector<std::uint64_t> offsets{0};              ///< rows + 1; row r holds [offsets[r], offsets[r + 1])
+  std::vector<TrianglePair> triangles;                ///< per contact
+  std::vector<Kind> kinds;                            ///< per contact
+  bool truncated = false;                             ///< more contacts exist than `Options::limit` kept
+  std::uint64_t hash = 0;                             ///< of the kept contacts (docs/hash.md); 0 with `Find::first`
+  Statistics statistics;
+};
+
+}  // namespace impinge

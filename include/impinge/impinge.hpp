@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// impinge: every pair of triangles that touch between meshes, exactly.
+#include "impinge/collide.hpp"
+#include "impinge/contacts.hpp"
+#include "impinge/mesh.hpp"
+#include "impinge/options.hpp"
+#include "impinge/predicates.hpp"
+#include "impinge/result.hpp"
+#include "impinge/scene.hpp"
+#include "impinge/version.hpp"

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "impinge/result.hpp"
+
+namespace impinge {
+
+/// A point of space, in the caller's unit of length.
+struct Point {
+  double x, y, z;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+using Segment = std::array<Point, 2>;
+using Triangle = std::array<Point, 3>;
+
+/// Any affine map x -> m x + t. `m` is row-major.
+struct Affine {
+  std::array<double, 9> m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 3> t{};
+};
+
+/// Where an object stands: x -> R x + t, computed as ((R00*x + R01*y) + R02*z) + t0 and so on, every
+/// product and sum rounded once to double, never fused. `R` is row-major, finite, with a positive determinant and
+/// max|RᵀR - I| <= 1e-6; bake anything else into the mesh with `Mesh::transformed`.
+struct Pose {
+  std::array<double, 9> R{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 3> t{};
+};
+
+/// Settings of a mesh's bounding-volume tree. They change the speed of a query, never its answer.
+struct TreeConfig {
+  std::uint32_t leaf_size = 8;  ///< most triangles in a leaf, 1 to 256
+};
+
+struct MeshState;  // internal
+
+/// An immutable triangle mesh with its lazily built tree. A handle: copies are cheap and share both.
+/// Safe to use from many threads.
+class Mesh {
+ public:
+  /// `xyz` holds 3 finite coordinates a vertex, `triangles` 3 vertex indices a triangle. Degenerate and duplicate
+  /// triangles are kept and count; a mesh without triangles touches nothing.
+  /// Errors: `bad_mesh` (not a multiple of three, not finite, index out of range, more than 2^31 - 1 triangles),
+  /// `bad_option` (leaf size).
+  static Result<Mesh> create(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
+                             const TreeConfig& tree = {});
+  static Result<Mesh> create(std::span<const float> xyz, std::span<const std::uint32_t> triangles,
+                             const TreeConfig& tree = {});
+
+  /// The mesh with every vertex mapped by the formula of a pose, so the answer is the same bit for bit as if the
+  /// map had been a pose. Mirroring keeps the order of vertices and triangles.
+  /// Errors: `bad_pose` (map not finite), `out_of_range` (a vertex is mapped to infinity).
+  Result<Mesh> transformed(const Affine& map) const;
+
+  [[nodiscard]] std::size_t vertex_count() const noexcept;
+  [[nodiscard]] std::size_t triangle_count() const noexcept;
+  [[nodiscard]] std::span<const Point> vertices() const noexcept;
+  [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const noexcept;
+  /// Bounding sphere in the mesh's own frame, tight to rounding. {0, 0, 0} and 0 without vertices in use.
+  [[nodiscard]] Point sphere_center() const noexcept;
+  [[nodiscard]] double sphere_radius() const noexcept;
+
+  /// Internal: what the stages work on.
+  [[nodiscard]] const MeshState& state() const noexcept { return *state_; }
+
+ private:
+  explicit Mesh(std::shared_ptr<const MeshState> state) : state_(std::move(state)) {}
+  std::shared_ptr<const MeshState> state_;
+};
+
+/// The world vertex that every answer is exact on: the formula of `Pose`.
+Point world_vertex(const Pose& pose, const Point& vertex);
+
+}  // namespace impinge

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <stop_token>
+#include <string_view>
+
+namespace impinge {
+
+/// How two closed triangles meet.
+enum class Kind : std::uint8_t {
+  crossing,  ///< both proper, planes differ, relative interiors meet
+  touching,  ///< all that is neither `crossing` nor `coplanar`; degenerate triangles always touch
+  coplanar,  ///< both proper, in one plane, sharing a point
+};
+
+/// Bits of `Options::kinds`.
+inline constexpr std::uint8_t kCrossing = 1, kTouching = 2, kCoplanar = 4, kAllKinds = 7;
+
+/// Work done so far, for a progress display: read it from another thread while a query runs.
+struct Progress {
+  std::atomic<std::uint64_t> done{0};   ///< object pairs finished
+  std::atomic<std::uint64_t> total{0};  ///< object pairs in all; 0 until the broad phase has counted them
+};
+
+/// What a query looks for, and how. Nothing here but `find`, `limit` and `kinds` changes the answer.
+struct Options {
+  enum class Find : std::uint8_t {
+    all,    ///< every pair of triangles that touch
+    first,  ///< for each pair of objects, whether they touch, and one witness of a wanted kind; no hash
+  };
+  Find find = Find::all;
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many in canonical order
+  std::uint8_t kinds = kAllKinds;                                   ///< the kinds wanted, or-ed
+  int threads = 0;                                                  ///< 0: as many as the machine has
+  std::string_view backend = "auto";                                ///< "auto" or "scalar"
+  bool grid = true;                                                 ///< partition leaf pairs by the uniform grid
+  bool predict_cost = false;                                        ///< calibrate once, and fill the predicted time
+  Progress* progress = nullptr;
+  std::stop_token stop{};
+};
+
+}  // namespace impinge

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "impinge/mesh.hpp"
+#include "impinge/options.hpp"
+#include "impinge/result.hpp"
+
+/// The tests of the paper's section 3.4, decided exactly for any doubles below 2^300 that are multiples of 2^-358.
+/// All sets are closed: edges have their ends, triangles and polygons their boundary. Degenerate input is the
+/// segment or point that it is. The functions set and restore the floating-point environment themselves.
+namespace impinge {
+
+/// Sign of the signed area of (a, b, c) in the plane: +1 counter-clockwise, -1 clockwise, 0 collinear.
+int orient2d(double ax, double ay, double bx, double by, double cx, double cy);
+
+/// Sign of det(b - a, c - a, d - a): +1 if a, b, c appear counter-clockwise from d's side (d lies on the side that the
+/// normal (b - a) x (c - a) points to), -1 on the other side, 0 if coplanar.
+int orient3d(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// Whether the triangle's three vertices are collinear (a segment or a point).
+bool is_degenerate(const Triangle& triangle);
+
+/// (1) Whether an edge and a triangle share a point.
+bool intersects(const Segment& edge, const Triangle& triangle);
+
+/// (2) Whether an edge and a polygon share a point. The polygon is simple, convex or not, its vertices in order
+/// and exactly in one plane. Errors: `bad_mesh` (fewer than 3 vertices, all collinear, or not in one plane).
+Result<bool> intersects(const Segment& edge, std::span<const Point> polygon);
+
+/// (3) How the planes of two triangles lie. Errors: `bad_mesh` (a degenerate triangle has no plane).
+enum class PlanePair : std::uint8_t { crossing, parallel, same };
+Result<PlanePair> classify_planes(const Triangle& a, const Triangle& b);
+
+/// (4) How two triangles meet; nothing if they share no point.
+std::optional<Kind> intersects(const Triangle& a, const Triangle& b);
+
+/// Whether two triangles share an area: both proper, coplanar, and their interiors meet.
+bool share_area(const Triangle& a, const Triangle& b);
+
+}  // namespace impinge

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "impinge/contacts.hpp"
+#include "impinge/mesh.hpp"
+#include "impinge/options.hpp"
+#include "impinge/result.hpp"
+
+namespace impinge {
+
+/// An object of one scene. A removed object's id is never valid again, though its index is used anew.
+struct ObjectId {
+  std::uint32_t index = 0;       ///< what `Contacts::objects` holds; canonical order is by it
+  std::uint32_t generation = 0;  ///< tells a later object at the same index apart
+  friend bool operator==(const ObjectId&, const ObjectId&) = default;
+};
+
+/// Placed meshes that are asked about again and again. Keeps the sorted borders of the bounding spheres between frames.
+/// Const calls are safe from many threads at once; the others need the scene to themselves.
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Objects of one non-zero group are not tested against each other. Errors: `bad_pose`.
+  Result<ObjectId> add(Mesh mesh, const Pose& pose = {}, std::uint32_t group = 0);
+  /// Errors: `unknown_id`, `bad_pose`; the object then stays where it was.
+  Result<void> set_pose(ObjectId id, const Pose& pose);
+  /// Forgets the object and the pairs that ignore it. Errors: `unknown_id`.
+  Result<void> remove(ObjectId id);
+  /// Leaves this pair out of every query from now on. Errors: `unknown_id`, `bad_option` (an object with itself).
+  Result<void> ignore(ObjectId a, ObjectId b);
+  /// Takes an ignored pair back in. Errors: `unknown_id`.
+  Result<void> unignore(ObjectId a, ObjectId b);
+
+  [[nodiscard]] std::size_t size() const noexcept;
+  /// Errors: `unknown_id`.
+  Result<Pose> pose(ObjectId id) const;
+
+  /// Repairs the sorted borders after objects were added, moved or removed. Without it `collide` repairs a copy each
+  /// time: the answer is the same, only slower.
+  void update();
+
+  /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
+  Result<Contacts> collide(const Options& options = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace impinge
