@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+/// Floating-point expansions: a number as an unevaluated sum of non-overlapping doubles, least significant first, zeros
+/// left out (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
+/// All on the stack. Needs round-to-nearest and products without over- or underflow: CONTRACT 3 sees to that.
+namespace impinge::exact {
+
+/// The rounded result and the error made by rounding; their sum is exact.
+struct Two {
+  double high, low;
+};
+
+inline Two two_sum(double a, double b) {
+  const double sum = a + b;
+  const double b_virtual = sum - a;
+  const double a_virtual = sum - b_virtual;
+  return {sum, (a - a_virtual) + (b - b_virtual)};
+}
+
+inline Two fast_two_sum(double a, double b) {  // |a| >= |b|
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+inline Two two_difference(double a, double b) {
+  const double difference = a - b;
+  const double b_virtual = a - difference;
+  const double a_virtual = difference + b_virtual;
+  return {difference, (a - a_virtual) + (b_virtual - b)};
+}
+
+/// Two halves of 26 bits (Dekker). |a| < 2^996 keeps the product with 2^27 + 1 finite.
+inline Two split(double a) {
+  const double c = 134217729.0 * a;
+  const double high = c - (c - a);
+  return {high, a - high};
+}
+
+inline Two two_product(double a, double b, const Two& b_split) {
+  const double product = a * b;
+  const Two a_split = split(a);
+  const double error =
+      ((product - a_split.high * b_split.high) - a_split.low * b_split.high) - a_split.high * b_split.low;
+  return {product, a_split.low * b_split.low - error};
+}
+
+inline Two two_product(double a, double b) { return two_product(a, b, split(b)); }
+
+/// At most N components.
+template <std::size_t N>
+struct Expansion {
+  std::array<double, N> component;
+  std::size_t size = 0;
+
+  void push(double x) {
+    if (x != 0) component[size++] = x;
+  }
+  /// The largest component has the sign of the whole.
+  [[nodiscard]] int sign() const {
+    if (size == 0) return 0;
+    return component[size - 1] > 0 ? 1 : -1;
+  }
+};
+
+inline Expansion<2> expansion(const Two& x) {
+  Expansion<2> e;
+  e.push(x.low);
+  e.push(x.high);
+  return e;
+}
+
+/// Shewchuk's fast expansion sum with zero elimination.
+template <std::size_t N, std::size_t M>
+Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
+  Expansion<N + M> h;
+  std::size_t i = 0, j = 0;
+  const auto next = [&] {
+    const bool from_e =
+        j == f.size || (i < e.size && (f.component[j] > e.component[i]) == (f.component[j] > -e.component[i]));
+    return from_e ? e.component[i++] : f.component[j++];
+  };
+  if (e.size + f.size == 0) return h;
+  double q = next();
+  bool first = true;
+  while (i < e.size || j < f.size) {
+    const double x = next();
+    const Two sum = first ? fast_two_sum(x, q) : two_sum(q, x);
+    first = false;
+    h.push(sum.low);
+    q = sum.high;
+  }
+  h.push(q);
+  return h;
+}
+
+template <std::size_t N>
+Expansion<N> operator-(Expansion<N> e) {
+  for (std::size_t i = 0; i < e.size; ++i) e.component[i] = -e.component[i];
+  return e;
+}
+
+template <std::size_t N, std::size_t M>
+Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
+  return e + -f;
+}
+
+/// Shewchuk's scale expansion with zero elimination.
+template <std::size_t N>
+Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
+  Expansion<2 * N> h;
+  if (e.size == 0 || b == 0) return h;
+  const Two b_split = split(b);
+  Two product = two_product(e.component[0], b, b_split);
+  h.push(product.low);
+  double q = product.high;
+  for (std::size_t i = 1; i < e.size; ++i) {
+    product = two_product(e.component[i], b, b_split);
+    const Two sum = two_sum(q, product.low);
+    h.push(sum.low);
+    const Two carry = fast_two_sum(product.high, sum.high);
+    h.push(carry.low);
+    q = carry.high;
+  }
+  h.push(q);
+  return h;
+}
+
+template <std::size_t N>
+Expansion<4 * N> operator*(const Expansion<N>& e, const Expansion<2>& f) {
+  if (f.size == 0) return {};
+  const Expansion<2 * N> low = e * f.component[0];
+  if (f.size == 1) {
+    Expansion<4 * N> h;
+    for (std::size_t i = 0; i < low.size; ++i) h.push(low.component[i]);
+    return h;
+  }
+  return low + e * f.component[1];
+}
+
+}  // namespace impinge::exact

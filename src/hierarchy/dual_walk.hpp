@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "broad/object_pairs.hpp"
+#include "core/pose.hpp"
+#include "hierarchy/leaf_pairs.hpp"
+#include "hierarchy/obb_overlap.hpp"
+#include "hierarchy/obb_tree.hpp"
+
+namespace impinge::hierarchy {
+
+/// A tree as placed in the world.
+struct PlacedTree {
+  ObbTree& tree;
+  const MeshData& mesh;
+  const Pose& pose;
+};
+
+struct NodePair {
+  std::uint32_t a, b;
+};
+
+/// N_v and N_u of the cost function.
+struct WalkCounts {
+  std::uint64_t box_tests = 0;
+  std::uint64_t nodes_made = 0;
+};
+
+/// The walk down two trees together (figure 3 of the paper), without recursion. `stack` is what remains to be walked:
+/// it may be cut up and walked in several threads.
+class DualWalk {
+ public:
+  DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects, std::uint32_t object_pair);
+
+  /// Prepares both roots and puts them on the stack.
+  void start(std::vector<NodePair>& stack, WalkCounts& counts) const;
+
+  /// Walks until the stack is empty, `max_leaf_pairs` have been appended or `max_box_tests` made.
+  void advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std::size_t max_leaf_pairs,
+               std::uint64_t max_box_tests, WalkCounts& counts) const;
+
+ private:
+  bool worth_splitting(const PlacedTree& placed, const Node& node, const Vec3& rounding) const;
+
+  PlacedTree a_, b_;
+  RelativePose relative_;
+  Vec3 rounding_a_, rounding_b_;
+  Box overlap_;
+  std::uint32_t object_pair_;
+};
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "hierarchy/obb_overlap.hpp"
+
+#include "core/pose.hpp"
+
+namespace impinge::hierarchy {
+namespace {
+
+Mat3 inverse(const Mat3& m) {
+  const double scale = 1 / determinant(m);
+  return transpose({scale * cross(m[1], m[2]), scale * cross(m[2], m[0]), scale * cross(m[0], m[1])});
+}
+
+double sum(const Vec3& v) { return v.x + v.y + v.z; }
+
+}  // namespace
+
+// A shared point is R_A x + t_A + e = R_B y + t_B + f with x and y in the two boxes and e, f the rounding of world
+// vertices (CONTRACT 1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53 and S the sum
+// of both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations,
+//   R_A⁻¹(f - e)              at most  8 u S  in length (4.01 u a coordinate of |R||x| + |t|, times sqrt 3),
+//   M and t in floating point  "      24 u S  (adjugate, product, difference),
+//   the test's own arithmetic  "      32 u S  (dot products of unit vectors with lengths below S),
+// so 2^-46 S = 128 u S is enough. The test takes M for a rotation: MᵀM differs from I by at most 6 rho, rho the sum of
+// both defects, and that shifts a projection of B's box by at most 6 rho times three half extents of B; 32 rho times
+// B's diameter is enough.
+RelativePose::RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pose& pose_b, const MeshData& mesh_b) {
+  const Mat3 inverse_a = inverse(to_mat3(pose_a.R));
+  M = inverse_a * to_mat3(pose_b.R);
+  const Vec3 ta{pose_a.t[0], pose_a.t[1], pose_a.t[2]}, tb{pose_b.t[0], pose_b.t[1], pose_b.t[2]};
+  t = inverse_a * (tb - ta);
+  const double magnitude = sum(mesh_a.max_abs) + sum(mesh_b.max_abs) + sum(abs(ta)) + sum(abs(tb));
+  const double defect = orthogonality_defect(pose_a) + orthogonality_defect(pose_b);
+  margin = 0x1p-46 * magnitude + 32 * defect * sum(mesh_b.box.hi - mesh_b.box.lo);
+}
+
+bool may_overlap(const Obb& a, const Obb& b, const RelativePose& relative) {
+  const Mat3& A = a.axes;
+  // Everything in the frame of a: T is b's centre, the columns of D are b's axes.
+  const Vec3 T = A * (relative.M * b.center + relative.t - a.center);
+  const Mat3 Dt{A * (relative.M * b.axes[0]), A * (relative.M * b.axes[1]), A * (relative.M * b.axes[2])};
+  const Mat3 D = transpose(Dt);
+  const Mat3 abs_D{abs(D[0]), abs(D[1]), abs(D[2])};
+  const double m = relative.margin;
+  const std::array<double, 3> ha{a.half.x, a.half.y, a.half.z}, hb{b.half.x, b.half.y, b.half.z};
+  const std::array<double, 3> ta{T.x, T.y, T.z};
+
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(ta[i]) > ha[i] + dot(abs_D[i], b.half) + m) return false;
+  const Mat3 abs_Dt = transpose(abs_D);
+  for (int j = 0; j < 3; ++j)
+    if (std::abs(dot(T, Dt[j])) > hb[j] + dot(abs_Dt[j], a.half) + m) return false;
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      const double distance = std::abs(ta[i2] * component(D[i1], j) - ta[i1] * component(D[i2], j));
+      const double reach_a = ha[i1] * component(abs_D[i2], j) + ha[i2] * component(abs_D[i1], j);
+      const double reach_b = hb[j1] * component(abs_D[i], j2) + hb[j2] * component(abs_D[i], j1);
+      if (distance > reach_a + reach_b + m) return false;
+    }
+  }
+  return true;
+}
+
+bool may_reach(const Obb& box, const Pose& pose, const Vec3& rounding, const Box& region) {
+  const Mat3 R = to_mat3(pose.R);
+  const Vec3 center = R * box.center + Vec3{pose.t[0], pose.t[1], pose.t[2]};
+  Vec3 reach = rounding;  // of the world vertices, and to spare for the lines here (see rounding_radius)
+  for (int i = 0; i < 3; ++i) reach = reach + component(box.half, i) * abs(R * box.axes[i]);
+  reach = (1 + 0x1p-48) * reach;
+  return overlap({center - reach, center + reach}, region);
+}
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/mesh_data.hpp"
+#include "core/shapes.hpp"
+#include "hierarchy/obb.hpp"
+
+namespace impinge::hierarchy {
+
+/// The map from B's frame to A's, x -> M x + t, and how far apart boxes of the two must appear to be apart for certain.
+struct RelativePose {
+  Mat3 M;
+  Vec3 t;
+  double margin;
+
+  RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pose& pose_b, const MeshData& mesh_b);
+};
+
+/// Whether the boxes may hold triangles that share a point in the world: the fifteen separating axes of two boxes
+/// (Gottschalk, Lin, Manocha 1996). Conservative: false only if they certainly do not.
+bool may_overlap(const Obb& a, const Obb& b, const RelativePose& relative);
+
+/// Whether the box, posed, may hold a triangle that reaches `region`. Conservative too.
+bool may_reach(const Obb& box, const Pose& pose, const Vec3& rounding, const Box& region);
+
+}  // namespace impinge::hierarchy

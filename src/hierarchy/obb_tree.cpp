@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "hierarchy/obb_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace impinge::hierarchy {
+namespace {
+
+/// Below this depth nodes are halved by count, so the depth is at most this and log2 of the triangles, even where each
+/// split at the mean peels off one triangle.
+constexpr std::uint32_t kDeepestMeanSplit = 40;
+
+Vec3 triple_centroid(const MeshData& mesh, std::uint32_t triangle) {
+  const auto& t = mesh.triangles[triangle];
+  return mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]];
+}
+
+}  // namespace
+
+std::uint32_t ObbTree::prepare() {
+  std::uint32_t made = 0;
+  std::call_once(root_made_, [&] {
+    order_.resize(mesh_.triangles.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    make(*nodes_.grow_by(1), 0, static_cast<std::uint32_t>(order_.size()), 0);
+    made = 1;
+  });
+  return made;
+}
+
+void ObbTree::make(Node& node, std::uint32_t first, std::uint32_t count, std::uint32_t depth) {
+  const std::span<const std::uint32_t> triangles = std::span(order_).subspan(first, count);
+  node.box = fit_obb(mesh_, triangles);
+  node.first = first;
+  node.count = count;
+  node.depth = depth;
+  if (count > leaf_size_) return;
+  const auto block = blocks_.push_back(make_leaf_block(mesh_, triangles));
+  node.leaf = static_cast<std::uint32_t>(block - blocks_.begin());
+  node.children.store(kLeaf, std::memory_order_release);
+}
+
+std::uint32_t ObbTree::children(std::uint32_t index, std::uint64_t& nodes_made) {
+  Node& node = nodes_[index];
+  std::uint32_t children = node.children.load(std::memory_order_acquire);
+  while (children == kUnsplit || children == kBusy) {
+    if (children == kBusy) {  // another walk is splitting it
+      node.children.wait(kBusy, std::memory_order_acquire);
+      children = node.children.load(std::memory_order_acquire);
+    } else if (node.children.compare_exchange_weak(children, kBusy, std::memory_order_acquire)) {
+      children = split(node);
+      nodes_made += 2;
+      node.children.store(children, std::memory_order_release);
+      node.children.notify_all();
+    }
+  }
+  return children;
+}
+
+std::uint32_t ObbTree::split(const Node& node) {
+  const std::uint32_t left = partition(node);
+  const auto pair = nodes_.grow_by(2);
+  make(pair[0], node.first, left, node.depth + 1);
+  make(pair[1], node.first + left, node.count - left, node.depth + 1);
+  return static_cast<std::uint32_t>(pair - nodes_.begin());
+}
+
+/// Orders a node's triangles by a plane across its longest axis, through the mean of their centroids if that parts
+/// them, else by count, and returns how many come first. Any order makes a true tree, so rounding is harmless here.
+std::uint32_t ObbTree::partition(const Node& node) {
+  const auto begin = order_.begin() + node.first, end = begin + node.count;
+  const Vec3& half = node.box.half;
+  const int longest = half.x >= half.y ? (half.x >= half.z ? 0 : 2) : (half.y >= half.z ? 1 : 2);
+  const Vec3 axis = node.box.axes[longest];
+  const Vec3 origin = 3.0 * node.box.center;
+  const auto position = [&](std::uint32_t triangle) { return dot(axis, triple_centroid(mesh_, triangle) - origin); };
+
+  if (node.depth < kDeepestMeanSplit) {
+    double mean = 0;
+    for (auto i = begin; i != end; ++i) mean += position(*i);
+    mean /= node.count;
+    const auto middle = std::partition(begin, end, [&](std::uint32_t t) { return position(t) < mean; });
+    if (middle != begin && middle != end) return static_cast<std::uint32_t>(middle - begin);
+  }
+  const auto middle = begin + node.count / 2;
+  std::nth_element(begin, middle, end, [&](std::uint32_t s, std::uint32_t t) {
+    const double ps = position(s), pt = position(t);
+    return ps < pt || (ps == pt && s < t);
+  });
+  return node.count / 2;
+}
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/pose.hpp"
+#include "hierarchy/leaf_pairs.hpp"
+#include "partition/batch.hpp"
+#include "partition/grid.hpp"
+
+namespace impinge::partition {
+
+struct Config {
+  bool grid = true;  ///< off: every edge of a leaf goes on against every triangle of the other
+};
+
+/// The two objects of a leaf pair.
+struct PlacedMeshes {
+  const MeshData& mesh_a;
+  const Pose& pose_a;
+  const MeshData& mesh_b;
+  const Pose& pose_b;
+};
+
+/// Turns leaf pairs into streams: poses the leaves, lays the grid over their overlap, and lets those edges and
+/// triangles go on that share a cell, each pair of them once. Keeps its scratch memory, and a leaf's posed elements as
+/// long as the same leaf comes again.
+class Partitioner {
+ public:
+  explicit Partitioner(Config config) : config_(config) {}
+
+  /// Appends the tests of one leaf pair to the batch.
+  void append(const hierarchy::LeafPair& pair, const PlacedMeshes& placed, Batch& batch);
+
+  /// To be called when the batch has been cleared.
+  void restart() { a_.leaf = b_.leaf = nullptr; }
+
+ private:
+  /// A leaf's elements in the batch, with their boxes.
+  struct PosedLeaf {
+    const hierarchy::LeafBlock* leaf = nullptr;
+    std::uint32_t object_pair = 0;
+    std::uint32_t first_edge = 0, first_triangle = 0;
+    std::vector<Box> edge_boxes, triangle_boxes;
+    Box box{};
+    std::vector<Cells> edge_cells, triangle_cells;
+  };
+
+  static void pose(const hierarchy::LeafBlock& leaf, std::uint32_t object_pair, const MeshData& mesh, const Pose& pose,
+                   PosedLeaf& posed, Batch& batch);
+  [[nodiscard]] bool map_to_cells(PosedLeaf& a, PosedLeaf& b) const;
+  void stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch);
+  std::uint32_t candidate(std::uint32_t a, std::uint32_t b, Batch& batch);
+
+  Config config_;
+  PosedLeaf a_, b_;
+  std::vector<std::uint32_t> candidates_;  ///< of the leaf pair at hand, by (triangle of a, triangle of b)
+};
+
+}  // namespace impinge::partition

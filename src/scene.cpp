@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/scene.hpp"
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "broad/sweep_and_prune.hpp"
+#include "core/float_environment.hpp"
+#include "mesh_state.hpp"
+#include "pipeline.hpp"
+#include "scene/scene_view.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge {
+namespace {
+
+/// A place for an object, occupied or free.
+struct Slot {
+  std::optional<Mesh> mesh;
+  std::uint32_t generation = 0;
+};
+
+}  // namespace
+
+struct Scene::State {
+  // All by the object's index.
+  std::vector<Slot> slots;
+  std::vector<scene::PlacedObject> objects;
+  std::vector<hierarchy::ObbTree*> trees;
+
+  std::vector<std::uint32_t> free_slots;
+  std::unordered_set<std::uint64_t> ignored;
+  broad::SweepAndPrune borders;
+  bool borders_are_stale = false;
+
+  [[nodiscard]] Result<void> check(ObjectId id) const {
+    if (id.index < slots.size() && slots[id.index].mesh && slots[id.index].generation == id.generation) return {};
+    return Error{Code::unknown_id, "there is no object " + std::to_string(id.index) + " of generation " +
+                                       std::to_string(id.generation) +
+                                       " in this scene; it was removed, or belongs to another scene"};
+  }
+
+  [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }
+};
+
+Scene::Scene() : state_(std::make_unique<State>()) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
+  const FloatEnvironment nearest;
+  if (auto valid = scene::validate(pose); !valid) return valid.error();
+  State& s = *state_;
+  if (s.free_slots.empty()) {
+    s.free_slots.push_back(static_cast<std::uint32_t>(s.slots.size()));
+    s.slots.emplace_back();
+    s.objects.emplace_back();
+    s.trees.push_back(nullptr);
+  }
+  const std::uint32_t index = s.free_slots.back();
+  s.free_slots.pop_back();
+  const MeshState& mesh_state = mesh.state();
+  s.objects[index] = scene::place(mesh_state.data, pose, group);
+  s.trees[index] = &mesh_state.tree;
+  s.slots[index].mesh = std::move(mesh);
+  s.borders_are_stale = true;
+  return ObjectId{index, s.slots[index].generation};
+}
+
+Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
+  const FloatEnvironment nearest;
+  State& s = *state_;
+  if (auto known = s.check(id); !known) return known;
+  if (auto valid = scene::validate(pose); !valid) return valid;
+  scene::PlacedObject& object = s.objects[id.index];
+  object = scene::place(s.slots[id.index].mesh->state().data, pose, object.group);
+  s.borders_are_stale = true;
+  return {};
+}
+
+Result<void> Scene::remove(ObjectId id) {
+  State& s = *state_;
+  if (auto known = s.check(id); !known) return known;
+  s.slots[id.index].mesh.reset();
+  ++s.slots[id.index].generation;
+  s.objects[id.index] = {};
+  s.trees[id.index] = nullptr;
+  std::erase_if(s.ignored,
+                [&](std::uint64_t pair) { return pair >> 32 == id.index || (pair & 0xFFFFFFFF) == id.index; });
+  s.free_slots.push_back(id.index);
+  s.borders_are_stale = true;
+  return {};
+}
+
+Result<void> Scene::ignore(ObjectId a, ObjectId b) {
+  for (const ObjectId id : {a, b})
+    if (auto known = state_->check(id); !known) return known;
+  if (a == b) return Error{Code::bad_option, "an object is never tested against itself; name two objects"};
+  state_->ignored.insert(scene::pair_key(a.index, b.index));
+  return {};
+}
+
+Result<void> Scene::unignore(ObjectId a, ObjectId b) {
+  for (const ObjectId id : {a, b})
+    if (auto known = state_->check(id); !known) return known;
+  state_->ignored.erase(scene::pair_key(a.index, b.index));
+  return {};
+}
+
+std::size_t Scene::size() const noexcept { return state_->slots.size() - state_->free_slots.size(); }
+
+Result<Pose> Scene::pose(ObjectId id) const {
+  if (auto known = state_->check(id); !known) return known.error();
+  return state_->objects[id.index].pose;
+}
+
+void Scene::update() {
+  const FloatEnvironment nearest;
+  state_->borders.update(state_->view());
+  state_->borders_are_stale = false;
+}
+
+Result<Contacts> Scene::collide(const Options& options) const {
+  const FloatEnvironment nearest;
+  if (auto valid = validate(options); !valid) return valid.error();
+  const State& s = *state_;
+  if (!s.borders_are_stale) return run_pipeline({s.view(), s.trees, &s.borders, options});
+  broad::SweepAndPrune repaired = s.borders;
+  repaired.update(s.view());
+  return run_pipeline({s.view(), s.trees, &repaired, options});
+}
+
+}  // namespace impinge

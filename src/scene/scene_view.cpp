@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "scene/scene_view.hpp"
+
+#include "core/hash.hpp"
+#include "core/pose.hpp"
+
+namespace impinge::scene {
+
+PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) {
+  PlacedObject object;
+  object.pose = pose;
+  object.group = group;
+  object.key = mesh.hash;
+  for (const double r : pose.R) object.key = mix(object.key, number_bits(r));
+  for (const double t : pose.t) object.key = mix(object.key, number_bits(t));
+  if (mesh.triangles.empty()) return object;
+  object.mesh = &mesh;
+  object.in_domain = in_exact_domain(pose, mesh);
+
+  // rounding_radius covers the world vertices' rounding and, with 12 u S to spare, that of the lines below.
+  const Vec3 radius = rounding_radius(pose, mesh);
+  const Mat3 R = to_mat3(pose.R);
+  const Vec3 t{pose.t[0], pose.t[1], pose.t[2]};
+  // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², and sqrt(1 + x) <= 1 + x/2.
+  const double stretch = 1 + 1.5 * orthogonality_defect(pose) + 0x1p-48;
+  object.sphere = {R * mesh.sphere.center + t, stretch * mesh.sphere.radius + (radius.x + radius.y + radius.z)};
+
+  const Vec3 middle = R * (0.5 * mesh.box.lo + 0.5 * mesh.box.hi) + t;
+  const Vec3 half = 0.5 * mesh.box.hi - 0.5 * mesh.box.lo;
+  const Vec3 reach = Vec3{dot(abs(R[0]), half), dot(abs(R[1]), half), dot(abs(R[2]), half)} + radius;
+  const Vec3 r{object.sphere.radius, object.sphere.radius, object.sphere.radius};
+  object.box = intersection({middle - reach, middle + reach}, {object.sphere.center - r, object.sphere.center + r});
+  return object;
+}
+
+}  // namespace impinge::scene

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_set>
+
+#include "core/mesh_data.hpp"
+#include "core/shapes.hpp"
+
+namespace impinge::scene {
+
+/// An object as the broad phase sees it. `mesh` is null where nothing is: a free place, or a mesh without triangles.
+struct PlacedObject {
+  const MeshData* mesh = nullptr;
+  Pose pose;
+  std::uint32_t group = 0;
+  Sphere sphere;          ///< around the world vertices, for certain
+  Box box;                ///< around the world vertices, for certain: the posed box cut with the sphere's
+  std::uint64_t key = 0;  ///< of the mesh's and the pose's numbers
+  bool in_domain = true;  ///< CONTRACT 3
+};
+
+/// An unordered pair of object indices as one number.
+inline std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
+}
+
+/// What a query is about.
+struct SceneView {
+  std::span<const PlacedObject> objects;
+  const std::unordered_set<std::uint64_t>* ignored = nullptr;  ///< pair keys
+};
+
+/// Bounds, key and domain of a mesh at a valid pose.
+PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group);
+
+}  // namespace impinge::scene
