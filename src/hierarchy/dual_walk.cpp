@@ -30,13 +30,19 @@ void DualWalk::advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std:
                        std::uint64_t max_box_tests, WalkCounts& counts) const {
   const std::size_t enough = leaf_pairs.size() + max_leaf_pairs;
   const std::uint64_t last_test = counts.box_tests + max_box_tests;
+  std::uint32_t moved_node = ObbTree::kLeaf;  // of B; pairs with the same one often follow each other
+  Obb moved_box;
   while (!stack.empty() && leaf_pairs.size() < enough && counts.box_tests < last_test) {
     const NodePair pair = stack.back();
     stack.pop_back();
     const Node& a = a_.tree.node(pair.a);
     const Node& b = b_.tree.node(pair.b);
     ++counts.box_tests;
-    if (!may_overlap(a.box, b.box, relative_)) continue;
+    if (moved_node != pair.b) {
+      moved_node = pair.b;
+      moved_box = relative_.moved(b.box);
+    }
+    if (!may_overlap(a.box, moved_box, relative_.margin)) continue;
 
     const bool a_leaf = ObbTree::is_leaf(a), b_leaf = ObbTree::is_leaf(b);
     if (a_leaf && b_leaf) {

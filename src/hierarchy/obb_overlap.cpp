@@ -35,30 +35,34 @@ RelativePose::RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pos
   margin = 0x1p-46 * magnitude + 32 * defect * sum(mesh_b.box.hi - mesh_b.box.lo);
 }
 
-bool may_overlap(const Obb& a, const Obb& b, const RelativePose& relative) {
-  const Mat3& A = a.axes;
-  // Everything in the frame of a: T is b's centre, the columns of D are b's axes.
-  const Vec3 T = A * (relative.M * b.center + relative.t - a.center);
-  const Mat3 Dt{A * (relative.M * b.axes[0]), A * (relative.M * b.axes[1]), A * (relative.M * b.axes[2])};
-  const Mat3 D = transpose(Dt);
-  const Mat3 abs_D{abs(D[0]), abs(D[1]), abs(D[2])};
-  const double m = relative.margin;
-  const std::array<double, 3> ha{a.half.x, a.half.y, a.half.z}, hb{b.half.x, b.half.y, b.half.z};
-  const std::array<double, 3> ta{T.x, T.y, T.z};
+Obb RelativePose::moved(const Obb& b) const {
+  return {M * b.center + t, {M * b.axes[0], M * b.axes[1], M * b.axes[2]}, b.half};
+}
 
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(ta[i]) > ha[i] + dot(abs_D[i], b.half) + m) return false;
-  const Mat3 abs_Dt = transpose(abs_D);
-  for (int j = 0; j < 3; ++j)
-    if (std::abs(dot(T, Dt[j])) > hb[j] + dot(abs_Dt[j], a.half) + m) return false;
+bool may_overlap(const Obb& a, const Obb& b, double margin) {
+  // Everything in the frame of a: T is b's centre, D's columns are b's axes.
+  const Vec3 T = a.axes * (b.center - a.center);
+  const double t[3] = {T.x, T.y, T.z};
+  const double ha[3] = {a.half.x, a.half.y, a.half.z}, hb[3] = {b.half.x, b.half.y, b.half.z};
+  double D[3][3], F[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      D[i][j] = dot(a.axes[i], b.axes[j]);
+      F[i][j] = std::abs(D[i][j]);
+    }
+    if (std::abs(t[i]) > ha[i] + (F[i][0] * hb[0] + F[i][1] * hb[1] + F[i][2] * hb[2]) + margin) return false;
+  }
+  for (int j = 0; j < 3; ++j) {
+    const double distance = std::abs(t[0] * D[0][j] + t[1] * D[1][j] + t[2] * D[2][j]);
+    if (distance > hb[j] + (F[0][j] * ha[0] + F[1][j] * ha[1] + F[2][j] * ha[2]) + margin) return false;
+  }
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
       const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      const double distance = std::abs(ta[i2] * component(D[i1], j) - ta[i1] * component(D[i2], j));
-      const double reach_a = ha[i1] * component(abs_D[i2], j) + ha[i2] * component(abs_D[i1], j);
-      const double reach_b = hb[j1] * component(abs_D[i], j2) + hb[j2] * component(abs_D[i], j1);
-      if (distance > reach_a + reach_b + m) return false;
+      const double distance = std::abs(t[i2] * D[i1][j] - t[i1] * D[i2][j]);
+      const double reach = (ha[i1] * F[i2][j] + ha[i2] * F[i1][j]) + (hb[j1] * F[i][j2] + hb[j2] * F[i][j1]);
+      if (distance > reach + margin) return false;
     }
   }
   return true;

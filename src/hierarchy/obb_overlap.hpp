@@ -15,11 +15,14 @@ struct RelativePose {
   double margin;
 
   RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pose& pose_b, const MeshData& mesh_b);
+
+  /// A box of B in A's frame.
+  [[nodiscard]] Obb moved(const Obb& b) const;
 };
 
-/// Whether the boxes may hold triangles that share a point in the world: the fifteen separating axes of two boxes
-/// (Gottschalk, Lin, Manocha 1996). Conservative: false only if they certainly do not.
-bool may_overlap(const Obb& a, const Obb& b, const RelativePose& relative);
+/// Whether the boxes, both in A's frame, may hold triangles that share a point in the world: the fifteen separating
+/// axes of two boxes (Gottschalk, Lin, Manocha 1996). Conservative: false only if they certainly do not.
+bool may_overlap(const Obb& a, const Obb& b, double margin);
 
 /// Whether the box, posed, may hold a triangle that reaches `region`. Conservative too.
 bool may_reach(const Obb& box, const Pose& pose, const Vec3& rounding, const Box& region);

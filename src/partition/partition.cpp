@@ -7,26 +7,21 @@
 namespace impinge::partition {
 namespace {
 
-/// The mean size of the boxes that meet the region: the paper's best cell.
-class MeanSize {
- public:
-  void add(const std::vector<Box>& boxes, const Box& region) {
-    for (const Box& box : boxes) {
-      if (!overlap(box, region)) continue;
-      sum_ = sum_ + (box.hi - box.lo);
-      ++count_;
-    }
+/// Adds up the sizes of the boxes that meet the region and lists them.
+template <class Elements>
+void select(const std::vector<Box>& boxes, const Box& region, Elements& elements, Vec3& total_size) {
+  elements.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (!overlap(boxes[i], region)) continue;
+    elements.push_back({i, 0});
+    total_size = total_size + (boxes[i].hi - boxes[i].lo);
   }
-  [[nodiscard]] Vec3 mean() const { return 1.0 / std::max(count_, 1) * sum_; }
+}
 
- private:
-  Vec3 sum_{0, 0, 0};
-  int count_ = 0;
-};
-
-void map(const std::vector<Box>& boxes, const Grid& grid, std::vector<Cells>& cells) {
-  cells.resize(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) cells[i] = grid.cells_of(boxes[i]);
+template <class Elements>
+void select_all(const std::vector<Box>& boxes, Elements& elements) {
+  elements.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) elements.push_back({i, ~Cells{0}});
 }
 
 }  // namespace
@@ -58,21 +53,20 @@ void Partitioner::pose(const hierarchy::LeafBlock& leaf, std::uint32_t object_pa
   }
 }
 
-/// False if the leaves' world boxes are apart.
-bool Partitioner::map_to_cells(PosedLeaf& a, PosedLeaf& b) const {
-  const Box region = intersection(a.box, b.box);
-  if (is_empty(region)) return false;
-  MeanSize size;
-  for (const PosedLeaf* leaf : {&a, &b}) {
-    size.add(leaf->edge_boxes, region);
-    size.add(leaf->triangle_boxes, region);
+/// Lays the grid over the overlap of the leaves, a cell as large as the mean box of the elements there (the paper's
+/// best), and maps those elements to it.
+void Partitioner::map_to_cells(const Box& region) {
+  Vec3 total_size{0, 0, 0};
+  for (PosedLeaf* leaf : {&a_, &b_}) {
+    select(leaf->edge_boxes, region, leaf->edges, total_size);
+    select(leaf->triangle_boxes, region, leaf->triangles, total_size);
   }
-  const Grid grid(region, size.mean());
-  for (PosedLeaf* leaf : {&a, &b}) {
-    map(leaf->edge_boxes, grid, leaf->edge_cells);
-    map(leaf->triangle_boxes, grid, leaf->triangle_cells);
+  const std::size_t count = a_.edges.size() + a_.triangles.size() + b_.edges.size() + b_.triangles.size();
+  const Grid grid(region, 1.0 / static_cast<double>(std::max<std::size_t>(count, 1)) * total_size);
+  for (PosedLeaf* leaf : {&a_, &b_}) {
+    for (Element& edge : leaf->edges) edge.cells = grid.cells_of(leaf->edge_boxes[edge.index]);
+    for (Element& triangle : leaf->triangles) triangle.cells = grid.cells_of(leaf->triangle_boxes[triangle.index]);
   }
-  return true;
 }
 
 std::uint32_t Partitioner::candidate(std::uint32_t a, std::uint32_t b, Batch& batch) {
@@ -92,12 +86,12 @@ void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, boo
     if (owner == hierarchy::LeafEdge::kNone) return ElementTest::kNone;
     return edges_are_a ? candidate(owner, triangle, batch) : candidate(triangle, owner, batch);
   };
-  for (std::uint32_t t = 0; t < triangles.triangle_boxes.size(); ++t) {
-    for (std::uint32_t e = 0; e < edges.edge_boxes.size(); ++e) {
-      if (config_.grid) {
-        if ((edges.edge_cells[e] & triangles.triangle_cells[t]) == 0) continue;
-        if (!overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
-      }
+  for (const Element& triangle : triangles.triangles) {
+    const std::uint32_t t = triangle.index;
+    for (const Element& element : edges.edges) {
+      if ((element.cells & triangle.cells) == 0) continue;
+      const std::uint32_t e = element.index;
+      if (config_.grid && !overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
       const hierarchy::LeafEdge& edge = edges.leaf->edges[e];
       batch.tests.push_back(
           {edges.first_edge + e, triangles.first_triangle + t, pair_of(edge.left, t), pair_of(edge.right, t)});
@@ -108,7 +102,16 @@ void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, boo
 void Partitioner::append(const hierarchy::LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
   pose(*pair.a, pair.object_pair, placed.mesh_a, placed.pose_a, a_, batch);
   pose(*pair.b, pair.object_pair, placed.mesh_b, placed.pose_b, b_, batch);
-  if (config_.grid && !map_to_cells(a_, b_)) return;
+  if (config_.grid) {
+    const Box region = intersection(a_.box, b_.box);
+    if (is_empty(region)) return;
+    map_to_cells(region);
+  } else {
+    for (PosedLeaf* leaf : {&a_, &b_}) {
+      select_all(leaf->edge_boxes, leaf->edges);
+      select_all(leaf->triangle_boxes, leaf->triangles);
+    }
+  }
   candidates_.assign(pair.a->triangles.size() * pair.b->triangles.size(), ElementTest::kNone);
   stream(a_, b_, true, batch);
   stream(b_, a_, false, batch);

@@ -35,19 +35,25 @@ class Partitioner {
   void restart() { a_.leaf = b_.leaf = nullptr; }
 
  private:
-  /// A leaf's elements in the batch, with their boxes.
+  /// An edge or a triangle of a leaf that goes on, and the cells it was mapped to.
+  struct Element {
+    std::uint32_t index;
+    Cells cells;
+  };
+
+  /// A leaf's elements in the batch, with their world boxes.
   struct PosedLeaf {
     const hierarchy::LeafBlock* leaf = nullptr;
     std::uint32_t object_pair = 0;
     std::uint32_t first_edge = 0, first_triangle = 0;
     std::vector<Box> edge_boxes, triangle_boxes;
     Box box{};
-    std::vector<Cells> edge_cells, triangle_cells;
+    std::vector<Element> edges, triangles;  ///< of the leaf pair at hand
   };
 
   static void pose(const hierarchy::LeafBlock& leaf, std::uint32_t object_pair, const MeshData& mesh, const Pose& pose,
                    PosedLeaf& posed, Batch& batch);
-  [[nodiscard]] bool map_to_cells(PosedLeaf& a, PosedLeaf& b) const;
+  void map_to_cells(const Box& region);
   void stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch);
   std::uint32_t candidate(std::uint32_t a, std::uint32_t b, Batch& batch);
 

@@ -12,8 +12,8 @@ namespace {
 
 /// CONTRACT 8: unordered in the two triangles, summed over contacts, so that neither ids nor order nor swap matter.
 std::uint64_t contact_hash(std::uint64_t key_a, std::uint32_t a, std::uint64_t key_b, std::uint32_t b, Kind kind) {
-  const auto [low, high] = std::minmax(mix(key_a, a), mix(key_b, b));
-  return mix(mix(low, high), static_cast<std::uint64_t>(kind));
+  const std::uint64_t u = mix(key_a, a), v = mix(key_b, b);
+  return mix(mix(std::min(u, v), std::max(u, v)), static_cast<std::uint64_t>(kind));
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include "results/collector.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace impinge::results {
 
 bool precedes(const exact::Contact& p, const exact::Contact& q) {
-  return std::tie(p.object_pair, p.a, p.b) < std::tie(q.object_pair, q.a, q.b);
+  const auto triangles = [](const exact::Contact& c) { return std::uint64_t{c.a} << 32 | c.b; };
+  return p.object_pair != q.object_pair ? p.object_pair < q.object_pair : triangles(p) < triangles(q);
 }
 
 void Collector::add(std::span<const exact::Contact> contacts) {
