@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "scenes/contact_depth.hpp"
+
+#include <cmath>
+
+#include "impinge/collide.hpp"
+#include "scenes/motion.hpp"
+
+namespace impinge::scenes {
+namespace {
+
+struct Approach {
+  Pose a, b;                        // sphere centres on the origin
+  std::array<double, 3> direction;  // unit
+};
+
+Pose centered(Random& random, const Mesh& mesh) {
+  Pose pose;
+  pose.R = random_rotation(random);
+  const Point center = world_vertex(pose, mesh.sphere_center());
+  pose.t = {-center.x, -center.y, -center.z};
+  return pose;
+}
+
+Approach random_approach(Random& random, const Mesh& a, const Mesh& b) {
+  Approach approach;
+  approach.a = centered(random, a);
+  approach.b = centered(random, b);
+  const auto axes = random_rotation(random);
+  approach.direction = {axes[0], axes[3], axes[6]};
+  return approach;
+}
+
+Pose moved_along(const Approach& approach, double distance) {
+  Pose pose = approach.b;
+  for (std::size_t k = 0; k < 3; ++k) {
+    pose.t[k] += distance * approach.direction[k];
+  }
+  return pose;
+}
+
+}  // namespace
+
+Result<PosePair> near_first_touch(Random& random, const Mesh& a, const Mesh& b, double depth) {
+  const Approach approach = random_approach(random, a, b);
+  double apart = 1.01 * (a.sphere_radius() + b.sphere_radius());
+  double touching = 0;
+  for (int step = 0; step < 12; ++step) {
+    const double middle = (apart + touching) / 2;
+    const auto contacts = collide(a, approach.a, b, moved_along(approach, middle), {.find = Options::Find::first});
+    if (!contacts) {
+      return contacts.error();
+    }
+    (contacts->triangles.empty() ? apart : touching) = middle;
+  }
+  return PosePair{approach.a, moved_along(approach, apart - depth * 2 * a.sphere_radius())};
+}
+
+PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance) {
+  const Approach approach = random_approach(random, a, b);
+  return {approach.a, moved_along(approach, distance * 2 * a.sphere_radius())};
+}
+
+}  // namespace impinge::scenes

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impinge/mesh.hpp"
+#include "impinge/result.hpp"
+#include "scenes/random.hpp"
+
+/// Two meshes placed at a chosen depth, as the benchmarks of collision libraries do.
+namespace impinge::scenes {
+
+struct PosePair {
+  Pose a, b;
+};
+
+/// Both meshes randomly turned, their sphere centres on a random line. B comes from outside along the line; the last
+/// place where nothing touches is found by bisection, and B goes `depth` bounding-sphere diameters of A beyond it
+/// (below 0: stays so far in front of it). Bisection finds one crossing from apart to touching, for most shapes the
+/// first.
+Result<PosePair> near_first_touch(Random& random, const Mesh& a, const Mesh& b, double depth);
+
+/// Both randomly turned, sphere centres `distance` bounding-sphere diameters of A apart.
+PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance);
+
+}  // namespace impinge::scenes

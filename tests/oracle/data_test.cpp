@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// Real meshes: scans and CAD parts of Debian's libcgal-demo at random poses, and the two assemblies of
+/// assimp-testmodels.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "expected.hpp"
+#include "impinge/io.hpp"
+#include "impinge/scene.hpp"
+#include "scenes/contact_depth.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/placed.hpp"
+#include "scenes/shapes.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::MeshData;
+using scenes::PlacedScene;
+using scenes::Random;
+
+io::Model model_of(const fs::path& file) {
+  auto model = io::read(file, {.importer = IMPINGE_IMPORTER});
+  EXPECT_TRUE(model) << (model ? "" : model.error().message);
+  return model ? *std::move(model) : io::Model{};
+}
+
+MeshData data_of(const Mesh& mesh) {
+  MeshData data;
+  for (const Point& p : mesh.vertices()) {
+    data.add_vertex(p.x, p.y, p.z);
+  }
+  for (const auto& t : mesh.triangles()) {
+    data.add_triangle(t[0], t[1], t[2]);
+  }
+  return data;
+}
+
+/// The one mesh of a file of libcgal-demo; nothing, and a failure, where it cannot be read.
+std::optional<Mesh> sample(const char* name) {
+  const fs::path file = fs::path(IMPINGE_DATA_DIR) / "cgal/data/meshes" / name;
+  if (!fs::exists(file)) {
+    ADD_FAILURE() << file << " is missing: run scripts/fetch_data.sh.";
+    return std::nullopt;
+  }
+  const io::Model model = model_of(file);
+  EXPECT_EQ(model.objects.size(), 1u) << file;
+  return model.objects.size() == 1 ? std::optional(model.objects[0].mesh) : std::nullopt;
+}
+
+class RealMesh : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealMesh, AgainstItselfApartLightAndDeep) {
+  const auto found = sample(GetParam());
+  ASSERT_TRUE(found);
+  const Mesh& mesh = *found;
+  PlacedScene scene;
+  scene.meshes = {data_of(mesh)};
+  scene.objects = {{.mesh = 0}, {.mesh = 0}};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (const double depth : {-0.01, 0.0005, 0.03}) {
+      SCOPED_TRACE("depth " + std::to_string(depth));
+      const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
+      ASSERT_TRUE(poses) << poses.error().message;
+      scene.objects[0].pose = poses->a;
+      scene.objects[1].pose = poses->b;
+      EXPECT_EQ(expected::expect_exact(scene).empty(), depth < 0);
+    }
+    SCOPED_TRACE("deep");
+    const auto poses = scenes::centers_apart(random, mesh, mesh, 0.2);
+    scene.objects[0].pose = poses.a;
+    scene.objects[1].pose = poses.b;
+    EXPECT_FALSE(expected::expect_exact(scene).empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(CgalDemo, RealMesh,
+                         testing::Values("elephant.off", "camel.off", "armadillo.off", "cow.off", "anchor_dense.off",
+                                         "homer.off", "knot2.off", "refined_elephant.off"));
+
+TEST(RealMesh, ClosedPartOnItselfUnderOneMotion) {
+  const auto mesh = sample("anchor.off");
+  ASSERT_TRUE(mesh);
+  PlacedScene scene;
+  scene.meshes = {data_of(*mesh)};
+  scene.objects = {{.mesh = 0}, {.mesh = 0}};
+  Random random(1);
+  const PlacedScene moved = scenes::moved(scene, scenes::random_motion(random, 10));
+  const expected::Set set = expected::expect_exact(moved);
+  EXPECT_GE(set.size(), scene.meshes[0].triangle_count());
+  expected::expect_finds(set, scenes::baked(moved));
+}
+
+TEST(RealMesh, AgainstAnotherOfItsSize) {
+  const auto elephant = sample("elephant.off");
+  const auto lion = sample("lion-head.off");
+  ASSERT_TRUE(elephant && lion);
+  const double scale = elephant->sphere_radius() / lion->sphere_radius();
+  const auto scaled = lion->transformed({.m = {scale, 0, 0, 0, scale, 0, 0, 0, scale}});
+  ASSERT_TRUE(scaled) << scaled.error().message;
+  PlacedScene scene = scenes::pair_scene(data_of(*elephant), data_of(*scaled));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto light = scenes::near_first_touch(random, *elephant, *scaled, 0.03);
+    ASSERT_TRUE(light) << light.error().message;
+    for (const auto& poses : {*light, scenes::centers_apart(random, *elephant, *scaled, 0.2)}) {
+      scene.objects[0].pose = poses.a;
+      scene.objects[1].pose = poses.b;
+      EXPECT_FALSE(expected::expect_exact(scene).empty());
+    }
+  }
+}
+
+TEST(Knots, LightAndDeep) {
+  for (const int triangles : {968, 3162, 5200, 7590, 9612}) {
+    SCOPED_TRACE(triangles);
+    PlacedScene scene;
+    scene.meshes = {scenes::torus_knot_of(triangles)};
+    scene.objects = {{.mesh = 0}, {.mesh = 0}};
+    ASSERT_EQ(scene.meshes[0].triangle_count(), static_cast<std::size_t>(triangles));
+    const auto mesh = Mesh::create(scene.meshes[0].xyz, scene.meshes[0].triangles);
+    ASSERT_TRUE(mesh);
+    Random random(static_cast<std::uint64_t>(triangles));
+    for (int i = 0; i < 4; ++i) {
+      const auto light = scenes::near_first_touch(random, *mesh, *mesh, 0.03);
+      ASSERT_TRUE(light);
+      const auto deep = scenes::centers_apart(random, *mesh, *mesh, 0.2);
+      for (const auto& poses : {*light, deep}) {
+        scene.objects[0].pose = poses.a;
+        scene.objects[1].pose = poses.b;
+        EXPECT_FALSE(expected::expect_exact(scene).empty());
+      }
+    }
+  }
+}
+
+TEST(FlushBoxes, TenThousandOfThem) {
+  EXPECT_FALSE(expected::expect_exact(scenes::ten_thousand_flush_boxes()).empty());
+}
+
+class RealAssembly : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealAssembly, EveryTrianglePair) {
+  const fs::path file = fs::path(IMPINGE_MODELS_DIR) / GetParam();
+  ASSERT_TRUE(fs::exists(file)) << file << " is missing: install Debian's assimp-testmodels.";
+  const io::Model model = model_of(file);
+  Scene scene;
+  for (const io::Object& object : model.objects) {
+    const auto id = scene.add(object.mesh, object.pose);
+    ASSERT_TRUE(id) << id.error().message;
+  }
+  const auto contacts = scene.collide();
+  ASSERT_TRUE(contacts) << contacts.error().message;
+  const expected::Set set = expected::of_model(file);
+  EXPECT_FALSE(set.empty());
+  expected::expect_same(set, expected::listed(*contacts));
+}
+
+INSTANTIATE_TEST_SUITE_P(AssimpModels, RealAssembly,
+                         testing::Values("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+                                         "IFC/AC14-FZK-Haus.ifc"));
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The borders of the range in which every answer is exact, and callers with another floating-point environment.
+#include <fenv.h>
+#include <gtest/gtest.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include <cmath>
+#include <string>
+
+#include "expected.hpp"
+#include "impinge/collide.hpp"
+#include "impinge/scene.hpp"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/placed.hpp"
+#include "scenes/shapes.hpp"
+
+namespace impinge {
+namespace {
+
+using scenes::MeshData;
+using scenes::PlacedScene;
+using scenes::Random;
+
+constexpr double kSmallest = 0x1p-358;
+const double kLargest = std::nextafter(0x1p300, 0.0);
+
+/// Triangles whose coordinates are borders of the domain, of either sign, and numbers between them.
+MeshData border_soup(Random& random, int n) {
+  const std::array<double, 7> values{0, kSmallest, 3 * kSmallest, 1, 0x1p299, kLargest, 0x1.fffffffffffffp-306};
+  MeshData mesh;
+  for (int i = 0; i < n; ++i) {
+    std::array<double, 9> corners{};
+    for (double& x : corners) {
+      x = values[static_cast<std::size_t>(random.integer(0, 6))] * (random.integer(0, 1) == 0 ? 1 : -1);
+    }
+    mesh.add_triangle(corners);
+  }
+  return mesh;
+}
+
+TEST(Domain, IsExactAtItsBorders) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeshData a = scenes::integer_soup(random, 80, 3);
+    const MeshData b = scenes::integer_soup(random, 80, 3);
+    const expected::Set set = expected::expect_exact(scenes::pair_scene(a, b));
+    for (const double scale : {kSmallest, 0x1p-300, 0x1p-200, 0x1p100, 0x1p200, 0x1p298}) {
+      SCOPED_TRACE(scale);
+      expected::expect_finds(
+          set, scenes::pair_scene(scenes::scaled(a, scale, scale, scale), scenes::scaled(b, scale, scale, scale)));
+    }
+    for (const auto& [x, y, z] : {std::array{0x1p298, 1.0, kSmallest}, std::array{kSmallest, 0x1p298, 0x1p298},
+                                  std::array{1.0, kSmallest, kSmallest}}) {
+      expected::expect_finds(set, scenes::pair_scene(scenes::scaled(a, x, y, z), scenes::scaled(b, x, y, z)));
+    }
+    const MeshData border_a = border_soup(random, 80);
+    const MeshData border_b = border_soup(random, 80);
+    EXPECT_FALSE(expected::expect_exact(scenes::pair_scene(border_a, border_b)).empty());
+    expected::expect_exact(scenes::pair_scene(border_a, border_a));
+  }
+}
+
+TEST(Domain, IsExactInMotionNearItsBorders) {
+  Random random(11);
+  for (const double scale : {0x1p-240, 0x1p290}) {
+    PlacedScene scene =
+        scenes::shifted_pair(scenes::scaled(scenes::bumpy_grid(6, 6), scale, scale, scale), {scale, 0, 0});
+    for (auto& object : scene.objects) {
+      object.pose.R = scenes::random_rotation(random);
+    }
+    expected::expect_exact(scene);
+    expected::expect_exact(scenes::moved(scenes::shifted_pair(scene.meshes[0], {scale, 0, 0}),
+                                         {.R = scenes::random_rotation(random), .t = {scale, scale, -scale}}));
+  }
+}
+
+/// What `collide` and `Scene` say of two meshes.
+void expect_out_of_range(const PlacedScene& scene) {
+  std::vector<Mesh> meshes;
+  for (const MeshData& data : scene.meshes) {
+    auto mesh = Mesh::create(data.xyz, data.triangles);
+    ASSERT_TRUE(mesh);
+    meshes.push_back(*mesh);
+  }
+  const auto answer = collide(meshes[0], scene.objects[0].pose, meshes[1], scene.objects[1].pose);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, Code::out_of_range) << answer.error().message;
+  EXPECT_FALSE(answer.error().message.empty());
+  Scene placed;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(placed.add(meshes[i], scene.objects[i].pose));
+  }
+  const auto of_scene = placed.collide();
+  ASSERT_FALSE(of_scene);
+  EXPECT_EQ(of_scene.error().code, Code::out_of_range) << of_scene.error().message;
+}
+
+/// The cube, one corner's x replaced.
+PlacedScene cubes_with_corner(double x) {
+  MeshData mesh = scenes::cube();
+  mesh.xyz[0] = x;
+  return scenes::pair_scene(mesh, scenes::cube());
+}
+
+TEST(Domain, RefusesWhatLiesOutside) {
+  for (const double x : {0x1p300, -0x1p300, 0x1p1000, 0x1p-359, -0x1p-359, kSmallest + 0x1p-359, 5e-324, 0x1p-1030}) {
+    SCOPED_TRACE(x);
+    expect_out_of_range(cubes_with_corner(x));
+  }
+  for (const double x : {kLargest, -kLargest, kSmallest, -kSmallest}) {
+    SCOPED_TRACE(x);
+    EXPECT_FALSE(expected::expect_exact(cubes_with_corner(x)).empty());
+  }
+}
+
+TEST(Domain, CountsThePose) {
+  PlacedScene scene = cubes_with_corner(0x1p299);
+  scene.objects[0].pose.t = {0x1p299, 0, 0};
+  expect_out_of_range(scene);
+  scene.objects[0].pose.t = {-0x1p299, 0, 0};
+  expected::expect_exact(scene);
+  // A turn that takes (x, x, 0) further out than x.
+  MeshData far = scenes::scaled(scenes::cube(), 0x1.8p299, 0x1.8p299, 1);
+  PlacedScene turned = scenes::pair_scene(far, far);
+  turned.objects[0].pose.R = {0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1};
+  expect_out_of_range(turned);
+}
+
+/// Sets the caller's environment, restores it when it ends, and tells whether it is as it was set.
+class Environment {
+ public:
+  Environment(int rounding, bool flush) {
+    fegetenv(&before_);
+    fesetround(rounding);
+#if defined(__SSE2__)
+    if (flush) {
+      _mm_setcsr(_mm_getcsr() | 0x8040u);
+    }
+    control_ = _mm_getcsr() & kControl;
+#else
+    static_cast<void>(flush);
+#endif
+    rounding_ = rounding;
+  }
+  ~Environment() { fesetenv(&before_); }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+  [[nodiscard]] bool unchanged() const {
+#if defined(__SSE2__)
+    if ((_mm_getcsr() & kControl) != control_) {
+      return false;
+    }
+#endif
+    return fegetround() == rounding_;
+  }
+
+ private:
+  static constexpr unsigned kControl = 0xffc0u;  // all but the sticky exception flags
+  fenv_t before_{};
+  int rounding_ = FE_TONEAREST;
+  unsigned control_ = 0;
+};
+
+struct Answer {
+  Result<Contacts> contacts = Error{Code::cancelled, "not asked"};
+  bool unchanged = false;
+};
+
+/// Makes meshes, scene and query in the caller's environment. `collide` on the first two objects where `pair` is set.
+Answer answer_under(const PlacedScene& scene, int rounding, bool flush, bool pair) {
+  Answer answer;
+  const Environment environment(rounding, flush);
+  std::vector<Mesh> meshes;
+  for (const MeshData& data : scene.meshes) {
+    auto mesh = Mesh::create(data.xyz, data.triangles);
+    if (!mesh) {
+      answer.contacts = mesh.error();
+      return answer;
+    }
+    meshes.push_back(*mesh);
+  }
+  const auto& objects = scene.objects;
+  if (pair) {
+    answer.contacts = collide(meshes[objects[0].mesh], objects[0].pose, meshes[objects[1].mesh], objects[1].pose);
+  } else {
+    Scene placed;
+    for (const auto& object : objects) {
+      const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
+      if (!id) {
+        answer.contacts = id.error();
+        return answer;
+      }
+    }
+    placed.update();
+    answer.contacts = placed.collide();
+  }
+  answer.unchanged = environment.unchanged();
+  return answer;
+}
+
+TEST(Environment, OfTheCallerChangesNoAnswerAndIsRestored) {
+  Random random(3);
+  const auto motion = scenes::random_motion(random, 10);
+  const MeshData soup = scenes::integer_soup(random, 60, 2);
+  const MeshData tiny = scenes::scaled(soup, kSmallest, kSmallest, kSmallest);
+  MeshData denormal = scenes::cube();  // coordinates that only count once the pose has moved them: to nothing
+  for (double& x : denormal.xyz) {
+    x = x == 0 ? 0x1p-1060 : x;
+  }
+  PlacedScene vanishing = scenes::pair_scene(denormal, scenes::cube());
+  vanishing.objects[0].pose.t = {1, 1, 1};
+  const std::vector<PlacedScene> all{
+      scenes::moved(scenes::t_junctions(3), motion),
+      scenes::moved(scenes::cube_pair({1, 0, 0}), motion),
+      scenes::moved(scenes::shifted_pair(scenes::bumpy_grid(8, 8), {0.5, 0, 0}), motion),
+      scenes::moved(scenes::pair_scene(soup, soup), motion),
+      scenes::pair_scene(tiny, tiny),
+      scenes::pair_scene(border_soup(random, 60), border_soup(random, 60)),
+      vanishing,
+  };
+  for (const PlacedScene& scene : all) {
+    const expected::Set set = expected::expect_exact(scene);
+    EXPECT_FALSE(set.empty());
+    for (const int rounding : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+      for (const bool flush : {false, true}) {
+        for (const bool pair : {false, true}) {
+          SCOPED_TRACE("rounding mode " + std::to_string(rounding) + (flush ? ", denormals flushed" : ""));
+          const Answer answer = answer_under(scene, rounding, flush, pair);
+          EXPECT_TRUE(answer.unchanged) << "The caller's floating-point environment was not restored.";
+          ASSERT_TRUE(answer.contacts) << answer.contacts.error().message;
+          expected::expect_same(set, expected::listed(*answer.contacts));
+        }
+      }
+    }
+  }
+}
+
+TEST(Environment, ThatFlushesDenormalsDoesNotHideThem) {
+  const PlacedScene scene = cubes_with_corner(0x1p-1060);
+  for (const bool flush : {false, true}) {
+    const Answer answer = answer_under(scene, FE_TONEAREST, flush, true);
+    ASSERT_FALSE(answer.contacts);
+    EXPECT_EQ(answer.contacts.error().code, Code::out_of_range);
+    EXPECT_TRUE(answer.unchanged);
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "expected.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "impinge/collide.hpp"
+#include "impinge/scene.hpp"
+#include "scenes/scene_file.hpp"
+
+extern char** environ;
+
+namespace impinge::expected {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Raise it when the oracle's answers change: sets kept under older names are then computed anew.
+constexpr const char* kOracleVersion = "1";
+
+/// FNV-1a over words of eight bytes, with the length: names a set, nothing more.
+std::string name_of(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
+    hash = (hash ^ word) * 0x100000001b3u;
+    hash ^= hash >> 32;
+  }
+  std::ostringstream name;
+  name << std::hex << hash << '-' << std::dec << bytes.size() << '-' << kOracleVersion;
+  return name.str();
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::optional<Set> read_set(const fs::path& file) {
+  const std::string bytes = bytes_of(file);
+  std::uint64_t count = 0;
+  if (bytes.size() < 16 || bytes.compare(0, 8, "impset01") != 0) {
+    return std::nullopt;
+  }
+  std::memcpy(&count, bytes.data() + 8, 8);
+  if (count != (bytes.size() - 16) / sizeof(Contact) || bytes.size() != 16 + count * sizeof(Contact)) {
+    return std::nullopt;
+  }
+  Set set(count);
+  if (count != 0) {
+    std::memcpy(set.data(), bytes.data() + 16, count * sizeof(Contact));
+  }
+  return set;
+}
+
+bool runs(std::vector<std::string> command) {
+  std::vector<char*> arguments;
+  for (std::string& argument : command) {
+    arguments.push_back(argument.data());
+  }
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int failure = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  return failure == 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+Set kept_or_run(const fs::path& set_file, std::vector<std::string> command) {
+  if (auto kept = read_set(set_file)) {
+    return *std::move(kept);
+  }
+  command.push_back(set_file.string());
+  if (!runs(command)) {
+    ADD_FAILURE() << "There is no expected set " << set_file
+                  << ", and the oracle that computes it failed or is missing: " << command[0]
+                  << ". Build the targets impinge_oracle and impinge_model_oracle.";
+    return {};
+  }
+  auto computed = read_set(set_file);
+  EXPECT_TRUE(computed) << set_file << " is not a set, though the oracle has just written it.";
+  return computed ? *std::move(computed) : Set{};
+}
+
+Set of_scene(const scenes::PlacedScene& scene, bool rationals) {
+  const std::string bytes = scenes::scene_bytes(scene);
+  const fs::path folder = IMPINGE_ORACLE_DIR;
+  fs::create_directories(folder);
+  const fs::path set_file = folder / (name_of(bytes) + (rationals ? ".rational" : ".set"));
+  if (auto kept = read_set(set_file)) {
+    return *std::move(kept);
+  }
+  const std::string scene_file = set_file.string() + ".scene." + std::to_string(::getpid());
+  std::ofstream(scene_file, std::ios::binary) << bytes;
+  std::vector<std::string> command{IMPINGE_ORACLE_PROGRAM};
+  if (rationals) {
+    command.emplace_back("--rational");
+  }
+  command.push_back(scene_file);
+  Set set = kept_or_run(set_file, std::move(command));
+  std::remove(scene_file.c_str());
+  return set;
+}
+
+std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene) {
+  std::vector<Mesh> meshes;
+  for (const scenes::MeshData& data : scene.meshes) {
+    auto mesh = Mesh::create(data.xyz, data.triangles);
+    if (!mesh) {
+      ADD_FAILURE() << "Mesh " << meshes.size() << " of the scene: " << mesh.error().message;
+      return {};
+    }
+    meshes.push_back(*std::move(mesh));
+  }
+  return meshes;
+}
+
+Set listed_or_failed(const Result<Contacts>& contacts) {
+  if (!contacts) {
+    ADD_FAILURE() << "The query failed: " << contacts.error().message;
+    return {};
+  }
+  EXPECT_FALSE(contacts->truncated);
+  return listed(*contacts);
+}
+
+std::string written(const Contact& c) {
+  std::ostringstream out;
+  out << "objects " << c[0] << ' ' << c[1] << " triangles " << c[2] << ' ' << c[3];
+  return out.str();
+}
+
+std::string written_kind(std::uint32_t kind) {
+  constexpr std::array<const char*, 3> kNames{"crossing", "touching", "coplanar"};
+  return kind < 3 ? kNames[kind] : "kind " + std::to_string(kind);
+}
+
+}  // namespace
+
+Set by_oracle(const scenes::PlacedScene& scene) { return of_scene(scene, false); }
+Set by_rationals(const scenes::PlacedScene& scene) { return of_scene(scene, true); }
+
+Set of_model(const std::filesystem::path& model) {
+  const std::string bytes = bytes_of(model);
+  if (bytes.empty()) {
+    ADD_FAILURE() << model << " is missing or empty: install Debian's assimp-testmodels.";
+    return {};
+  }
+  const fs::path folder = IMPINGE_ORACLE_DIR;
+  fs::create_directories(folder);
+  return kept_or_run(folder / (name_of(bytes) + ".model"), {IMPINGE_MODEL_ORACLE_PROGRAM, model.string()});
+}
+
+Set listed(const Contacts& contacts) {
+  Set set;
+  const std::size_t rows = contacts.objects.size();
+  const bool fits = contacts.offsets.size() == rows + 1 && contacts.offsets.front() == 0 &&
+                    contacts.offsets.back() == contacts.triangles.size() &&
+                    contacts.kinds.size() == contacts.triangles.size() &&
+                    std::is_sorted(contacts.offsets.begin(), contacts.offsets.end());
+  EXPECT_TRUE(fits) << "The arrays of the answer do not fit together.";
+  for (std::size_t row = 0; fits && row < rows; ++row) {
+    EXPECT_LT(contacts.offsets[row], contacts.offsets[row + 1]) << "Row " << row << " is empty.";
+    for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i) {
+      set.push_back({contacts.objects[row][0], contacts.objects[row][1], contacts.triangles[i].a,
+                     contacts.triangles[i].b, static_cast<std::uint32_t>(contacts.kinds[i])});
+    }
+  }
+  EXPECT_TRUE(std::is_sorted(set.begin(), set.end())) << "The answer is not in canonical order.";
+  return set;
+}
+
+Set by_scene(const scenes::PlacedScene& scene, const Options& options) {
+  const std::vector<Mesh> meshes = meshes_of(scene);
+  if (meshes.size() != scene.meshes.size()) {
+    return {};
+  }
+  Scene placed;
+  for (const scenes::PlacedObject& object : scene.objects) {
+    const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
+    if (!id) {
+      ADD_FAILURE() << "The scene refuses an object: " << id.error().message;
+      return {};
+    }
+  }
+  return listed_or_failed(placed.collide(options));
+}
+
+Set by_collide(const scenes::PlacedScene& scene, bool swapped) {
+  const std::vector<Mesh> meshes = meshes_of(scene);
+  if (meshes.size() != scene.meshes.size() || scene.objects.size() != 2) {
+    ADD_FAILURE() << "The function collide takes two objects.";
+    return {};
+  }
+  const scenes::PlacedObject& a = scene.objects[swapped ? 1 : 0];
+  const scenes::PlacedObject& b = scene.objects[swapped ? 0 : 1];
+  return listed_or_failed(collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose));
+}
+
+Set transposed(const Set& set) {
+  Set result;
+  result.reserve(set.size());
+  for (const Contact& c : set) {
+    result.push_back({c[0], c[1], c[3], c[2], c[4]});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void expect_same(const Set& expected, const Set& found) {
+  if (expected == found) {
+    return;
+  }
+  std::map<Contact, std::array<std::uint32_t, 2>> kinds;  // pair -> 1 + kind expected, 1 + kind found; 0: none
+  const auto pair_of = [](Contact c) {
+    c[4] = 0;
+    return c;
+  };
+  for (const Contact& c : expected) {
+    kinds[pair_of(c)][0] = 1 + c[4];
+  }
+  for (const Contact& c : found) {
+    kinds[pair_of(c)][1] = 1 + c[4];
+  }
+  std::size_t missed = 0, added = 0, misnamed = 0;
+  std::string examples;
+  for (const auto& [pair, kind] : kinds) {
+    if (kind[0] == kind[1]) {
+      continue;
+    }
+    const std::size_t examples_before = missed + added + misnamed;
+    missed += kind[1] == 0;
+    added += kind[0] == 0;
+    misnamed += kind[0] != 0 && kind[1] != 0;
+    if (examples_before < 5) {
+      examples += "\n  " + written(pair) + ": " + (kind[0] == 0 ? "no contact" : written_kind(kind[0] - 1)) +
+                  " found as " + (kind[1] == 0 ? "no contact" : written_kind(kind[1] - 1));
+    }
+  }
+  ADD_FAILURE() << "Of " << expected.size() << " contacts " << missed << " missed, " << misnamed << " misnamed; "
+                << added << " added" << (found.size() != kinds.size() - missed ? "; some found twice" : "") << examples;
+}
+
+void expect_finds(const Set& expected, const scenes::PlacedScene& scene) {
+  {
+    SCOPED_TRACE("by Scene");
+    expect_same(expected, by_scene(scene));
+  }
+  if (scene.objects.size() != 2) {
+    return;
+  }
+  {
+    SCOPED_TRACE("by collide");
+    expect_same(expected, by_collide(scene));
+  }
+  {
+    SCOPED_TRACE("by collide, swapped");
+    expect_same(transposed(expected), by_collide(scene, true));
+  }
+}
+
+Set expect_exact(const scenes::PlacedScene& scene) {
+  Set expected = by_oracle(scene);
+  expect_finds(expected, scene);
+  return expected;
+}
+
+}  // namespace impinge::expected

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "impinge/contacts.hpp"
+#include "impinge/options.hpp"
+#include "scenes/scene.hpp"
+
+/// Expected sets, computed by the oracle's own programs and kept in IMPINGE_ORACLE_DIR under the scene's hash, so that
+/// each is computed once for all presets. What goes wrong fails the running test with a sentence.
+namespace impinge::expected {
+
+/// Object a, object b, triangle a, triangle b, kind; a whole answer is sorted.
+using Contact = std::array<std::uint32_t, 5>;
+using Set = std::vector<Contact>;
+
+/// What the oracle finds by boxes, CGAL's exact predicates and rationals.
+Set by_oracle(const scenes::PlacedScene& scene);
+/// What it finds by rationals alone, every triangle against every other.
+Set by_rationals(const scenes::PlacedScene& scene);
+/// What it finds in a model file that it loads itself.
+Set of_model(const std::filesystem::path& model);
+
+/// An answer as a set. Fails the test where its arrays do not fit together.
+Set listed(const Contacts& contacts);
+
+/// What impinge finds with a `Scene`, and fails the test if it finds an error.
+Set by_scene(const scenes::PlacedScene& scene, const Options& options = {});
+/// What it finds with the function `collide` on a scene's two objects, in this order or swapped.
+Set by_collide(const scenes::PlacedScene& scene, bool swapped = false);
+
+/// Exchanges the objects of each contact of a two-object set and sorts anew.
+Set transposed(const Set& set);
+
+/// Fails with the counts and first examples of missed, added and misnamed pairs.
+void expect_same(const Set& expected, const Set& found);
+
+/// `Scene`, and for two objects `collide` both ways, find `expected` in `scene`.
+void expect_finds(const Set& expected, const scenes::PlacedScene& scene);
+/// .. what the oracle finds. Returns it.
+Set expect_exact(const scenes::PlacedScene& scene);
+
+}  // namespace impinge::expected
