@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The paper's cost function, T = N_v C_v + N_p C_p + N_u C_u with constants measured once, beside the measured time.
+#include "bench/assemblies.hpp"
+#include "bench/mesh_pairs.hpp"
+#include "bench/support.hpp"
+#include "impinge/collide.hpp"
+#include "scenes/placed.hpp"
+
+namespace impinge::bench {
+namespace {
+
+const Options kPredict{.threads = 1, .predict_cost = true};
+
+class CostTable {
+ public:
+  void add(const std::string& name, const Statistics& s) {
+    table_.add({name, count(s.box_tests), count(s.element_tests), count(s.nodes_built),
+                milliseconds(s.predicted_seconds), milliseconds(s.measured_seconds),
+                digits(s.predicted_seconds / s.measured_seconds)});
+  }
+  void write(const std::filesystem::path& folder) const { table_.write(folder, "cost"); }
+
+ private:
+  Table table_{{"query", "N_v", "N_p", "N_u", "predicted ms", "measured ms", "predicted / measured"}};
+};
+
+void add_mesh_pairs(const Subject& subject, int poses, int repeats, CostTable& table) {
+  const Mesh mesh = make_mesh(subject.data);
+  for (const Depth depth : kDepths) {
+    const auto pairs = random_poses(mesh, depth, poses);
+    std::vector<Statistics> sums(static_cast<std::size_t>(repeats));
+    for (int warm = 0; warm < 2; ++warm)
+      for (Statistics& sum : sums) {
+        sum = {};
+        for (const auto& [a, b] : pairs) bench::add(sum, must(collide(mesh, a, mesh, b, kPredict)).statistics);
+      }
+    table.add(subject.name + " of " + count(mesh.triangle_count()) + " " + name_of(depth) + " (" + count(pairs.size()) +
+                  " poses)",
+              median(sums));
+  }
+}
+
+template <class MakeScene>
+void add_scene(const std::string& name, int repeats, const MakeScene& make_scene, CostTable& table) {
+  std::vector<Statistics> first, again;
+  for (int i = 0; i < repeats; ++i) {
+    const Scene scene = make_scene();
+    first.push_back(must(scene.collide(kPredict)).statistics);
+    again.push_back(must(scene.collide(kPredict)).statistics);
+  }
+  table.add(name + " first", median(first));
+  table.add(name + " repeated", median(again));
+}
+
+void run(const Arguments& arguments) {
+  const int poses = arguments.quick ? 10 : 40, repeats = arguments.quick ? 1 : 5;
+  const Mesh any = make_mesh(torus_knots()[0].data);
+  const Statistics constants = must(collide(any, {}, any, {}, kPredict)).statistics;
+  Table costs({"C_v ns a box test", "C_p ns an edge against a triangle", "C_u ns a tree node"});
+  costs.add({nanoseconds(constants.box_test_seconds), nanoseconds(constants.element_test_seconds),
+             nanoseconds(constants.node_seconds)});
+  costs.write(arguments.folder, "cost_constants");
+
+  CostTable table;
+  add_mesh_pairs(torus_knots()[0], poses, repeats, table);
+  add_mesh_pairs(torus_knots()[4], poses, repeats, table);
+  add_mesh_pairs(demo_meshes()[2], poses, repeats, table);
+  for (const Assembly& assembly : assemblies()) {
+    const io::Model model = read_model(assembly);
+    add_scene(
+        assembly.name, repeats, [&] { return fresh_scene(model); }, table);
+  }
+  const scenes::PlacedScene boxes = scenes::flush_boxes(10, 10, 10);
+  add_scene(
+      "1000 flush boxes", repeats, [&] { return fresh_scene(boxes); }, table);
+  table.write(arguments.folder);
+}
+
+}  // namespace
+}  // namespace impinge::bench
+
+int main(int argc, char** argv) {
+  const auto arguments = impinge::bench::parse_arguments(argc, argv);
+  impinge::bench::pin_to_one_core();
+  impinge::bench::run(arguments);
+}

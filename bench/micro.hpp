@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Micro-benchmarks by Google Benchmark. Each counts its items, so that the table shows the time of one.
+namespace impinge::bench {
+
+void register_exact_benchmarks();
+void register_box_benchmarks();
+/// `objects` in the scene.
+void register_broad_benchmarks(int objects);
+
+}  // namespace impinge::bench
