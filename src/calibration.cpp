@@ -38,7 +38,7 @@ double median(std::vector<double> values) {
 
 schedule::CostConstants calibrate() {
   constexpr int kRounds = 5;
-  std::vector<double> box_test, element_test, node;
+  std::vector<double> box_test, element_test, node, leaf_pair;
   Pose pose;
   pose.t = {1.2, 0.3, 0.1};
   const Options one_thread{.threads = 1};
@@ -50,8 +50,9 @@ schedule::CostConstants calibrate() {
     box_test.push_back(constants.box_test);
     element_test.push_back(constants.element_test);
     node.push_back(constants.node);
+    leaf_pair.push_back(constants.leaf_pair);
   }
-  return {median(box_test), median(element_test), median(node)};
+  return {median(box_test), median(element_test), median(node), median(leaf_pair)};
 }
 
 }  // namespace

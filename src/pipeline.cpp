@@ -191,6 +191,7 @@ class Pipeline {
     s.box_test_seconds = constants.box_test;
     s.element_test_seconds = constants.element_test;
     s.node_seconds = constants.node;
+    s.leaf_pair_seconds = constants.leaf_pair;
     s.predicted_seconds = schedule::predict_seconds(s, constants);
   }
 

@@ -12,15 +12,17 @@ CostConstants constants_from(const Statistics& building, const Statistics& repea
   };
   return {
       .box_test = per(repeated.hierarchy_seconds, repeated.box_tests),
-      .element_test = per(modelled_seconds(repeated) - repeated.hierarchy_seconds, repeated.element_tests),
+      .element_test = per(repeated.narrow_seconds + repeated.exact_seconds, repeated.element_tests),
       .node = per(building.hierarchy_seconds - repeated.hierarchy_seconds, building.nodes_built),
+      .leaf_pair = per(repeated.partition_seconds, repeated.leaf_pairs),
   };
 }
 
 double predict_seconds(const Statistics& counts, const CostConstants& constants) {
   return static_cast<double>(counts.box_tests) * constants.box_test +
          static_cast<double>(counts.element_tests) * constants.element_test +
-         static_cast<double>(counts.nodes_built) * constants.node;
+         static_cast<double>(counts.nodes_built) * constants.node +
+         static_cast<double>(counts.leaf_pairs) * constants.leaf_pair;
 }
 
 double modelled_seconds(const Statistics& s) {
