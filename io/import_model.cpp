@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "io/import_model.hpp"
+
+#include "io/model.hpp"
+#include "io/precision.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge::io {
+namespace {
+
+Affine affine_of(const std::array<double, 16>& world) {
+  Affine map;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) map.m[3 * row + column] = world[4 * row + column];
+    map.t[row] = world[4 * row + 3];
+  }
+  return map;
+}
+
+bool is_affine(const std::array<double, 16>& world) {
+  return world[12] == 0 && world[13] == 0 && world[14] == 0 && world[15] == 1;
+}
+
+}  // namespace
+
+Result<Model> model_of(Imported&& imported, const Source& source) {
+  Model model;
+  model.warnings = std::move(imported.warnings);
+  std::vector<Mesh> meshes;
+  for (ImportedMesh& raw : imported.meshes) {
+    Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles);
+    if (!mesh) return file_error(source, sentence("mesh ", meshes.size(), ": ", mesh.error().message));
+    meshes.push_back(std::move(*mesh));
+    raw = {};
+  }
+  PrecisionCheck precision;
+  for (ImportedObject& object : imported.objects) {
+    const Mesh& mesh = meshes[object.mesh];
+    const std::string name = object.name.empty() ? std::string(source.name) : std::move(object.name);
+    if (!is_affine(object.world)) {
+      return file_error(source, sentence("the transform of object '", name,
+                                         "' has a last row other than 0 0 0 1; export it without perspective"));
+    }
+    if (object.path.empty()) object.path = name;
+    const Affine map = affine_of(object.world);
+    const Pose pose{map.m, map.t};
+    precision.add(name, mesh, map);
+    if (scene::validate(pose)) {
+      model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose});
+      continue;
+    }
+    Result<Mesh> baked = mesh.transformed(map);
+    if (!baked) return file_error(source, sentence("object '", name, "': ", baked.error().message));
+    model.objects.push_back({name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}});
+  }
+  if (model.objects.empty()) {
+    return file_error(source, "the file holds no triangles; export the part as a mesh with faces");
+  }
+  precision.report(model.warnings);
+  make_names_unique(model.objects);
+  return model;
+}
+
+}  // namespace impinge::io

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impinge/io.hpp"
+#include "io/text.hpp"
+
+namespace impinge::io {
+
+/// Reads a file by assimp in a child process, whose crash, hang or hunger is an error that names the file.
+/// Errors: `bad_file`, `cancelled`.
+Result<Model> import_file(const std::filesystem::path& file, const Source& source, const ReadOptions& options);
+
+/// The child's program: `options.importer`, the environment's IMPINGE_IMPORTER, impinge-import beside the running
+/// program or in ../libexec/impinge from there, or where it was installed. Errors: `bad_file`.
+Result<std::filesystem::path> find_importer(const ReadOptions& options);
+
+}  // namespace impinge::io

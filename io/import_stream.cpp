@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "io/import_stream.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace impinge::io {
+namespace {
+
+constexpr std::string_view kMagic = "impinge1";
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
+
+class Decoder {
+ public:
+  explicit Decoder(std::string_view stream) : rest_(stream) {}
+
+  Result<Imported> decode() {
+    if (!rest_.starts_with(kMagic)) return incomplete();
+    rest_.remove_prefix(kMagic.size());
+    for (;;) {
+      char letter = 0;
+      if (!number(letter)) return incomplete();
+      if (letter == 'Z' && rest_.empty()) return std::move(out_);
+      if (letter == 'E') {
+        if (!text(out_.error)) return incomplete();
+        return std::move(out_);
+      }
+      if (!(letter == 'M' ? mesh() : letter == 'O' ? object() : letter == 'W' && warning())) return incomplete();
+    }
+  }
+
+ private:
+  static Error incomplete() { return {Code::bad_file, "what it wrote is incomplete"}; }
+
+  template <class T>
+  bool number(T& value) {
+    if (rest_.size() < sizeof value) return false;
+    std::memcpy(&value, rest_.data(), sizeof value);
+    rest_.remove_prefix(sizeof value);
+    return true;
+  }
+  template <class T>
+  bool numbers(std::vector<T>& values, std::uint64_t count) {
+    values.resize(count);
+    if (count > 0) std::memcpy(values.data(), rest_.data(), count * sizeof(T));
+    rest_.remove_prefix(count * sizeof(T));
+    return true;
+  }
+  bool text(std::string& value) {
+    std::uint32_t length = 0;
+    if (!number(length) || length > rest_.size()) return false;
+    value = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return true;
+  }
+
+  bool mesh() {
+    std::uint64_t vertices = 0, triangles = 0;
+    if (!number(vertices) || !number(triangles)) return false;
+    constexpr std::uint64_t kVertexBytes = 3 * sizeof(double), kTriangleBytes = 3 * sizeof(std::uint32_t);
+    if (vertices > rest_.size() / kVertexBytes) return false;
+    if (triangles > (rest_.size() - vertices * kVertexBytes) / kTriangleBytes) return false;
+    ImportedMesh& mesh = out_.meshes.emplace_back();
+    return numbers(mesh.xyz, 3 * vertices) && numbers(mesh.triangles, 3 * triangles);
+  }
+
+  bool object() {
+    ImportedObject& object = out_.objects.emplace_back();
+    if (!text(object.name) || !text(object.path) || !text(object.product) || !number(object.mesh)) return false;
+    return number(object.world) && object.mesh < out_.meshes.size();
+  }
+
+  bool warning() { return text(out_.warnings.emplace_back()); }
+
+  std::string_view rest_;
+  Imported out_;
+};
+
+}  // namespace
+
+ImportWriter::ImportWriter(int descriptor) : descriptor_(descriptor) {
+  buffer_.reserve(kBufferBytes);
+  bytes(kMagic.data(), kMagic.size());
+}
+
+void ImportWriter::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty() && !failed_) {
+    const ssize_t written = write(descriptor_, rest.data(), rest.size());
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0 && errno != EINTR) failed_ = true;
+  }
+  buffer_.clear();
+}
+
+void ImportWriter::bytes(const void* data, std::size_t count) {
+  std::string_view rest(static_cast<const char*>(data), count);
+  while (!rest.empty()) {
+    if (buffer_.size() >= kBufferBytes) flush();
+    const std::string_view part = rest.substr(0, kBufferBytes - buffer_.size());
+    buffer_ += part;
+    rest.remove_prefix(part.size());
+  }
+}
+
+template <class T>
+void ImportWriter::number(T value) {
+  bytes(&value, sizeof value);
+}
+
+void ImportWriter::text(std::string_view text) {
+  number(static_cast<std::uint32_t>(text.size()));
+  bytes(text.data(), text.size());
+}
+
+void ImportWriter::mesh(std::span<const double> xyz, std::span<const std::uint32_t> triangles) {
+  number('M');
+  number(std::uint64_t{xyz.size() / 3});
+  number(std::uint64_t{triangles.size() / 3});
+  bytes(xyz.data(), xyz.size_bytes());
+  bytes(triangles.data(), triangles.size_bytes());
+}
+
+void ImportWriter::object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
+                          const std::array<double, 16>& world) {
+  number('O');
+  text(name);
+  text(path);
+  text(product);
+  number(mesh);
+  number(world);
+}
+
+void ImportWriter::warning(std::string_view message) {
+  number('W');
+  text(message);
+}
+
+void ImportWriter::error(std::string_view message) {
+  number('E');
+  text(message);
+  flush();
+}
+
+bool ImportWriter::end() {
+  number('Z');
+  flush();
+  return !failed_;
+}
+
+Result<Imported> decode_import(std::string_view stream) { return Decoder(stream).decode(); }
+
+}  // namespace impinge::io

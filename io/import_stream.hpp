@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "impinge/result.hpp"
+
+/// What impinge-import writes and its parent reads, over a pipe on one machine: a magic word, then records. A record is
+/// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
+/// text is its length (32 bits) and its bytes.
+///
+///     "impinge1"
+///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
+///     'O' object   name, path, product: texts; mesh (32), 16 doubles: the world matrix, row-major
+///     'W' warning  text
+///     'E' error    text; nothing follows
+///     'Z' end      nothing follows; a stream without it or an error is incomplete
+///
+/// Meshes are numbered in the order in which they come, each before the objects that show it.
+namespace impinge::io {
+
+struct ImportedMesh {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+};
+struct ImportedObject {
+  std::string name, path, product;
+  std::uint32_t mesh;
+  std::array<double, 16> world;
+};
+struct Imported {
+  std::vector<ImportedMesh> meshes;
+  std::vector<ImportedObject> objects;
+  std::vector<std::string> warnings;
+  std::string error;  ///< not empty: the importer's own reason why there is no answer
+};
+
+/// Writes records to a file descriptor. The first failed write makes all others do nothing.
+class ImportWriter {
+ public:
+  explicit ImportWriter(int descriptor);
+  void mesh(std::span<const double> xyz, std::span<const std::uint32_t> triangles);
+  void object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
+              const std::array<double, 16>& world);
+  void warning(std::string_view text);
+  void error(std::string_view text);
+  /// Ends the stream; false if anything could not be written.
+  bool end();
+
+ private:
+  void bytes(const void* data, std::size_t count);
+  template <class T>
+  void number(T value);
+  void text(std::string_view text);
+  void flush();
+
+  int descriptor_;
+  bool failed_ = false;
+  std::string buffer_;
+};
+
+/// Reads a stream. Every size is checked against the bytes that are there before anything is allocated, every index
+/// against what it counts. Errors: `bad_file`, with half a sentence that says what is wrong with the stream.
+Result<Imported> decode_import(std::string_view stream);
+
+}  // namespace impinge::io

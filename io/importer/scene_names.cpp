@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "io/importer/scene_names.hpp"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "io/importer/axes.hpp"
+#include "io/importer/ifc_name.hpp"
+
+namespace impinge::importer {
+namespace {
+
+bool is_digits(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
+
+/// "nodes[12]", "meshes[3]": what assimp's glTF readers call things without a name.
+bool is_gltf_placeholder(std::string_view name) {
+  for (const std::string_view list : {"nodes[", "meshes["}) {
+    if (name.starts_with(list) && name.ends_with(']')) {
+      return is_digits(name.substr(list.size(), name.size() - list.size() - 1));
+    }
+  }
+  return false;
+}
+
+std::string_view text_of(const aiString& text) { return {text.data, text.length}; }
+
+}  // namespace
+
+SceneNames::SceneNames(const aiScene& scene) : scene_(scene) {
+  const std::string reader = reader_of(scene);
+  is_ifc_ = reader.find("(IFC)") != reader.npos;
+  is_gltf_ = reader.find("glTF") != reader.npos;
+  is_3mf_ = reader.find("3mf") != reader.npos;
+}
+
+std::string SceneNames::given_name(const aiNode& node) const {
+  const std::string_view name = text_of(node.mName);
+  if (is_ifc_) {
+    IfcProduct product;
+    if (!parse_ifc_product(name, product)) return {};  // IfcMappedItem, $RelAggregates and the like
+    const bool has_name = !product.name.empty() && product.name != "Unnamed";
+    return std::string(has_name ? product.name : product.type);
+  }
+  const bool is_root = node.mParent == nullptr;
+  if (is_gltf_ && (is_gltf_placeholder(name) || (is_root && name == "ROOT"))) return {};
+  if (is_3mf_ && is_root && name == "3MF") return {};
+  if (is_root && name == "RootNode") return {};                                            // FBX and others
+  if (name.starts_with('$') || (name.starts_with('<') && name.ends_with('>'))) return {};  // COLLADA, 3DS, DXF, ..
+  if (name.find("_$AssimpFbx$_") != name.npos) return {};                                  // pivots of FBX
+  return std::string(name);
+}
+
+/// The name of the mesh that the node shows. assimp's glTF readers number the primitives of one mesh: "body-0",
+/// "body-1".
+std::string SceneNames::mesh_name(const aiNode& node) const {
+  if (node.mNumMeshes == 0) return {};
+  std::string_view name = text_of(scene_.mMeshes[node.mMeshes[0]]->mName);
+  if (is_gltf_ && node.mNumMeshes > 1 && name.ends_with("-0")) name.remove_suffix(2);
+  if (is_gltf_ && is_gltf_placeholder(name)) return {};
+  return std::string(name);
+}
+
+std::string SceneNames::product_of(const aiNode& node) {
+  if (!is_ifc_) return {};
+  IfcProduct ignored;
+  const aiNode* product = &node;
+  while (product && !parse_ifc_product(text_of(product->mName), ignored)) product = product->mParent;
+  if (!product) return {};
+  std::string& key = products_[product];
+  if (!key.empty()) return key;
+  const std::string name(text_of(product->mName));
+  key = name;  // unique by its GlobalId, unless the file repeats one
+  for (int number = 2; !taken_products_.insert(key).second; ++number) key = name + " (" + std::to_string(number) + ")";
+  return key;
+}
+
+NodeNames SceneNames::of(const aiNode& node) {
+  std::vector<std::string> given;  // from the node up
+  for (const aiNode* at = &node; at; at = at->mParent) {
+    std::string name = given_name(*at);
+    if (name.empty() && at == &node) name = mesh_name(node);
+    if (!name.empty()) given.push_back(std::move(name));
+  }
+  NodeNames names;
+  if (!given.empty()) names.name = given.front();
+  std::reverse(given.begin(), given.end());
+  for (const std::string& name : given) names.path += (names.path.empty() ? "" : "/") + name;
+  names.product = product_of(node);
+  return names;
+}
+
+}  // namespace impinge::importer

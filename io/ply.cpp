@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "core/float_environment.hpp"
+#include "io/little_endian.hpp"
+#include "io/model.hpp"
+#include "io/ply_header.hpp"
+#include "io/readers.hpp"
+
+/// PLY, text and binary. Vertices are the properties x, y, z of the element `vertex`, polygons the list
+/// `vertex_indices` or `vertex_index` of `face`, strips the same list of `tristrips`, -1 between them. All else is
+/// passed over. Numbers of a text file are read as doubles, whatever type the header gives them.
+namespace impinge::io {
+namespace {
+
+/// The body as text: one word a value.
+class TextBody {
+ public:
+  TextBody(std::string_view bytes, const PlyHeader& header)
+      : words_(bytes.substr(header.body_byte)), first_line_(header.body_line) {}
+
+  /// Whether the rest can hold so many rows: a value takes at least a digit and a separator, which the last may lack.
+  bool has_room_for(std::uint64_t rows, const PlyElement& element) const {
+    return element.properties.empty() || rows <= (words_.bytes_left() + 1) / (2 * element.properties.size());
+  }
+  bool real(PlyType, double& value, std::string& problem) {
+    const std::string_view word = words_.word();
+    if (word.empty()) return cut_short(problem);
+    return parse_real(word, value, problem);
+  }
+  bool integer(PlyType, std::int64_t& value, std::string& problem) {
+    const std::string_view word = words_.word();
+    if (word.empty()) return cut_short(problem);
+    return parse_integer(word, value, problem);
+  }
+  bool skip(PlyType, std::int64_t count, std::string& problem) {
+    for (; count > 0; --count) {
+      if (words_.word().empty()) return cut_short(problem);
+    }
+    return true;
+  }
+  [[nodiscard]] Error error(const Source& source, std::string_view problem) const {
+    return line_error(source, first_line_ + words_.line() - 1, problem);
+  }
+
+ private:
+  static bool cut_short(std::string& problem) {
+    problem = "the file ends here; it is cut short";
+    return false;
+  }
+  Scanner words_;
+  std::uint64_t first_line_;
+};
+
+/// The body as bytes.
+class BinaryBody {
+ public:
+  BinaryBody(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes), next_(header.body_byte), is_big_(header.format == PlyHeader::Format::big_endian) {}
+
+  bool has_room_for(std::uint64_t rows, const PlyElement& element) {
+    last_ = next_;
+    std::uint64_t row_bytes = 0;
+    for (const PlyProperty& p : element.properties) row_bytes += bytes_of(p.is_list ? p.count_type : p.type);
+    return row_bytes == 0 || rows <= (bytes_.size() - next_) / row_bytes;
+  }
+  bool real(PlyType type, double& value, std::string& problem) {
+    if (is_integer(type)) {
+      std::int64_t whole = 0;
+      if (!integer(type, whole, problem)) return false;
+      value = static_cast<double>(whole);
+      return true;
+    }
+    const char* const at = take(bytes_of(type), problem);
+    if (!at) return false;
+    value = type == PlyType::float32 ? double{std::bit_cast<float>(load<std::uint32_t>(at))}
+                                     : std::bit_cast<double>(load<std::uint64_t>(at));
+    if (std::isfinite(value)) return true;
+    problem = "the number is not finite";
+    return false;
+  }
+  bool integer(PlyType type, std::int64_t& value, std::string& problem) {
+    const char* const at = take(bytes_of(type), problem);
+    if (!at) return false;
+    switch (type) {
+      case PlyType::int8:
+        value = static_cast<std::int8_t>(load<std::uint8_t>(at));
+        break;
+      case PlyType::uint8:
+        value = load<std::uint8_t>(at);
+        break;
+      case PlyType::int16:
+        value = static_cast<std::int16_t>(load<std::uint16_t>(at));
+        break;
+      case PlyType::uint16:
+        value = load<std::uint16_t>(at);
+        break;
+      case PlyType::int32:
+        value = static_cast<std::int32_t>(load<std::uint32_t>(at));
+        break;
+      default:
+        value = load<std::uint32_t>(at);
+        break;
+    }
+    return true;
+  }
+  bool skip(PlyType type, std::int64_t count, std::string& problem) {
+    return take(bytes_of(type) * static_cast<std::uint64_t>(count), problem) != nullptr;
+  }
+  [[nodiscard]] Error error(const Source& source, std::string_view problem) const {
+    return byte_error(source, last_, problem);
+  }
+
+ private:
+  const char* take(std::uint64_t count, std::string& problem) {
+    last_ = next_;
+    if (count > bytes_.size() - next_) {
+      problem = "the file ends here; it is cut short";
+      return nullptr;
+    }
+    next_ += count;
+    return bytes_.data() + last_;
+  }
+  template <class T>
+  T load(const char* at) const {
+    return is_big_ ? load_big<T>(at) : load_little<T>(at);
+  }
+  std::string_view bytes_;
+  std::size_t next_, last_ = 0;
+  bool is_big_;
+};
+
+template <class Body>
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, const PlyHeader& header, const Source& source)
+      : source_(source), header_(header), body_(bytes, header) {}
+
+  Result<Model> read() {
+    out_.parts.emplace_back();
+    out_.warnings = header_.warnings;
+    if (!find_vertices()) return file_error(source_, problem_);
+    for (const PlyElement& element : header_.elements) {
+      if (!read_element(element)) {
+        return body_.error(source_, sentence("element '", element.name, "', row ", row_, ": ", problem_));
+      }
+    }
+    return make_model(source_, std::move(out_));
+  }
+
+ private:
+  bool fail(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+
+  /// Which property is which coordinate; and how many vertices there are, for faces may stand before them.
+  bool find_vertices() {
+    const PlyElement* vertices = nullptr;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name != "vertex") continue;
+      if (vertices) return fail("the header has two elements 'vertex'; join them");
+      vertices = &element;
+    }
+    if (!vertices) return fail("the header has no element 'vertex', so the file holds no mesh");
+    vertex_count_ = vertices->count;
+    for (std::size_t i = 0; i < vertices->properties.size(); ++i) {
+      const PlyProperty& property = vertices->properties[i];
+      if (property.is_list || property.name.size() != 1) continue;
+      const int axis = property.name[0] - 'x';
+      if (axis < 0 || axis > 2) continue;
+      if (axis_of_.size() <= i) axis_of_.resize(i + 1, -1);
+      axis_of_[i] = axis;
+      found_axes_ |= 1 << axis;
+      out_.floats |= property.type == PlyType::float32;
+    }
+    if (found_axes_ == 7) return true;
+    return fail("the element 'vertex' lacks one of the properties x, y and z");
+  }
+
+  bool read_element(const PlyElement& element) {
+    row_ = 0;
+    if (element.properties.empty()) return true;
+    if (!body_.has_room_for(element.count, element)) {
+      return fail(sentence("the header promises ", element.count,
+                           " rows, more than the rest of the file can hold; it "
+                           "is cut short"));
+    }
+    for (; row_ < element.count; ++row_) {
+      std::array<double, 3> vertex{};
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        if (!read_property(element, i, vertex)) return false;
+      }
+      if (element.name == "vertex") out_.xyz.insert(out_.xyz.end(), vertex.begin(), vertex.end());
+    }
+    return true;
+  }
+
+  bool read_property(const PlyElement& element, std::size_t i, std::array<double, 3>& vertex) {
+    const PlyProperty& property = element.properties[i];
+    if (!property.is_list) {
+      const int axis = element.name == "vertex" && i < axis_of_.size() ? axis_of_[i] : -1;
+      if (axis < 0) return body_.skip(property.type, 1, problem_);
+      return body_.real(property.type, vertex[static_cast<std::size_t>(axis)], problem_);
+    }
+    std::int64_t count = 0;
+    if (!body_.integer(property.count_type, count, problem_)) return false;
+    if (count < 0) return fail("a list has a negative length");
+    const bool is_indices = property.name == "vertex_indices" || property.name == "vertex_index";
+    if (is_indices && element.name == "face") return read_polygon(property, count);
+    if (is_indices && element.name == "tristrips") return read_strips(property, count);
+    return body_.skip(property.type, count, problem_);
+  }
+
+  bool read_index(const PlyProperty& property, std::int64_t& index) {
+    if (!is_integer(property.type)) return fail("the indices are no whole numbers; declare them as int or uint");
+    return body_.integer(property.type, index, problem_);
+  }
+
+  bool check_index(std::int64_t index) {
+    if (index >= 0 && static_cast<std::uint64_t>(index) < vertex_count_ && index < std::int64_t{1} << 32) return true;
+    return fail(sentence("it names vertex ", index, ", but indices run from 0 to ", vertex_count_,
+                         " exclusive; mend the "
+                         "index"));
+  }
+
+  bool read_polygon(const PlyProperty& property, std::int64_t count) {
+    Part& part = out_.parts[0];
+    for (std::int64_t k = 0; k < count; ++k) {
+      std::int64_t index = 0;
+      if (!read_index(property, index) || !check_index(index)) return false;
+      part.corners.push_back(static_cast<std::uint32_t>(index));
+    }
+    part.sizes.push_back(static_cast<std::uint32_t>(count));
+    return true;
+  }
+
+  /// Every corner from a strip's third makes a triangle with the two before it, every second one turned round.
+  bool read_strips(const PlyProperty& property, std::int64_t count) {
+    Part& part = out_.parts[0];
+    std::array<std::uint32_t, 2> before{};
+    std::int64_t in_strip = 0;
+    for (std::int64_t k = 0; k < count; ++k) {
+      std::int64_t index = 0;
+      if (!read_index(property, index)) return false;
+      if (index == -1) {
+        in_strip = 0;
+        continue;
+      }
+      if (!check_index(index)) return false;
+      const auto corner = static_cast<std::uint32_t>(index);
+      if (in_strip >= 2) {
+        const bool is_turned = in_strip % 2 == 1;
+        part.corners.insert(part.corners.end(), {before[is_turned ? 1 : 0], before[is_turned ? 0 : 1], corner});
+        part.sizes.push_back(3);
+      }
+      before = {before[1], corner};
+      ++in_strip;
+    }
+    return true;
+  }
+
+  Source source_;
+  const PlyHeader& header_;
+  Body body_;
+  Parts out_;
+  std::uint64_t vertex_count_ = 0, row_ = 0;
+  std::vector<int> axis_of_;
+  int found_axes_ = 0;
+  std::string problem_;
+};
+
+}  // namespace
+
+Result<Model> read_ply(std::string_view bytes, const Source& source) {
+  const FloatEnvironment nearest;
+  bytes = without_byte_order_mark(bytes);
+  const Result<PlyHeader> header = read_ply_header(bytes, source);
+  if (!header) return header.error();
+  if (header->format == PlyHeader::Format::text) return PlyReader<TextBody>(bytes, *header, source).read();
+  return PlyReader<BinaryBody>(bytes, *header, source).read();
+}
+
+Result<Model> read_ply(std::string_view bytes, std::string_view name) { return read_ply(bytes, Source{name, name}); }
+
+}  // namespace impinge::io

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "support.hpp"
+
+namespace impinge::io {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// glTF with its buffer inside: one triangle mesh of two primitives, shown by nodes.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      three = (three << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kLetters[(three >> (18 - 6 * k)) & 63] : '=';
+  }
+  return out;
+}
+
+std::string gltf(std::string_view nodes) {
+  std::string buffer;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.1f}) append_bytes(buffer, x);
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)" + std::string(nodes) +
+         R"(],"meshes":[{"name":"bracket","primitives":[{"attributes":{"POSITION":0}},{"attributes":{"POSITION":0}}]},)"
+         R"({"primitives":[{"attributes":{"POSITION":0}}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0.1]}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)" +
+         base64(buffer) + R"("}]})";
+}
+
+TEST(Import, GltfNamesPathsPosesAndSharedMeshes) {
+  const TemporaryFolder folder;
+  const Model model = model_of(read(folder.write(
+      "case.gltf",
+      gltf(R"({"name":"engine","children":[1,2,3,4]},)"
+           R"({"mesh":0,"translation":[1,2,3]},)"
+           R"({"mesh":0,"name":"left","rotation":[0,0,0.70710678118654752,0.70710678118654752],"children":[5]},)"
+           R"({"mesh":0,"scale":[2,2,2]},)"
+           R"({"children":[6],"translation":[0.5,0,0]},)"
+           R"({"mesh":1},)"
+           R"({"mesh":1,"translation":[0.25,0,0]})"))));
+  EXPECT_EQ(names_of(model), (std::vector<std::string>{"bracket", "left", "left (2)", "bracket (2)", "engine"}));
+  std::vector<std::string> paths;
+  for (const Object& object : model.objects) paths.push_back(object.path);
+  EXPECT_EQ(paths,
+            (std::vector<std::string>{"engine/bracket", "engine/left", "engine/left", "engine/bracket", "engine"}));
+  const double z = double{0.1f};
+  EXPECT_EQ(points_of(model.objects[0]), (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, z}, {0, 0, 0}, {1, 0, 0}, {0, 1, z}}));
+  EXPECT_EQ(triangles_of(model.objects[0]), (Triangles{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(model.objects[0].pose.t, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(&model.objects[0].mesh.state(), &model.objects[1].mesh.state()) << "one mesh, shown twice";
+  EXPECT_NEAR(model.objects[1].pose.R[1], -1, 1e-6);
+  EXPECT_EQ(points_of(model.objects[3])[1], (Point{2, 0, 0})) << "scaled: baked";
+  EXPECT_EQ(model.objects[3].pose.R, Pose{}.R);
+  EXPECT_EQ(model.objects[4].pose.t, (std::array<double, 3>{0.75, 0, 0}));
+  EXPECT_TRUE(model.warnings.empty()) << model.warnings[0];
+}
+
+TEST(Import, TheEngineHasItsPartsAndTriangles) {
+  const Model model = model_of(read(kModels / "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"));
+  expect_sound(model);
+  EXPECT_EQ(model.objects.size(), 67u);
+  std::size_t triangles = 0;
+  std::set<const MeshState*> meshes;
+  for (const Object& object : model.objects) {
+    triangles += object.mesh.triangle_count();
+    meshes.insert(&object.mesh.state());
+    EXPECT_EQ(object.name.find("nodes["), std::string::npos) << object.name;
+    EXPECT_TRUE(object.product.empty());
+  }
+  EXPECT_EQ(triangles, 121'496u);
+  EXPECT_EQ(meshes.size(), 29u) << "the file's meshes";
+  EXPECT_THAT(names_of(model), Contains("Piston_123-844_0_Parts_1"));
+  EXPECT_THAT(names_of(model), Contains("body_24 (2)"));
+}
+
+TEST(Import, TheHouseIsNamedByItsProducts) {
+  const Model model = model_of(read(kModels / "IFC/AC14-FZK-Haus.ifc"));
+  expect_sound(model);
+  EXPECT_EQ(model.objects.size(), 110u);
+  std::set<std::string> products;
+  for (const Object& object : model.objects) {
+    EXPECT_EQ(object.name.find("IfcMappedItem"), std::string::npos);
+    EXPECT_TRUE(object.product.starts_with("Ifc")) << object.name;
+    EXPECT_TRUE(object.path.starts_with("Gel\u00e4nde")) << object.path;
+    products.insert(object.product);
+  }
+  EXPECT_EQ(products.size(), 110u) << "each product of this file has one node with a mesh";
+  const auto named = [&](std::string_view name) {
+    return *std::find_if(model.objects.begin(), model.objects.end(), [&](const Object& o) { return o.name == name; });
+  };
+  EXPECT_EQ(named("EG-Fenster-6").product, "IfcWindow_EG-Fenster-6_1srAI$R4T8ihLXSNHmUSET");
+  EXPECT_EQ(named("EG-Fenster-6").path, "Gel\u00e4nde/AC14-FZK-Haus/0.Erdgeschoss/EG-Fenster-6");
+  EXPECT_EQ(&named("Sparren-1").mesh.state(), &named("Sparren-2").mesh.state());
+  EXPECT_NE(named("Kuechenschra...").product, named("Kuechenschra... (2)").product);
+  EXPECT_THAT(model.warnings, Contains(HasSubstr("(x, y, z) became (x, z, -y)")));
+}
+
+TEST(Import, ColladaSaysThatAxesAndUnitsChanged) {
+  const Model teapots = model_of(read(kModels / "Collada/teapots.DAE"));
+  EXPECT_EQ(names_of(teapots), (std::vector<std::string>{"Teapot01", "Teapot02", "Teapot03"}));
+  EXPECT_THAT(teapots.warnings, Contains(HasSubstr("(x, y, z) became (x, z, -y)")));
+  EXPECT_THAT(teapots.warnings, Contains(HasSubstr("multiplied by 0.01")));
+  const Model duck = model_of(read(kModels / "Collada/duck.dae"));
+  ASSERT_EQ(duck.warnings.size(), 1u) << "Y is up, in centimetres";
+  EXPECT_THAT(duck.warnings[0], HasSubstr("multiplied by 0.01"));
+}
+
+TEST(Import, OtherFormatsKeepNames) {
+  EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_with_names.fbx"))),
+            (std::vector<std::string>{"Cube2", "\u041a\u0443\u0431\u0031", "Cube3", "\u041a\u0443\u0431\u0031 (2)"}));
+  EXPECT_EQ(names_of(model_of(read(kModels / "3MF/box.3mf"))), std::vector<std::string>{"Object_1"});
+  EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_nonames.fbx"))),
+            (std::vector<std::string>{"cubes_nonames", "cubes_nonames (2)", "cubes_nonames (3)", "cubes_nonames (4)"}));
+  // One box of FBX lies under pivots that assimp made up.
+  EXPECT_EQ(names_of(model_of(read(kModels / "FBX/box.fbx"))), std::vector<std::string>{"root"});
+}
+
+TEST(Import, UnknownFormatsAreErrors) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of(read(folder.write("letter.doc", "Dear Sir or Madam"))),
+              HasSubstr("letter.doc: assimp cannot read the file"));
+  EXPECT_THAT(error_of(read(folder.write("no-ending", "Dear Sir or Madam"))), HasSubstr("assimp cannot read the file"));
+}
+
+TEST(Import, TheMemoryLimitHolds) {
+  ReadOptions options;
+  options.memory_limit_bytes =
+      100 << 20;  // enough to start, too little for half a million triangles with their polygons
+  EXPECT_THAT(error_of(read(kModels / "BLEND/SuzanneSubdiv_252.blend", options)), HasSubstr("memory limit"));
+}
+
+}  // namespace
+}  // namespace impinge::io

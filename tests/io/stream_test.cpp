@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <limits>
+#include <random>
+
+#include "io/import_model.hpp"
+#include "io/import_stream.hpp"
+#include "io/importer/ifc_name.hpp"
+#include "io/model.hpp"
+#include "support.hpp"
+
+namespace impinge::io {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::array<double, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+const std::vector<double> kXyz{0, 0, 0, 1, 0, 0, 0, 1, 0.1};
+const std::vector<std::uint32_t> kTriangle{0, 1, 2};
+
+/// What a writer's calls put on the wire.
+template <class Calls>
+std::string written(const Calls& calls) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "stream";
+  const int descriptor = open(file.c_str(), O_CREAT | O_WRONLY, 0600);
+  ImportWriter writer(descriptor);
+  calls(writer);
+  close(descriptor);
+  return bytes_of_file(file);
+}
+
+std::string small_stream() {
+  return written([](ImportWriter& writer) {
+    writer.warning("careful");
+    writer.mesh(kXyz, kTriangle);
+    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, kIdentity);
+    writer.object("", "", "", 0, kIdentity);
+    EXPECT_TRUE(writer.end());
+  });
+}
+
+TEST(ImportStream, GivesBackWhatWasWritten) {
+  const Result<Imported> imported = decode_import(small_stream());
+  ASSERT_TRUE(imported.has_value());
+  EXPECT_EQ(imported->warnings, std::vector<std::string>{"careful"});
+  ASSERT_EQ(imported->meshes.size(), 1u);
+  EXPECT_EQ(imported->meshes[0].xyz, kXyz);
+  EXPECT_EQ(imported->meshes[0].triangles, kTriangle);
+  ASSERT_EQ(imported->objects.size(), 2u);
+  EXPECT_EQ(imported->objects[0].name, "bolt");
+  EXPECT_EQ(imported->objects[0].path, "engine/bolt");
+  EXPECT_EQ(imported->objects[0].product, "IfcBolt_bolt");
+  EXPECT_EQ(imported->objects[0].world, kIdentity);
+  const Result<Imported> failed = decode_import(written([](ImportWriter& writer) { writer.error("why not"); }));
+  ASSERT_TRUE(failed.has_value());
+  EXPECT_EQ(failed->error, "why not");
+}
+
+TEST(ImportStream, EveryTruncationIsAnError) {
+  const std::string stream = small_stream();
+  for (std::size_t length = 0; length < stream.size(); ++length) {
+    EXPECT_FALSE(decode_import(std::string_view(stream).substr(0, length)).has_value()) << length;
+  }
+}
+
+TEST(ImportStream, MutationsAreErrorsOrStreams) {
+  const unsigned seed = 77;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  const std::string stream = small_stream();
+  int refused = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    std::string mutated = stream;
+    for (int k = 0; k < 3; ++k) mutated[random() % mutated.size()] = static_cast<char>(random());
+    Result<Imported> imported = decode_import(mutated);
+    if (imported) (void)model_of(std::move(*imported), Source{"mutated", "mutated"});
+    refused += !imported;
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(ImportStream, SizesBeyondTheStreamAreRefused) {
+  std::string stream = "impinge1M";
+  append_bytes(stream, std::uint64_t{1} << 61);
+  append_bytes(stream, std::uint64_t{1});
+  EXPECT_FALSE(decode_import(stream + std::string(100, 'x')).has_value());
+}
+
+Imported one_object(const std::array<double, 16>& world) {
+  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, world}}, {}, {}};
+}
+
+TEST(ImportedModel, ARotationBecomesThePoseAndAnythingElseIsBaked) {
+  std::array<double, 16> world{0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1};
+  const Model posed = model_of(model_of(one_object(world), Source{"f", "f"}));
+  EXPECT_EQ(points_of(posed.objects.at(0)), (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}}));
+  EXPECT_EQ(posed.objects[0].pose.R, (std::array<double, 9>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(posed.objects[0].pose.t, (std::array<double, 3>{5, 6, 7}));
+  world[1] = -2;  // stretched
+  const Model baked = model_of(model_of(one_object(world), Source{"f", "f"}));
+  EXPECT_EQ(points_of(baked.objects.at(0)), (Points{{5, 6, 7}, {5, 7, 7}, {3, 6, 7 + 0.1}}));
+  EXPECT_EQ(baked.objects[0].pose.R, Pose{}.R);
+  EXPECT_EQ(baked.objects[0].pose.t, Pose{}.t);
+  const Model mirrored =
+      model_of(model_of(one_object({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}), Source{"f", "f"}));
+  EXPECT_EQ(points_of(mirrored.objects.at(0)), (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, -0.1}}));
+  EXPECT_EQ(triangles_of(mirrored.objects[0]), (Triangles{{0, 1, 2}})) << "mirroring keeps the order";
+}
+
+TEST(ImportedModel, PerspectiveAndBadMeshesAreErrors) {
+  std::array<double, 16> world = kIdentity;
+  world[12] = 1e-9;
+  EXPECT_THAT(error_of(model_of(one_object(world), Source{"a.dae", "a"})),
+              HasSubstr("a.dae: the transform of object 'bolt'"));
+  Imported bad = one_object(kIdentity);
+  bad.meshes[0].triangles[2] = 3;
+  EXPECT_THAT(error_of(model_of(std::move(bad), Source{"a.dae", "a"})), HasSubstr("a.dae: mesh 0"));
+  world = kIdentity;
+  world[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_of(model_of(one_object(world), Source{"a.dae", "a"})), HasSubstr("object 'bolt'"));
+  EXPECT_THAT(error_of(model_of(Imported{}, Source{"a.dae", "a"})), HasSubstr("no triangles"));
+}
+
+TEST(ImportedModel, WarnsOfFloatsFarFromTheOrigin) {
+  std::array<double, 16> world = kIdentity;
+  EXPECT_TRUE(model_of(model_of(one_object(world), Source{"f", "f"})).warnings.empty());
+  world[3] = 1e6;  // floats there are 1/16 apart
+  const Model far = model_of(model_of(one_object(world), Source{"f", "f"}));
+  ASSERT_EQ(far.warnings.size(), 1u);
+  EXPECT_THAT(far.warnings[0], HasSubstr("'bolt', of size 1 with a spacing of 0.0625 at coordinate 1e+06"));
+}
+
+TEST(Names, AreMadeUniqueWithNumbers) {
+  const Result<Mesh> mesh = Mesh::create(kXyz, kTriangle);
+  ASSERT_TRUE(mesh.has_value());
+  std::vector<Object> objects;
+  for (const char* name : {"bolt", "bolt", "bolt (2)", "nut", "bolt", "bolt (2)"})
+    objects.push_back({name, name, "", *mesh, {}});
+  make_names_unique(objects);
+  std::vector<std::string> names;
+  for (const Object& object : objects) names.push_back(object.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"bolt", "bolt (3)", "bolt (2)", "nut", "bolt (4)", "bolt (2) (2)"}));
+}
+
+TEST(Names, IfcNodesAreTypeNameAndGlobalId) {
+  importer::IfcProduct product;
+  ASSERT_TRUE(importer::parse_ifc_product("IfcWindow_EG-Fenster_6_1srAI$R4T8ihLXSNHmUSET", product));
+  EXPECT_EQ(product.type, "IfcWindow");
+  EXPECT_EQ(product.name, "EG-Fenster_6");
+  EXPECT_FALSE(importer::parse_ifc_product("IfcBeam_x_0o_gCKyTBzO5$QJcI2Y_P", product)) << "21 letters";
+  ASSERT_TRUE(importer::parse_ifc_product("IfcBeam__0o_vgCKyTBzO5$QJcI2Y_P", product));
+  EXPECT_EQ(product.type, "IfcBeam");
+  EXPECT_EQ(product.name, "");
+  EXPECT_FALSE(importer::parse_ifc_product("IfcMappedItem", product));
+  EXPECT_FALSE(importer::parse_ifc_product("$RelAggregates", product));
+  EXPECT_FALSE(importer::parse_ifc_product("", product));
+}
+
+}  // namespace
+}  // namespace impinge::io

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "impinge/io.hpp"
+
+namespace impinge::io {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Points = std::vector<Point>;
+
+inline Triangles triangles_of(const Object& object) {
+  return {object.mesh.triangles().begin(), object.mesh.triangles().end()};
+}
+inline Points points_of(const Object& object) { return {object.mesh.vertices().begin(), object.mesh.vertices().end()}; }
+inline std::vector<std::string> names_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const Object& object : model.objects) names.push_back(object.name);
+  return names;
+}
+
+/// The message of the error that must be there.
+template <class T>
+std::string error_of(const Result<T>& result, Code code = Code::bad_file) {
+  EXPECT_FALSE(result.has_value());
+  if (result.has_value()) return "(no error)";
+  EXPECT_EQ(result.error().code, code) << result.error().message;
+  return result.error().message;
+}
+
+/// The model that must be there.
+inline Model model_of(Result<Model> result) {
+  EXPECT_TRUE(result.has_value()) << (result.has_value() ? "" : result.error().message);
+  return result.has_value() ? std::move(*result) : Model{};
+}
+
+/// What `read` and the readers promise of every model.
+inline void expect_sound(const Model& model) {
+  EXPECT_FALSE(model.objects.empty());
+  std::vector<std::string> names = names_of(model);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end()) << "a name comes twice";
+  for (const Object& object : model.objects) EXPECT_GT(object.mesh.triangle_count(), 0u) << object.name;
+}
+
+/// A folder that goes when it is done with.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "impinge-io-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = pattern;
+    std::filesystem::permissions(path_, std::filesystem::perms::all);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  std::filesystem::path write(const std::string& name, std::string_view bytes) const {
+    const auto file = path_ / name;
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in) << file << " is missing; install what ./dev test installs";
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Debian's package assimp-testmodels.
+inline const std::filesystem::path kModels = "/usr/share/assimp/models";
+
+/// Appends a number's bytes, the lowest or the highest first.
+template <class T>
+void append_bytes(std::string& out, T value, bool big_endian = false) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (big_endian) std::reverse(bytes.begin(), bytes.end());
+  out.append(bytes.data(), bytes.size());
+}
+
+}  // namespace impinge::io
