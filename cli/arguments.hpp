@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "impinge/result.hpp"
+
+/// The command line as values. See docs/cli.md for what each means.
+namespace impinge::cli {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::optional<std::string> json;  ///< "-" is standard output
+  bool triangles = false;
+  bool first = false;
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
+  int threads = 0;
+  std::string backend = "auto";
+  std::vector<std::pair<std::string, std::string>> ignored;
+  std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, all of them in `files`
+  std::uint64_t max_file_bytes = 2'000'000'000;
+  bool quiet = false;
+  bool stats = false;
+};
+
+struct InfoArguments {
+  std::vector<std::string> files;
+  std::optional<std::string> json;
+  std::uint64_t max_file_bytes = 2'000'000'000;
+};
+
+/// A text to print on standard output: the help or the version.
+struct Notice {
+  std::string text;
+};
+
+using Command = std::variant<CheckArguments, InfoArguments, Notice>;
+
+/// Errors: `bad_option`, with a sentence.
+Result<Command> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace impinge::cli

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "help.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+constexpr std::size_t kNarrowest = 40, kWidest = 100;
+
+class Page {
+ public:
+  explicit Page(std::size_t width) : width_(std::clamp(width, kNarrowest, kWidest)) {}
+
+  Page& paragraph(std::string_view text) {
+    separate();
+    text_ += wrapped(text, width_, 0) + "\n";
+    return *this;
+  }
+
+  /// Entries side by side with their explanations, or above them where the terminal is narrow.
+  Page& section(std::string_view heading, const std::vector<HelpEntry>& entries) {
+    separate();
+    text_ += std::string(heading) + "\n";
+    std::size_t left = 0;
+    for (const HelpEntry& entry : entries) left = std::max(left, columns(entry.left));
+    for (const HelpEntry& entry : entries) add(entry, left + 4 <= width_ / 2 ? left + 4 : 0);
+    return *this;
+  }
+
+  /// Command lines, each above its explanation, so that they can be copied whole.
+  Page& examples(const std::vector<HelpEntry>& entries) {
+    separate();
+    text_ += "Examples:\n";
+    for (const HelpEntry& entry : entries) add(entry, 0);
+    return *this;
+  }
+
+  [[nodiscard]] std::string text() { return std::move(text_); }
+
+ private:
+  void separate() {
+    if (!text_.empty()) text_ += "\n";
+  }
+
+  void add(const HelpEntry& entry, std::size_t beside) {
+    constexpr std::size_t kIndentBelow = 6;
+    text_ += "  " + entry.left;
+    if (beside > 0) {
+      text_.append(beside - 2 - columns(entry.left), ' ');
+    } else {
+      text_ += "\n" + std::string(kIndentBelow, ' ');
+    }
+    text_ += wrapped(entry.explanation, width_, beside > 0 ? beside : kIndentBelow) + "\n";
+  }
+
+  std::size_t width_;
+  std::string text_;
+};
+
+const std::vector<HelpEntry> kExitCodes = {
+    {"0", "nothing touches"},
+    {"1", "something touches"},
+    {"2", "an error or an interruption; a sentence on standard error says what and where"},
+};
+
+}  // namespace
+
+std::string general_help(std::size_t width) {
+  return Page(width)
+      .paragraph(
+          "impinge finds every pair of triangles that touch between the objects of mesh files, exactly: no "
+          "tolerance, nothing missed, nothing made up. Triangles that share a single point touch.")
+      .section("Usage:", {{"impinge check FILE...", "which objects touch, and in how many triangles"},
+                          {"impinge info FILE...", "what the files hold: objects, triangles, open surfaces, warnings"},
+                          {"impinge check --help", "all about a command, with examples"},
+                          {"impinge --version", "which version this is"}})
+      .paragraph(
+          "Files: OBJ, OFF, PLY and STL, read in double precision; glTF, GLB, 3MF, COLLADA, IFC, FBX and others "
+          "through assimp. Several files make one scene, in the coordinates that they have.")
+      .examples({{"impinge check engine.obj fixture.stl", "A table of the objects that touch."},
+                 {"impinge info engine.obj", "Look at a file before trusting it."}})
+      .section("Exit codes:", kExitCodes)
+      .paragraph("impinge info ends with 0 when it could read every file.")
+      .text();
+}
+
+std::string check_help(const std::vector<HelpEntry>& options, std::size_t width) {
+  return Page(width)
+      .paragraph("impinge check FILE... [options]")
+      .paragraph(
+          "Reads all files as one scene and finds every pair of triangles of two different objects that share a "
+          "point, within a file and between files. The table counts them for each pair of objects:")
+      .section("Kinds:",
+               {{"crossing", "the triangles cut through each other"},
+                {"touching", "they only touch, at a corner, along an edge, or with a triangle that has no area"},
+                {"coplanar", "they lie in one plane and share a point, as flush faces do"}})
+      .section("Options:", options)
+      .examples({{"impinge check engine.obj fixture.stl", "Which objects touch?"},
+                 {"impinge check engine.obj fixture.stl --json clashes.json --triangles",
+                  "The same as JSON, with every pair of triangles."},
+                 {"impinge check robot.ply cell.off --first --quiet && echo free",
+                  "Only yes or no, by the exit code: the fastest question."},
+                 {"impinge check bracket.stl plate.stl --scale plate.stl=25.4",
+                  "plate.stl is in inches, bracket.stl in millimetres."},
+                 {"impinge check robot.ply cell.off --ignore 'rob*' cell", "Leave out pairs that are meant to touch."}})
+      .section("Exit codes:", kExitCodes)
+      .text();
+}
+
+std::string info_help(const std::vector<HelpEntry>& options, std::size_t width) {
+  return Page(width)
+      .paragraph("impinge info FILE... [options]")
+      .paragraph(
+          "Lists the objects of each file as `check` sees them, placed in the world: triangles, vertices, "
+          "degenerate triangles (without area, exactly), whether the surface is closed, and the bounding sphere. "
+          "A surface is closed when every edge is used by as many triangles one way as the other; corners are "
+          "the same where their coordinates are exactly equal. Warnings tell where a format lost precision or "
+          "a reader turned axes or changed units.")
+      .section("Options:", options)
+      .examples({{"impinge info engine.obj fixture.stl", "What do these files hold?"},
+                 {"impinge info engine.obj --json -", "The same as JSON on standard output."}})
+      .section("Exit codes:",
+               {{"0", "all files were read"}, {"2", "an error or an interruption; the other files are still listed"}})
+      .text();
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "ignore.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+// A scene keeps ignored pairs one by one. Ten million take about half a gigabyte.
+constexpr std::uint64_t kMostPairs = 10'000'000;
+
+std::string nearest_label(const Assembly& assembly, std::string_view word) {
+  // Enough to find a typing error in any assembly without making a large one wait.
+  constexpr std::size_t kMostNames = 100'000;
+  const std::string* nearest = nullptr;
+  std::size_t distance = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < std::min(assembly.labels.size(), kMostNames); ++i) {
+    const std::size_t d = edit_distance(word, assembly.labels[i]);
+    if (d >= distance) continue;
+    distance = d;
+    nearest = &assembly.labels[i];
+  }
+  return nearest != nullptr ? *nearest : std::string();
+}
+
+}  // namespace
+
+Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::string_view word) {
+  const auto all_where = [&](auto says) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < assembly.objects.size(); ++i)
+      if (says(assembly.objects[i].name) || says(assembly.labels[i])) found.push_back(i);
+    return found;
+  };
+  std::vector<std::uint32_t> found = all_where([&](std::string_view name) { return name == word; });
+  if (found.empty() && word.find_first_of("*?") != std::string_view::npos)
+    found = all_where([&](std::string_view name) { return matches_pattern(word, name); });
+  if (!found.empty()) return found;
+  if (assembly.objects.empty())
+    return Error{Code::bad_option, fmt::format("--ignore: nothing is named '{}'; the files hold no objects", word)};
+  return Error{Code::bad_option, fmt::format("--ignore: nothing is named '{}'; the nearest name is '{}'", word,
+                                             nearest_label(assembly, word))};
+}
+
+Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<std::string, std::string>> ignored,
+                          std::span<const ObjectId> ids, Scene& scene) {
+  std::uint64_t total = 0;
+  for (const auto& [a, b] : ignored) {
+    const auto first = objects_named(assembly, a);
+    if (!first) return first.error();
+    const auto second = objects_named(assembly, b);
+    if (!second) return second.error();
+    total += std::uint64_t{first->size()} * second->size();
+    if (total > kMostPairs)
+      return Error{Code::bad_option,
+                   fmt::format("--ignore '{}' '{}' names too many pairs of objects: at most {} can be "
+                               "left out",
+                               a, b, grouped(kMostPairs))};
+    bool any = false;
+    for (const std::uint32_t x : *first)
+      for (const std::uint32_t y : *second) {
+        if (x == y) continue;
+        any = true;
+        if (auto left_out = scene.ignore(ids[x], ids[y]); !left_out) return left_out.error();
+      }
+    if (!any)
+      return Error{Code::bad_option, fmt::format("--ignore '{}' '{}' names only one object, and no object is tested "
+                                                 "against itself",
+                                                 a, b)};
+  }
+  return {};
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "info.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly.hpp"
+#include "impinge/io.hpp"
+#include "json_writer.hpp"
+#include "progress.hpp"
+#include "sink.hpp"
+#include "surface.hpp"
+#include "table.hpp"
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+Result<FileFacts> facts_of(const std::string& file, const InfoArguments& arguments, const std::stop_token& stop) {
+  FileFacts facts;
+  facts.file = file;
+  io::ReadOptions options;
+  options.max_file_bytes = arguments.max_file_bytes;
+  options.stop = stop;
+  Result<io::Model> model = io::read(file, options);
+  if (stop.stop_requested()) return interrupted();
+  if (!model) {
+    facts.error = model.error().message;
+    return facts;
+  }
+  facts.warnings = std::move(model->warnings);
+  for (io::Object& object : model->objects) {
+    if (stop.stop_requested()) return interrupted();
+    ObjectFacts about;
+    about.triangles = object.mesh.triangle_count();
+    about.vertices = object.mesh.vertex_count();
+    about.surface = inspect(object.mesh, object.pose);
+    about.center = world_vertex(object.pose, object.mesh.sphere_center());
+    about.radius = object.mesh.sphere_radius();
+    if (!about.surface.in_domain)
+      facts.warnings.push_back(
+          fmt::format("object '{}' has coordinates on which no answer is exact (not below 2^300, or "
+                      "not a multiple of 2^-358); check will refuse it",
+                      object.name));
+    about.name = std::move(object.name);
+    about.path = std::move(object.path);
+    about.product = std::move(object.product);
+    facts.objects.push_back(std::move(about));
+  }
+  return facts;
+}
+
+/// How many edges keep the surface from being closed, or why that cannot be said.
+std::string open_edges_text(const ObjectFacts& facts) {
+  if (!facts.surface.in_domain) return "unknown";
+  if (facts.triangles == 0) return "empty";
+  if (facts.surface.closed) return "closed";
+  return facts.surface.open_edges == 0 ? "no area" : grouped(facts.surface.open_edges);
+}
+
+/// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
+std::string coordinate(double value, double size) {
+  const double decimals = size > 0 ? 3 - std::floor(std::log10(size)) : 3;
+  if (!(decimals <= 9) || !(decimals >= -6) || !(std::fabs(value) < 1e9)) return fmt::format("{:.5g}", value + 0.0);
+  std::string text = fmt::format("{:.{}f}", value, static_cast<int>(std::max(decimals, 0.0)));
+  if (text.find_first_of("123456789") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text;
+}
+
+struct InfoColumn {
+  Column column;
+  std::string (*text)(const ObjectFacts& facts);
+};
+
+/// The columns that leave room for names on a line of so many columns.
+std::vector<InfoColumn> columns_for(std::optional<std::size_t> width) {
+  using enum Column::Kind;
+  constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 76;
+  std::vector<InfoColumn> columns;
+  columns.push_back({{"object", name}, [](const ObjectFacts& facts) { return printable(facts.name); }});
+  columns.push_back({{"triangles", number}, [](const ObjectFacts& facts) { return grouped(facts.triangles); }});
+  if (width.value_or(kRoomForVertices) >= kRoomForVertices)
+    columns.push_back({{"vertices", number}, [](const ObjectFacts& facts) { return grouped(facts.vertices); }});
+  columns.push_back({{"degenerate", number}, [](const ObjectFacts& facts) {
+                       return facts.surface.in_domain ? grouped(facts.surface.degenerate) : "unknown";
+                     }});
+  columns.push_back({{"open edges", number}, open_edges_text});
+  if (width.value_or(kRoomForSphere) < kRoomForSphere) return columns;
+  columns.push_back({{"centre", number}, [](const ObjectFacts& facts) {
+                       return fmt::format("{} {} {}", coordinate(facts.center.x, facts.radius),
+                                          coordinate(facts.center.y, facts.radius),
+                                          coordinate(facts.center.z, facts.radius));
+                     }});
+  columns.push_back(
+      {{"radius", number}, [](const ObjectFacts& facts) { return coordinate(facts.radius, facts.radius); }});
+  return columns;
+}
+
+void print_file(const FileFacts& facts, Sink& out) {
+  std::uint64_t triangles = 0;
+  for (const ObjectFacts& object : facts.objects) triangles += object.triangles;
+  out.write(fmt::format("{}: {}, {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
+                        counted(triangles, "triangle")));
+  for (const std::string& warning : facts.warnings) out.write(fmt::format("warning: {}\n", printable(warning)));
+  if (facts.objects.empty()) return;
+  const auto width = width_of(STDOUT_FILENO);
+  const std::vector<InfoColumn> columns = columns_for(width);
+  Table table;
+  for (const InfoColumn& column : columns) table.columns.push_back(column.column);
+  table.rows = facts.objects.size();
+  table.cell = [&](std::size_t row, std::size_t column) { return columns[column].text(facts.objects[row]); };
+  print(table, out, width);
+}
+
+}  // namespace
+
+Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
+  std::optional<Target> target;
+  if (arguments.json) {
+    Result<Target> checked = Target::check(*arguments.json);
+    if (!checked) return checked.error();
+    target = std::move(*checked);
+  }
+  const bool table = !(target && target->is_standard_output());
+  Sink out(STDOUT_FILENO, "standard output");
+  std::vector<FileFacts> files;
+  bool all_read = true;
+  std::size_t listed = 0;
+  for (const std::string& file : arguments.files) {
+    ProgressLine line(STDERR_FILENO, true);
+    line.phase("reading " + printable(file), [] { return -1.0; });
+    Result<FileFacts> facts = facts_of(file, arguments, stop);
+    line.end();
+    if (!facts) return facts.error();
+    if (!facts->error.empty()) {
+      all_read = false;
+      complain(facts->error);
+    } else if (table) {
+      if (listed++ > 0) out.write("\n");
+      print_file(*facts, out);
+      if (auto flushed = out.flush(); !flushed) return flushed.error();
+    }
+    if (target) files.push_back(std::move(*facts));
+  }
+  if (listed > 0 && columns_for(width_of(STDOUT_FILENO)).size() < columns_for(std::nullopt).size())
+    out.write("\n(A wider terminal or --json shows more columns.)\n");
+  if (auto flushed = out.flush(); !flushed) return flushed.error();
+  if (target) {
+    if (auto written = target->write([&](Sink& sink) { return write_info_json(sink, files); }); !written)
+      return written.error();
+  }
+  return all_read;
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "json_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+void write_objects(Sink& sink, const Assembly& assembly) {
+  sink.write("\"objects\":[");
+  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
+    const io::Object& object = assembly.objects[i];
+    sink.write(fmt::format("{}\n{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}}}",
+                           i > 0 ? "," : "", i, json_string(object.name), json_string(object.path),
+                           json_string(object.product), json_string(assembly.files[assembly.file_of[i]]),
+                           object.mesh.triangle_count()));
+  }
+  sink.write("\n],\n");
+}
+
+/// Errors: `cancelled`.
+Result<void> write_triangles(Sink& sink, const Contacts& contacts, std::size_t row, const std::stop_token& stop) {
+  constexpr std::uint64_t kBetweenLooks = 1 << 16;
+  std::string text;
+  sink.write(",\"triangles\":[");
+  for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i) {
+    if (i % kBetweenLooks == 0 && (sink.failed() || stop.stop_requested())) break;
+    const TrianglePair pair = contacts.triangles[i];
+    text.clear();
+    fmt::format_to(std::back_inserter(text), "{}[{},{},\"{}\"]", i > contacts.offsets[row] ? "," : "", pair.a, pair.b,
+                   kind_name(contacts.kinds[i]));
+    sink.write(text);
+  }
+  sink.write("]");
+  if (stop.stop_requested()) return interrupted();
+  return {};
+}
+
+Result<void> write_pairs(Sink& sink, const Contacts& contacts, bool triangles, const std::stop_token& stop) {
+  sink.write("\"pairs\":[");
+  for (std::size_t row = 0; row < contacts.objects.size() && !sink.failed(); ++row) {
+    const RowCounts counts = count_row(contacts, row);
+    sink.write(fmt::format("{}\n{{\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{}",
+                           row > 0 ? "," : "", contacts.objects[row][0], contacts.objects[row][1], counts.crossing,
+                           counts.touching, counts.coplanar));
+    if (triangles) {
+      if (auto written = write_triangles(sink, contacts, row, stop); !written) return written.error();
+    }
+    sink.write("}");
+    if (stop.stop_requested()) return interrupted();
+  }
+  sink.write("\n],\n");
+  return {};
+}
+
+void write_statistics(Sink& sink, const Statistics& s) {
+  sink.write(fmt::format(
+      "\"stats\":{{\"object_pairs\":{},\"box_tests\":{},\"element_tests\":{},\"nodes_built\":{},"
+      "\"leaf_pairs\":{},\"triangle_pairs\":{},\"exact_calls\":{},",
+      s.object_pairs, s.box_tests, s.element_tests, s.nodes_built, s.leaf_pairs, s.triangle_pairs, s.exact_calls));
+  sink.write(
+      fmt::format("\"box_test_seconds\":{},\"element_test_seconds\":{},\"node_seconds\":{},\"leaf_pair_seconds\":{},"
+                  "\"predicted_seconds\":{},\"measured_seconds\":{},",
+                  json_number(s.box_test_seconds), json_number(s.element_test_seconds), json_number(s.node_seconds),
+                  json_number(s.leaf_pair_seconds), json_number(s.predicted_seconds), json_number(s.measured_seconds)));
+  sink.write(
+      fmt::format("\"broad_seconds\":{},\"hierarchy_seconds\":{},\"partition_seconds\":{},\"narrow_seconds\":{},"
+                  "\"exact_seconds\":{},\"results_seconds\":{},\"total_seconds\":{}}}",
+                  json_number(s.broad_seconds), json_number(s.hierarchy_seconds), json_number(s.partition_seconds),
+                  json_number(s.narrow_seconds), json_number(s.exact_seconds), json_number(s.results_seconds),
+                  json_number(s.total_seconds)));
+}
+
+void write_facts(Sink& sink, std::size_t id, const ObjectFacts& facts) {
+  const auto known = [&](auto value) {
+    return facts.surface.in_domain ? fmt::format("{}", value) : std::string("null");
+  };
+  sink.write(fmt::format("{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"triangles\":{},\"vertices\":{},", id,
+                         json_string(facts.name), json_string(facts.path), json_string(facts.product), facts.triangles,
+                         facts.vertices));
+  sink.write(fmt::format("\"degenerate\":{},\"closed\":{},\"open_edges\":{},\"center\":[{},{},{}],\"radius\":{}}}",
+                         known(facts.surface.degenerate), known(facts.surface.closed), known(facts.surface.open_edges),
+                         json_number(facts.center.x), json_number(facts.center.y), json_number(facts.center.z),
+                         json_number(facts.radius)));
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : valid_utf8(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      fmt::format_to(std::back_inserter(result), "\\u{:04x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return result += '"';
+}
+
+std::string json_number(double value) {
+  if (!std::isfinite(value)) return "null";
+  return fmt::format("{}", value == 0 ? 0.0 : value);
+}
+
+RowCounts count_row(const Contacts& contacts, std::size_t row) {
+  RowCounts counts;
+  for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i) {
+    const Kind kind = contacts.kinds[i];
+    counts.crossing += kind == Kind::crossing ? 1 : 0;
+    counts.touching += kind == Kind::touching ? 1 : 0;
+    counts.coplanar += kind == Kind::coplanar ? 1 : 0;
+  }
+  return counts;
+}
+
+std::string_view kind_name(Kind kind) {
+  switch (kind) {
+    case Kind::crossing:
+      return "crossing";
+    case Kind::touching:
+      return "touching";
+    case Kind::coplanar:
+      return "coplanar";
+  }
+  return "unknown";
+}
+
+Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts,
+                              const CheckArguments& arguments, const std::stop_token& stop) {
+  sink.write("{\"version\":1,\n");
+  write_objects(sink, assembly);
+  if (auto written = write_pairs(sink, contacts, arguments.triangles, stop); !written) return written.error();
+  sink.write(fmt::format("\"truncated\":{},\n\"hash\":{},\n", contacts.truncated,
+                         arguments.first ? "null" : fmt::format("\"{:016x}\"", contacts.hash)));
+  write_statistics(sink, contacts.statistics);
+  sink.write("}\n");
+  return {};
+}
+
+Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files) {
+  std::size_t id = 0;
+  sink.write("{\"version\":1,\n\"files\":[");
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    const FileFacts& file = files[f];
+    sink.write(fmt::format("{}\n{{\"file\":{},\"error\":{},\"objects\":[", f > 0 ? "," : "", json_string(file.file),
+                           file.error.empty() ? "null" : json_string(file.error)));
+    for (std::size_t i = 0; i < file.objects.size(); ++i) {
+      sink.write(i > 0 ? ",\n" : "\n");
+      write_facts(sink, id++, file.objects[i]);
+    }
+    sink.write("],\n\"warnings\":[");
+    for (std::size_t i = 0; i < file.warnings.size(); ++i)
+      sink.write(fmt::format("{}{}", i > 0 ? "," : "", json_string(file.warnings[i])));
+    sink.write("]}");
+  }
+  sink.write("\n]}\n");
+  return {};
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assembly.hpp"
+#include "impinge/contacts.hpp"
+#include "sink.hpp"
+#include "surface.hpp"
+
+/// The documents of `--json`, written piece by piece: an answer of a billion pairs needs no memory of its own.
+namespace impinge::cli {
+
+/// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
+std::string json_string(std::string_view text);
+
+/// The shortest number that reads back as the same double; null for infinities and NaN, and 0 for -0.
+std::string json_number(double value);
+
+/// How the triangles of one row of an answer touch, counted.
+struct RowCounts {
+  std::uint64_t crossing = 0, touching = 0, coplanar = 0;
+};
+RowCounts count_row(const Contacts& contacts, std::size_t row);
+
+/// "crossing", "touching" or "coplanar".
+std::string_view kind_name(Kind kind);
+
+/// Errors: `cancelled`. Write errors stay in the sink.
+Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts,
+                              const CheckArguments& arguments, const std::stop_token& stop);
+
+/// What `info` found out about one object.
+struct ObjectFacts {
+  std::string name, path, product;
+  std::uint64_t triangles = 0, vertices = 0;
+  Surface surface;
+  Point center{};
+  double radius = 0;
+};
+
+/// What `info` found out about one file.
+struct FileFacts {
+  std::string file;
+  std::string error;  ///< why it was not read; empty if it was
+  std::vector<ObjectFacts> objects;
+  std::vector<std::string> warnings;
+};
+
+Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files);
+
+}  // namespace impinge::cli

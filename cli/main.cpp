@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <exception>
+#include <new>
+
+#include "arguments.hpp"
+#include "check.hpp"
+#include "info.hpp"
+#include "interrupt.hpp"
+#include "sink.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::cli;
+
+constexpr int kNothingTouches = 0, kSomethingTouches = 1, kFailed = 2;
+
+int failed(const Error& error) {
+  complain(error.message);
+  return kFailed;
+}
+
+int print_notice(const Notice& notice) {
+  Sink out(STDOUT_FILENO, "standard output");
+  out.write(notice.text);
+  if (auto flushed = out.flush(); !flushed) return failed(flushed.error());
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  const Result<Command> command = parse_command_line(argc, argv);
+  if (!command) return failed(command.error());
+  if (const auto* notice = std::get_if<Notice>(&*command)) return print_notice(*notice);
+
+  const Interrupt interrupt;
+  if (const auto* arguments = std::get_if<CheckArguments>(&*command)) {
+    const Result<bool> touches = check(*arguments, interrupt.token());
+    if (!touches) return failed(touches.error());
+    return *touches ? kSomethingTouches : kNothingTouches;
+  }
+  const Result<bool> all_read = info(std::get<InfoArguments>(*command), interrupt.token());
+  if (!all_read) return failed(all_read.error());
+  return *all_read ? 0 : kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  fill_closed_descriptors();
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory; a smaller --limit or --first keeps less of the answer");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return kFailed;
+}

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "sink.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+std::string reason(int error) { return std::system_category().message(error); }
+
+Error cannot_write(std::string_view name, int error) {
+  return {Code::bad_file, fmt::format("cannot write to {}: {}", name, reason(error))};
+}
+
+std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'{}'", path.native()); }
+
+/// Whether replacing this file loses nothing but an earlier document.
+bool looks_like_json(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  std::array<char, 64> head{};
+  const ssize_t got = ::read(descriptor, head.data(), head.size());
+  ::close(descriptor);
+  if (got < 0) return false;
+  const std::string_view text(head.data(), static_cast<std::size_t>(got));
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos || text[first] == '{';
+}
+
+/// The mode that a file made by `open(2)` would get.
+mode_t usual_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+
+void Sink::write(std::string_view bytes) {
+  constexpr std::size_t kBufferBytes = 1 << 16;
+  if (failed()) return;
+  buffer_ += bytes;
+  if (buffer_.size() >= kBufferBytes) drain();
+}
+
+void Sink::drain() {
+  std::string_view left = buffer_;
+  while (!left.empty() && !failed()) {
+    const ssize_t put = ::write(descriptor_, left.data(), left.size());
+    if (put >= 0) {
+      left.remove_prefix(static_cast<std::size_t>(put));
+    } else if (errno == EAGAIN) {  // somebody set a shared terminal or pipe to non-blocking
+      pollfd ready{descriptor_, POLLOUT, 0};
+      ::poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      error_ = errno;
+    }
+  }
+  buffer_.clear();
+}
+
+Result<void> Sink::flush() {
+  drain();
+  if (failed()) return cannot_write(name_, error_);
+  return {};
+}
+
+Result<Target> Target::check(std::string_view name) {
+  Target target;
+  if (name == "-") {
+    target.standard_output_ = true;
+    return target;
+  }
+  std::error_code ignored;
+  target.place_ = std::filesystem::path(name);
+  // A link stays a link: what it points to is replaced.
+  if (auto real = std::filesystem::canonical(target.place_, ignored); !ignored) target.place_ = std::move(real);
+
+  struct stat about {};
+  if (::stat(target.place_.c_str(), &about) == 0) {
+    if (S_ISDIR(about.st_mode))
+      return Error{Code::bad_file, in_quotes(name) + " is a directory; name a file for the JSON"};
+    target.direct_ = !S_ISREG(about.st_mode);
+    if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
+    if (!target.direct_ && !looks_like_json(target.place_))
+      return Error{Code::bad_file, fmt::format("{} exists and holds no JSON, so it is not replaced; the word after "
+                                               "--json is the file to write",
+                                               in_quotes(name))};
+  }
+  if (!target.direct_) {
+    auto folder = target.place_.parent_path();
+    if (folder.empty()) folder = ".";
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+      return Error{Code::bad_file, fmt::format("cannot write to {}: cannot create files in {}: {}", in_quotes(name),
+                                               in_quotes(folder), reason(errno))};
+  }
+  return target;
+}
+
+Result<Target::Opened> Target::open() const {
+  if (standard_output_) return Opened{STDOUT_FILENO, "standard output", {}};
+  if (direct_) {
+    const int descriptor = ::open(place_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return cannot_write(in_quotes(place_), errno);
+    return Opened{descriptor, in_quotes(place_), {}};
+  }
+  std::string temporary = place_.native() + ".XXXXXX";
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) return cannot_write(in_quotes(place_), errno);
+  struct stat old {};
+  ::fchmod(descriptor, ::stat(place_.c_str(), &old) == 0 ? old.st_mode & 07777U : usual_mode());
+  return Opened{descriptor, in_quotes(place_), std::move(temporary)};
+}
+
+Result<void> Target::close(const Opened& opened, Result<void> filled) const {
+  if (standard_output_) return filled;
+  // A full disk or a lost network drive may show only here.
+  if (::close(opened.descriptor) != 0 && filled) filled = cannot_write(opened.name, errno);
+  if (opened.temporary.empty()) return filled;
+  if (filled && ::rename(opened.temporary.c_str(), place_.c_str()) != 0) filled = cannot_write(opened.name, errno);
+  if (!filled) ::unlink(opened.temporary.c_str());
+  return filled;
+}
+
+void complain(std::string_view sentence) {
+  Sink errors(STDERR_FILENO, "standard error");
+  errors.write(fmt::format("impinge: {}\n", printable(sentence)));
+  // There is nowhere left to report to if this fails; the exit status still tells.
+  if (!errors.flush()) return;
+}
+
+std::optional<std::size_t> width_of(int descriptor) {
+  winsize size{};
+  if (::isatty(descriptor) == 1 && ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  if (const char* text = std::getenv("COLUMNS")) {
+    const std::string_view digits(text);
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
+    if (error == std::errc{} && end == digits.end() && value > 0) return value;
+  }
+  return std::nullopt;
+}
+
+void fill_closed_descriptors() {
+  // `open` gives the lowest free descriptor, so the order matters. Read-only on 1: writing there must fail.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+    const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    if (opened >= 0 && opened != descriptor) ::close(opened);
+  }
+}
+
+}  // namespace impinge::cli

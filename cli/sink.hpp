@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "impinge/result.hpp"
+
+/// Where bytes go: standard output or a file that appears whole or not at all. Write errors are kept, not lost.
+namespace impinge::cli {
+
+/// Buffered writing to a file descriptor that someone else owns. After the first error nothing more is written.
+class Sink {
+ public:
+  /// `name` says in messages where the bytes went.
+  Sink(int descriptor, std::string name);
+
+  void write(std::string_view bytes);
+  /// Writes what is still buffered. Errors: `bad_file`, with the first reason that writing failed for.
+  Result<void> flush();
+  [[nodiscard]] bool failed() const noexcept { return error_ != 0; }
+
+ private:
+  void drain();
+
+  int descriptor_;
+  std::string name_;
+  std::string buffer_;
+  int error_ = 0;  ///< errno of the first failure
+};
+
+/// The place that a JSON document is written to. A regular file is written beside itself and renamed at the end, so
+/// that nobody sees half of it; a device or a pipe is written directly; "-" is standard output.
+class Target {
+ public:
+  /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is
+  /// empty or looks like JSON: `--json a.obj b.obj` must not cost its author a.obj. Errors: `bad_file`.
+  static Result<Target> check(std::string_view name);
+
+  [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
+
+  /// Calls `fill(sink)`, which says whether the document is complete, and puts the document in its place.
+  /// Errors: those of `fill`; `bad_file` where it cannot be written. The old file then stays.
+  template <class Fill>
+  Result<void> write(Fill&& fill) const {
+    Result<Opened> opened = open();
+    if (!opened) return opened.error();
+    Sink sink(opened->descriptor, opened->name);
+    Result<void> filled = fill(sink);
+    if (filled) filled = sink.flush();
+    return close(*opened, std::move(filled));
+  }
+
+ private:
+  struct Opened {
+    int descriptor;
+    std::string name;
+    std::string temporary;  ///< empty where the bytes go straight to their place
+  };
+  Result<Opened> open() const;
+  Result<void> close(const Opened& opened, Result<void> filled) const;
+
+  bool standard_output_ = false;
+  bool direct_ = false;
+  std::filesystem::path place_;
+};
+
+/// "impinge: " and the sentence, on one line of standard error, safe for a terminal.
+void complain(std::string_view sentence);
+
+/// How wide the lines of this descriptor are: the terminal's width, or the variable COLUMNS; nothing if neither says.
+std::optional<std::size_t> width_of(int descriptor);
+
+/// Opens the null device on standard descriptors that the caller closed, so that no file read or written lands on
+/// them; writing to a closed standard output stays an error.
+void fill_closed_descriptors();
+
+}  // namespace impinge::cli

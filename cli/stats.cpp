@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "stats.hpp"
+
+#include <string>
+#include <vector>
+
+#include "table.hpp"
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+void print_rows(Sink& sink, const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows) {
+  Table table{columns, rows.size(), [&](std::size_t row, std::size_t column) { return rows[row][column]; }};
+  print(table, sink, std::nullopt);
+}
+
+}  // namespace
+
+void print_statistics(const Statistics& s, Sink& sink) {
+  using enum Column::Kind;
+  sink.write("\nStages (threads' own times added up)\n");
+  print_rows(sink, {{"stage", text}, {"time", number}, {"count", number}, {"what was counted", text}},
+             {{"broad", duration(s.broad_seconds), grouped(s.object_pairs), "pairs of objects left"},
+              {"hierarchy", duration(s.hierarchy_seconds), grouped(s.leaf_pairs), "pairs of leaves left"},
+              {"partition", duration(s.partition_seconds), grouped(s.triangle_pairs), "pairs of triangles left"},
+              {"narrow", duration(s.narrow_seconds), grouped(s.exact_calls), "pairs of triangles left undecided"},
+              {"exact", duration(s.exact_seconds), grouped(s.exact_calls), "pairs of triangles decided"},
+              {"results", duration(s.results_seconds), "", ""},
+              {"wall clock", duration(s.total_seconds), "", "of the whole query"}});
+
+  const auto cost = [](const char* name, std::uint64_t count, double each) {
+    return std::vector<std::string>{name, grouped(count), duration(each), duration(static_cast<double>(count) * each)};
+  };
+  sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl (C measured on this machine)\n");
+  print_rows(sink, {{"", text}, {"N", number}, {"C", number}, {"N C", number}},
+             {cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
+              cost("p: tests of edge and triangle", s.element_tests, s.element_test_seconds),
+              cost("u: tree nodes built", s.nodes_built, s.node_seconds),
+              cost("l: grids laid over pairs of leaves", s.leaf_pairs, s.leaf_pair_seconds),
+              {"T predicted", "", "", duration(s.predicted_seconds)},
+              {"T measured", "", "", duration(s.measured_seconds)}});
+}
+
+}  // namespace impinge::cli

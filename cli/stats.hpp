@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impinge/contacts.hpp"
+#include "sink.hpp"
+
+namespace impinge::cli {
+
+/// The tables of `--stats`: what each stage did and how long it took, and the cost function beside the measured time.
+void print_statistics(const Statistics& statistics, Sink& sink);
+
+}  // namespace impinge::cli

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "sink.hpp"
+
+namespace impinge::cli {
+
+struct Column {
+  enum class Kind {
+    name,    ///< to the left; gives way where the terminal is narrow
+    number,  ///< to the right, never cut
+    text,    ///< to the left, never cut
+  };
+  std::string heading;
+  Kind kind;
+};
+
+/// What a table shows. `cell(row, column)` is a printable text; it is asked twice, so that a table of a million rows
+/// need not be held in memory.
+struct Table {
+  std::vector<Column> columns;
+  std::size_t rows = 0;
+  std::function<std::string(std::size_t row, std::size_t column)> cell;
+};
+
+/// Prints headings and rows. With a width, names are cut so that lines fit it, but never below 8 columns.
+/// Stops early, in the middle of the table, when writing fails or a stop is asked for.
+void print(const Table& table, Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop = {});
+
+}  // namespace impinge::cli

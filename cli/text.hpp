@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// Text for people: names from files made safe to print, cut to a width, and numbers written the same in every locale.
+namespace impinge::cli {
+
+/// One character of a text that may not be UTF-8.
+struct Character {
+  char32_t code = 0;       ///< U+FFFD where the bytes are not UTF-8
+  std::size_t length = 1;  ///< in bytes; 1 where they are not UTF-8
+  bool valid = true;
+};
+
+/// The character that begins at byte `at`, which must be inside the text.
+Character decode(std::string_view text, std::size_t at);
+
+/// The text as UTF-8: every byte that is part of no character becomes U+FFFD.
+std::string valid_utf8(std::string_view text);
+
+/// The text as one line that cannot steer a terminal: as `valid_utf8`, with control characters, line separators and
+/// marks that turn the writing direction spelled out (`\n`, `\x1b`, `\u202e`).
+std::string printable(std::string_view text);
+
+/// How many columns of a terminal a printable text takes: wide characters two, combining marks none.
+std::size_t columns(std::string_view text);
+
+/// A printable text cut to so many columns with `…` in the middle, where names of parts differ least.
+std::string fit(std::string_view text, std::size_t width);
+
+/// Whether `text` is what the shell pattern says: `*` stands for any characters, `?` for one.
+bool matches_pattern(std::string_view pattern, std::string_view text);
+
+/// How many characters must be typed, deleted or replaced to turn one text into the other; case costs nothing.
+/// Texts are compared in their first 200 characters.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number);
+
+/// A count and its noun: "1 object", "2,000 objects".
+std::string counted(std::uint64_t number, std::string_view noun);
+
+/// A time as a person says it: "85 ns", "3.2 ms", "1.24 s", "3 min 20 s".
+std::string duration(double seconds);
+
+/// The text in lines of at most `width` columns, broken at spaces; lines after the first begin with `indent` spaces.
+/// The first line is taken to begin there too. Line breaks in the text stay.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+}  // namespace impinge::cli

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// What `impinge check` answers, on cubes whose answer follows from their corners.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <tuple>
+#include <vector>
+
+#include "meshes.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+using Contact = std::tuple<int, int, std::string>;
+
+/// Two cubes of edge 2 whose corners lie on even numbers and that do not overlap meet in a square, an edge or a corner
+/// that they share, and every triangle meets it in the hull of its own corners there. The diagonals of a shared square
+/// are the same, so two triangles share a point if and only if they share a corner; and they lie in one plane if and
+/// only if all six corners have one coordinate in common, for all planes of a cube are such.
+std::vector<Contact> expected_contacts(const Solid& a, const Solid& b) {
+  std::vector<Contact> contacts;
+  for (std::size_t i = 0; i < a.triangles.size(); ++i)
+    for (std::size_t j = 0; j < b.triangles.size(); ++j) {
+      std::vector<std::array<int, 3>> corners;
+      for (const int v : a.triangles[i]) corners.push_back(a.vertices[static_cast<std::size_t>(v)]);
+      for (const int v : b.triangles[j]) corners.push_back(b.vertices[static_cast<std::size_t>(v)]);
+      bool share = false, coplanar = false;
+      for (std::size_t m = 0; m < 3; ++m)
+        for (std::size_t n = 3; n < 6; ++n) share = share || corners[m] == corners[n];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        bool same = true;
+        for (const auto& corner : corners) same = same && corner[axis] == corners[0][axis];
+        coplanar = coplanar || same;
+      }
+      if (share) contacts.emplace_back(i, j, coplanar ? "coplanar" : "touching");
+    }
+  return contacts;
+}
+
+std::vector<Contact> contacts_of(const json& pair) {
+  std::vector<Contact> contacts;
+  for (const json& entry : pair.at("triangles")) contacts.emplace_back(entry.at(0), entry.at(1), entry.at(2));
+  return contacts;
+}
+
+struct Meeting {
+  const char* name;
+  std::array<int, 3> shift;
+  std::size_t count;  ///< of touching pairs of triangles
+};
+
+class CubesThatMeet : public testing::TestWithParam<Meeting> {};
+
+TEST_P(CubesThatMeet, AreListedTriangleByTriangle) {
+  const auto& [name, shift, count] = GetParam();
+  const Solid a = cube(0, 0, 0), b = cube(shift[0], shift[1], shift[2]);
+  const std::vector<Contact> expected = expected_contacts(a, b);
+  ASSERT_EQ(expected.size(), count);
+
+  const Folder folder;
+  folder.write("a.off", off(a));
+  folder.write("b.off", off(b));
+  const Ended run = impinge(folder, {"check", "a.off", "b.off", "--json", "-", "--triangles"});
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.code, count > 0 ? 1 : 0);
+  const json answer = json::parse(run.out);
+  if (count == 0) {
+    EXPECT_TRUE(answer.at("pairs").empty());
+    return;
+  }
+  ASSERT_EQ(answer.at("pairs").size(), 1U);
+  const json& pair = answer.at("pairs").at(0);
+  EXPECT_EQ(pair.at("a"), 0);
+  EXPECT_EQ(pair.at("b"), 1);
+  EXPECT_EQ(contacts_of(pair), expected);
+  std::array<int, 2> counts{};
+  for (const auto& [i, j, kind] : expected) ++counts[kind == "coplanar" ? 1 : 0];
+  EXPECT_EQ(pair.at("crossing"), 0);
+  EXPECT_EQ(pair.at("touching"), counts[0]);
+  EXPECT_EQ(pair.at("coplanar"), counts[1]);
+}
+
+// Counted on paper, over the corners, edges and triangles that are shared: 80 - 20 + 2 for a face (corner counts 4, 4,
+// 4, 6 against 6, 4, 4, 4), 24 + 24 - 4 for an edge, 6 x 6 for a corner.
+INSTANTIATE_TEST_SUITE_P(Check, CubesThatMeet,
+                         testing::Values(Meeting{"FaceToFace", {2, 0, 0}, 62}, Meeting{"EdgeToEdge", {2, 2, 0}, 44},
+                                         Meeting{"CornerToCorner", {2, 2, 2}, 36}, Meeting{"Apart", {4, 0, 0}, 0}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Check, NamesACrossing) {
+  // The second triangle passes through (1, 1, 0), inside the first.
+  const Solid flat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+  const Solid upright{{{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}, {{0, 1, 2}}};
+  const Folder folder;
+  folder.write("flat.obj", obj(flat));
+  folder.write("upright.stl", stl(upright));
+  const Ended run = impinge(folder, {"check", "flat.obj", "upright.stl", "--json", "-", "--triangles"});
+  EXPECT_EQ(run.code, 1);
+  const json pair = json::parse(run.out).at("pairs").at(0);
+  EXPECT_EQ(contacts_of(pair), (std::vector<Contact>{{0, 0, "crossing"}}));
+}
+
+TEST(Check, PrintsATableInCanonicalOrderAndASummary) {
+  const Folder folder;
+  folder.write("b.off", off(cube(2, 0, 0)));
+  folder.write("a.off", off(cube(0, 0, 0)));
+  folder.write("c.off", off(cube(2, 2, 0)));
+  const Ended run = impinge(folder, {"check", "b.off", "a.off", "c.off"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "");
+  const std::string table =
+      "object  object  crossing  touching  coplanar\n"
+      "b       a              0        46        16\n"
+      "b       c              0        46        16\n"
+      "a       c              0        30        14\n"
+      "\n"
+      "3 pairs of objects touch, in 168 pairs of triangles.\n"
+      "3 objects, 36 triangles; read in ";
+  EXPECT_EQ(run.out.substr(0, table.size()), table);
+}
+
+TEST(Check, SaysThatNothingTouches) {
+  const Folder folder;
+  folder.write("a.off", off(cube(0, 0, 0)));
+  folder.write("b.off", off(cube(9, 0, 0)));
+  const Ended two = impinge(folder, {"check", "a.off", "b.off"});
+  EXPECT_EQ(two.code, 0);
+  EXPECT_EQ(two.out.substr(0, 17), "Nothing touches.\n");
+  const Ended one = impinge(folder, {"check", "a.off"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_NE(one.out.find("only one object"), std::string::npos);
+}
+
+TEST(Check, TestsObjectsOfOneFileAndShowsTheFileWhereNamesAreTheSame) {
+  const Folder folder;
+  folder.write("pair.gltf", gltf({{"left", {0, 0, 0}}, {"right", {2, 0, 0}}}));
+  const Ended within = impinge(folder, {"check", "pair.gltf", "--json", "-"});
+  EXPECT_EQ(within.code, 1) << within.err;
+  const json answer = json::parse(within.out);
+  ASSERT_EQ(answer.at("pairs").size(), 1U);
+  EXPECT_EQ(answer.at("pairs").at(0).at("touching"), 46);
+  EXPECT_EQ(answer.at("pairs").at(0).at("coplanar"), 16);
+  EXPECT_EQ(answer.at("objects").at(1).at("name"), "right");
+
+  folder.write("left.off", off(cube(0, 2, 0)));
+  const Ended both = impinge(folder, {"check", "pair.gltf", "left.off"});
+  EXPECT_NE(both.out.find("left (pair.gltf)  right "), std::string::npos) << both.out;
+  EXPECT_NE(both.out.find("left (pair.gltf)  left (left.off) "), std::string::npos) << both.out;
+}
+
+TEST(Check, LimitKeepsTheFirstInOrder) {
+  const Folder folder;
+  const Solid a = cube(0, 0, 0), b = cube(2, 0, 0);
+  folder.write("a.off", off(a));
+  folder.write("b.off", off(b));
+  std::vector<Contact> expected = expected_contacts(a, b);
+  for (const std::size_t limit : {1U, 7U, 61U, 62U, 1000U}) {
+    const Ended run =
+        impinge(folder, {"check", "a.off", "b.off", "--json", "-", "--triangles", "--limit", std::to_string(limit)});
+    EXPECT_EQ(run.code, 1);
+    const json answer = json::parse(run.out);
+    EXPECT_EQ(answer.at("truncated"), limit < 62) << limit;
+    const std::vector<Contact> kept(expected.begin(),
+                                    expected.begin() + static_cast<long>(std::min<std::size_t>(limit, 62)));
+    EXPECT_EQ(contacts_of(answer.at("pairs").at(0)), kept) << limit;
+  }
+  const Ended none = impinge(folder, {"check", "a.off", "b.off", "--limit", "0", "--json", "out.json"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.out.find("--limit 0 keeps nothing"), std::string::npos);
+  const json answer = json::parse(folder.read("out.json"));
+  EXPECT_TRUE(answer.at("pairs").empty());
+  EXPECT_EQ(answer.at("truncated"), true);
+}
+
+TEST(Check, FirstGivesOneTrueWitnessAndNoHash) {
+  const Folder folder;
+  const Solid a = cube(0, 0, 0), b = cube(2, 0, 0);
+  folder.write("a.off", off(a));
+  folder.write("b.off", off(b));
+  folder.write("far.off", off(cube(40, 0, 0)));
+  const Ended run = impinge(folder, {"check", "a.off", "b.off", "far.off", "--first", "--json", "-", "--triangles"});
+  EXPECT_EQ(run.code, 1);
+  const json answer = json::parse(run.out);
+  EXPECT_TRUE(answer.at("hash").is_null());
+  ASSERT_EQ(answer.at("pairs").size(), 1U);
+  const std::vector<Contact> witness = contacts_of(answer.at("pairs").at(0));
+  ASSERT_EQ(witness.size(), 1U);
+  const std::vector<Contact> all = expected_contacts(a, b);
+  EXPECT_NE(std::find(all.begin(), all.end(), witness[0]), all.end());
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "far.off", "--first"}).code, 0);
+}
+
+TEST(Check, ScaleMovesOneFileOnly) {
+  const Folder folder;
+  folder.write("a.off", off(cube(0, 0, 0)));
+  folder.write("b.off", off(cube(4, 0, 0)));
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off"}).code, 0);
+  // 4 x 0.5 is the face of the other cube; a double's width more is not.
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--scale", "b.off=0.5"}).code, 1);
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--scale", "b.off=0.5000000000000001"}).code, 0);
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--scale", "a.off=2", "--scale", "b.off=1"}).code, 1);
+}
+
+TEST(Check, AnswerDoesNotDependOnThreadsOrBackend) {
+  const Folder folder;
+  folder.write("a.off", off(cube(0, 0, 0)));
+  folder.write("b.off", off(cube(1, 1, 1)));
+  folder.write("c.off", off(cube(2, 0, 0)));
+  const auto answer = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"check", "a.off", "b.off", "c.off", "--json", "-", "--triangles"};
+    words.insert(words.end(), more.begin(), more.end());
+    json whole = json::parse(impinge(folder, words).out);
+    whole.erase("stats");
+    return whole;
+  };
+  const json expected = answer({"--threads", "1"});
+  EXPECT_EQ(expected.at("pairs").size(), 3U);
+  EXPECT_EQ(answer({"--threads", "4"}), expected);
+  EXPECT_EQ(answer({"--backend", "scalar"}), expected);
+  EXPECT_EQ(answer({"--stats"}), expected);
+}
+
+TEST(Check, StatsShowStagesAndTheCostFunction) {
+  const Folder folder;
+  folder.write("a.off", off(cube(0, 0, 0)));
+  folder.write("b.off", off(cube(1, 1, 1)));
+  const Ended run = impinge(folder, {"check", "a.off", "b.off", "--stats"});
+  EXPECT_EQ(run.code, 1);
+  for (const char* word :
+       {"broad", "hierarchy", "partition", "narrow", "exact", "results", "T predicted", "T measured"})
+    EXPECT_NE(run.out.find(word), std::string::npos) << word;
+}
+
+}  // namespace
+}  // namespace impinge::test

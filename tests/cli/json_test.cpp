@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// The document of --json: its shape, and where it goes.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "meshes.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+class JsonDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(cube(0, 0, 0)));
+    folder.write("b.off", off(cube(2, 0, 0)));
+  }
+  Ended check(std::vector<std::string> more) const {
+    std::vector<std::string> words{"check", "a.off", "b.off"};
+    words.insert(words.end(), more.begin(), more.end());
+    return impinge(folder, words);
+  }
+  Folder folder;
+};
+
+std::vector<std::string> keys(const json& object) {
+  std::vector<std::string> names;
+  for (const auto& item : object.items()) names.push_back(item.key());
+  return names;
+}
+
+TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
+  const json answer = json::parse(check({"--json", "-"}).out);
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"hash", "objects", "pairs", "stats", "truncated", "version"}));
+  EXPECT_EQ(answer.at("version"), 1);
+  EXPECT_EQ(answer.at("truncated"), false);
+  const std::string hash = answer.at("hash");
+  EXPECT_EQ(hash.size(), 16U);
+  EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
+  ASSERT_EQ(answer.at("objects").size(), 2U);
+  EXPECT_EQ(answer.at("objects").at(1), (json{{"id", 1},
+                                              {"name", "b"},
+                                              {"path", answer.at("objects").at(1).at("path")},
+                                              {"product", ""},
+                                              {"file", "b.off"},
+                                              {"triangles", 12}}));
+  EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
+  EXPECT_EQ(answer.at("pairs"),
+            (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));
+  EXPECT_EQ(
+      keys(answer.at("stats")),
+      (std::vector<std::string>{"box_test_seconds",  "box_tests",       "broad_seconds",    "element_test_seconds",
+                                "element_tests",     "exact_calls",     "exact_seconds",    "hierarchy_seconds",
+                                "leaf_pair_seconds", "leaf_pairs",      "measured_seconds", "narrow_seconds",
+                                "node_seconds",      "nodes_built",     "object_pairs",     "partition_seconds",
+                                "predicted_seconds", "results_seconds", "total_seconds",    "triangle_pairs"}));
+  for (const auto& item : answer.at("stats").items()) EXPECT_TRUE(item.value().is_number()) << item.key();
+}
+
+TEST_F(JsonDocument, IsTheOnlyThingOnStandardOutput) {
+  const Ended run = check({"--json", "-", "--stats"});
+  EXPECT_EQ(run.err, "");
+  const json answer = json::parse(run.out);
+  EXPECT_GT(answer.at("stats").at("predicted_seconds"), 0.0);
+}
+
+TEST_F(JsonDocument, GoesToAFileBesideTheTable) {
+  const Ended run = check({"--json", "out.json"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.out.find("1 pair of objects touch"), std::string::npos);
+  EXPECT_EQ(json::parse(folder.read("out.json")).at("pairs").size(), 1U);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.off", "b.off", "out.json"}));
+}
+
+TEST_F(JsonDocument, QuietSilencesTheTableNotTheDocument) {
+  const Ended run = check({"--json", "out.json", "--quiet"});
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(json::accept(folder.read("out.json")));
+  EXPECT_TRUE(json::accept(check({"--json", "-", "--quiet"}).out));
+}
+
+TEST_F(JsonDocument, ReplacesAnEarlierOneAndKeepsItsModeAndLinks) {
+  folder.write("real.json", "{\"old\":true}");
+  ::chmod((folder.path() / "real.json").c_str(), 0640);
+  std::filesystem::create_symlink("real.json", folder.path() / "link.json");
+  EXPECT_EQ(check({"--json", "link.json"}).code, 1);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.json"));
+  EXPECT_TRUE(json::parse(folder.read("real.json")).contains("pairs"));
+  struct stat about {};
+  ASSERT_EQ(::stat((folder.path() / "real.json").c_str(), &about), 0);
+  EXPECT_EQ(about.st_mode & 07777U, 0640U);
+}
+
+TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
+  const std::string before = folder.read("b.off");
+  // The user forgot the name of the JSON file.
+  const Ended forgot = impinge(folder, {"check", "--json", "b.off", "a.off"});
+  EXPECT_EQ(forgot.code, 2);
+  EXPECT_NE(forgot.err.find("holds no JSON"), std::string::npos) << forgot.err;
+  const Ended input = check({"--json", "./b.off"});
+  EXPECT_EQ(input.code, 2);
+  EXPECT_NE(input.err.find("one of the files to read"), std::string::npos) << input.err;
+  EXPECT_EQ(impinge(folder, {"check", "--json=", "b.off", "a.off"}).code, 2);
+  EXPECT_EQ(impinge(folder, {"info", "a.off", "--json", "b.off"}).code, 2);
+  EXPECT_EQ(folder.read("b.off"), before);
+}
+
+TEST_F(JsonDocument, AnErrorLeavesTheOldOneAlone) {
+  folder.write("out.json", "{\"old\":true}");
+  EXPECT_EQ(check({"missing.off", "--json", "out.json"}).code, 2);
+  EXPECT_EQ(folder.read("out.json"), "{\"old\":true}");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.off", "b.off", "out.json"}));
+}
+
+TEST_F(JsonDocument, APlaceThatCannotBeWrittenIsAnError) {
+  for (const char* place : {"missing/out.json", ".", "a.off/out.json", "/dev/full"}) {
+    const Ended run = check({"--json", place});
+    EXPECT_EQ(run.code, 2) << place;
+    EXPECT_EQ(run.err.rfind("impinge: ", 0), 0U) << run.err;
+    EXPECT_NE(run.err.find(place), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(JsonDocument, ReplacesBytesThatAreNotUtf8AndEscapesTheRest) {
+  const std::string name = "\x1b[31m\"q\"\n\xff\xc3\xa4\xed\xa0\x80";
+  folder.write(name + ".off", off(cube(0, 2, 0)));
+  const Ended run = check({name + ".off", "--json", "-"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+  const json answer = json::parse(run.out);
+  // One U+FFFD for each byte that is part of no character; the surrogate has three.
+  EXPECT_EQ(answer.at("objects").at(2).at("name"),
+            "\x1b[31m\"q\"\n\xEF\xBF\xBD\xc3\xa4\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+}
+
+TEST_F(JsonDocument, StreamsAMillionPairs) {
+  folder.write("p.off", off_fan(1000, 0));
+  folder.write("q.off", off_fan(1000, 0.5));
+  const Ended run = impinge(folder, {"check", "p.off", "q.off", "--json", "out.json", "--triangles", "--quiet"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  std::size_t entries = 0;
+  const auto count = [&](int depth, json::parse_event_t event, json&) {
+    // Objects and arrays of the document: depth 4 is one entry of "triangles".
+    if (event == json::parse_event_t::array_end && depth == 4) ++entries;
+    return event != json::parse_event_t::array_end || depth != 4;
+  };
+  const json answer = json::parse(folder.read("out.json"), count);
+  // All triangles have the origin in common.
+  EXPECT_EQ(entries, 1000U * 1000U);
+  const json& pair = answer.at("pairs").at(0);
+  EXPECT_EQ(pair.at("crossing").get<int>() + pair.at("touching").get<int>() + pair.at("coplanar").get<int>(), 1000000);
+}
+
+}  // namespace
+}  // namespace impinge::test

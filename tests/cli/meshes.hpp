@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Small meshes with whole coordinates, as the texts of mesh files.
+namespace impinge::test {
+
+struct Solid {
+  std::vector<std::array<int, 3>> vertices;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// The cube of edge 2 with its lowest corner at (x, y, z), 12 triangles, outward. Opposite faces are cut along parallel
+/// diagonals, so flush cubes have the same diagonal.
+Solid cube(int x, int y, int z);
+
+std::string off(const Solid& solid);
+std::string obj(const Solid& solid);
+std::string ply(const Solid& solid);
+std::string stl(const Solid& solid);
+
+/// Where a node of a glTF file shows the cube at the origin.
+struct Node {
+  std::string name;  ///< as it stands inside a JSON string: escapes are the caller's
+  std::array<int, 3> shift;
+};
+/// A glTF file in one text: all nodes show one mesh, cube(0, 0, 0).
+std::string gltf(const std::vector<Node>& nodes);
+
+/// So many triangles with one corner in common, at the origin, turned by `turn`: two of them touch in all pairs, and
+/// none can be told from floating-point numbers alone.
+std::string off_fan(int triangles, double turn);
+
+}  // namespace impinge::test

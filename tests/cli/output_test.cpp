@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Where the text goes, and what happens when it cannot go there; names that attack the terminal.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "meshes.hpp"
+#include "program.hpp"
+#include "text.hpp"
+
+namespace impinge::test {
+namespace {
+
+class Output : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(cube(0, 0, 0)));
+    folder.write("b.off", off(cube(2, 0, 0)));
+  }
+  Folder folder;
+};
+
+void expect_one_sentence(const Ended& run, const std::string& part) {
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.signal, 0);
+  EXPECT_EQ(run.err.rfind("impinge: ", 0), 0U) << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+}
+
+TEST_F(Output, AFullDeviceIsAnError) {
+  const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(full, 0);
+  Launch launch;
+  launch.out = full;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", "b.off"},
+                                                {"check", "a.off", "b.off", "--json", "-"},
+                                                {"info", "a.off"},
+                                                {"info", "a.off", "--json", "-"},
+                                                {"--help"},
+                                                {"--version"}})
+    expect_one_sentence(impinge(folder, words, launch), "cannot write to standard output: No space left");
+  ::close(full);
+}
+
+TEST_F(Output, AClosedStandardOutputIsAnErrorAndNoFileTakesItsPlace) {
+  Launch launch;
+  launch.close_out = true;
+  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off"}, launch), "cannot write to standard output");
+  // With nothing to print there it is no error; and the table must not land in the JSON.
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--quiet"}, launch).code, 1);
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--json", "out.json"}, launch).code, 2);
+  EXPECT_EQ(folder.read("out.json").find("pairs of"), std::string::npos);
+  EXPECT_EQ(folder.read("a.off"), off(cube(0, 0, 0)));
+}
+
+TEST_F(Output, APipeThatNobodyReadsIsAnError) {
+  int ends[2];
+  ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+  ::close(ends[0]);
+  Launch launch;
+  launch.out = ends[1];
+  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off"}, launch), "Broken pipe");
+  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off", "--json", "-"}, launch), "Broken pipe");
+  ::close(ends[1]);
+}
+
+TEST_F(Output, QuietSaysNothingButErrors) {
+  const Ended touching = impinge(folder, {"check", "a.off", "b.off", "--quiet", "--stats"});
+  EXPECT_EQ(touching.code, 1);
+  EXPECT_EQ(touching.out + touching.err, "");
+  expect_one_sentence(impinge(folder, {"check", "a.off", "missing.off", "--quiet"}), "missing.off");
+}
+
+TEST_F(Output, NamesCannotSteerTheTerminal) {
+  // Escape sequences, a new line, a C1 control (CSI), a turn of the writing direction, and a byte that is no UTF-8.
+  const std::string name = "\x1b]0;gone\x07\x1b[2J\n\r\x7f\xc2\x9b\xe2\x80\xae\xff";
+  folder.write(name + ".off", off(cube(0, 2, 0)));
+  const auto is_plain = [](const std::string& text) {
+    for (std::size_t at = 0; at < text.size();) {
+      const cli::Character character = cli::decode(text, at);
+      const char32_t code = character.code;
+      if (!character.valid || (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0) || code == 0x202e)
+        return false;
+      at += character.length;
+    }
+    return true;
+  };
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", name + ".off"},
+                                                {"info", name + ".off"},
+                                                {"check", name},
+                                                {"check", "a.off", "--ignore", name, name},
+                                                {"check", "a.off", "--scale", name},
+                                                {"check", "a.off", "--limit", name},
+                                                {"check", "a.off", "--" + name},
+                                                {name}}) {
+    const Ended run = impinge(folder, words);
+    EXPECT_TRUE(is_plain(run.out)) << run.out;
+    EXPECT_TRUE(is_plain(run.err)) << run.err;
+    EXPECT_FALSE((run.out + run.err).empty());
+  }
+  const Ended table = impinge(folder, {"check", "a.off", name + ".off"});
+  EXPECT_NE(table.out.find("\\x1b]0;gone\\x07\\x1b[2J\\n\\r\\x7f\\u009b\\u202e\xEF\xBF\xBD"), std::string::npos)
+      << table.out;
+}
+
+TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
+  const std::string part = "\xe9\x83\xa8\xe5\x93\x81_\xc3\xa4\xcc\x88_";  // wide, plain and combining characters
+  folder.write(part + part + part + part + part + part + "1.off", off(cube(0, 2, 0)));
+  for (const std::size_t width : {60U, 61U, 62U, 63U, 80U}) {
+    Launch launch;
+    launch.environment["COLUMNS"] = std::to_string(width);
+    const Ended run =
+        impinge(folder, {"check", "a.off", "b.off", part + part + part + part + part + part + "1.off"}, launch);
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_EQ(cli::valid_utf8(run.out), run.out);
+    std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(cli::columns(line), width) << line;
+    EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
+  }
+  const Ended pipe = impinge(folder, {"check", "a.off", part + part + part + part + part + part + "1.off"});
+  EXPECT_EQ(pipe.out.find("\xe2\x80\xa6"), std::string::npos) << "a pipe has no width";
+}
+
+TEST_F(Output, FilesThatCannotBeReadAreNamed) {
+  folder.write("empty.off", "");
+  folder.write("broken.off", "OFF\n3 1 0\n0 0 0\n");
+  folder.write("notes.xyz", "no mesh at all");
+  std::filesystem::create_directory(folder.path() / "folder.off");
+  for (const char* name : {"missing.off", "empty.off", "broken.off", "notes.xyz", "folder.off", "a.off/b.off", "."}) {
+    expect_one_sentence(impinge(folder, {"check", "a.off", name}), name);
+    const Ended run = impinge(folder, {"info", name, "a.off"});
+    expect_one_sentence(run, name);
+    EXPECT_NE(run.out.find("a.off: 1 object"), std::string::npos) << "the other file is listed";
+  }
+}
+
+TEST_F(Output, LargeFilesAreRefusedUnread) {
+  folder.write("large.off", "OFF\n");
+  std::filesystem::resize_file(folder.path() / "large.off", 4'000'000'000);  // sparse
+  expect_one_sentence(impinge(folder, {"check", "large.off"}), "large.off");
+  expect_one_sentence(impinge(folder, {"check", "a.off", "--max-file", "100"}), "a.off");
+  EXPECT_EQ(impinge(folder, {"check", "a.off", "--max-file", "1k"}).code, 0);
+}
+
+TEST_F(Output, AMissingImporterIsAnError) {
+  folder.write("pair.gltf", gltf({{"left", {0, 0, 0}}, {"right", {2, 0, 0}}}));
+  Launch launch;
+  launch.environment["IMPINGE_IMPORTER"] = "/missing/impinge-import";
+  expect_one_sentence(impinge(folder, {"check", "pair.gltf"}, launch), "/missing/impinge-import");
+}
+
+}  // namespace
+}  // namespace impinge::test

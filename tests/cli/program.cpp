@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "program.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace impinge::test {
+namespace {
+
+std::string contents(int descriptor) {
+  std::string text;
+  char buffer[1 << 14];
+  ::lseek(descriptor, 0, SEEK_SET);
+  for (ssize_t got = 0; (got = ::read(descriptor, buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<std::size_t>(got));
+  return text;
+}
+
+[[noreturn]] void become(const Folder& folder, const std::vector<std::string>& words, const Launch& launch, int out,
+                         int err) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
+  ::unsetenv("COLUMNS");
+  ::unsetenv("TERM");
+  for (const auto& [name, value] : launch.environment) ::setenv(name.c_str(), value.c_str(), 1);
+  const int in = ::open("/dev/null", O_RDONLY);
+  ::dup2(in, STDIN_FILENO);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(err, STDERR_FILENO);
+  if (launch.close_out) ::close(STDOUT_FILENO);
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  if (::chdir(folder.path().c_str()) == 0) ::execv(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Folder::Folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "impinge-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = name;
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void Folder::write(const std::string& name, std::string_view text) const {
+  std::ofstream file(path_ / name, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + name);
+}
+
+std::string Folder::read(const std::string& name) const {
+  std::ifstream file(path_ / name, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> Folder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Running::Running(const Folder& folder, const std::vector<std::string>& words, const Launch& launch)
+    : out_(::memfd_create("out", MFD_CLOEXEC)), err_(::memfd_create("err", MFD_CLOEXEC)) {
+  process_ = ::fork();
+  if (process_ == 0)
+    become(folder, words, launch, launch.out < 0 ? out_ : launch.out, launch.err < 0 ? err_ : launch.err);
+}
+
+Running::~Running() {
+  if (process_ > 0) {
+    ::kill(process_, SIGKILL);
+    wait();
+  }
+  ::close(out_);
+  ::close(err_);
+}
+
+bool Running::handles(int signal, std::chrono::seconds patience) const {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with("SigCgt:") && (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0)
+        return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+void Running::send(int signal) const { ::kill(process_, signal); }
+
+Ended Running::wait() {
+  int status = 0;
+  ::waitpid(process_, &status, 0);
+  process_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0, contents(out_),
+          contents(err_)};
+}
+
+Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, const Launch& launch) {
+  std::vector<std::string> words{IMPINGE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return Running(folder, words, launch).wait();
+}
+
+Ended shell(const Folder& folder, const std::string& line) {
+  Launch launch;
+  const char* path = std::getenv("PATH");
+  launch.environment["PATH"] =
+      std::filesystem::path(IMPINGE_PROGRAM).parent_path().string() + ":" + (path != nullptr ? path : "/usr/bin:/bin");
+  return Running(folder, {"/bin/sh", "-c", line}, launch).wait();
+}
+
+}  // namespace impinge::test

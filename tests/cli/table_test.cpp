@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "table.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <sstream>
+
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+std::string printed(const Table& table, std::optional<std::size_t> width) {
+  const int file = ::memfd_create("table", 0);
+  Sink sink(file, "memory");
+  print(table, sink, width);
+  EXPECT_TRUE(sink.flush().has_value());
+  std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
+  EXPECT_EQ(::pread(file, text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+  ::close(file);
+  return text;
+}
+
+Table two_names(const std::string& a, const std::string& b) {
+  using enum Column::Kind;
+  return {{{"left", name}, {"right", name}, {"n", number}, {"kind", text}}, 1, [=](std::size_t, std::size_t column) {
+            return std::vector<std::string>{a, b, "12,345", "flat"}[column];
+          }};
+}
+
+TEST(Table, PadsToTheWidestCellAndLeavesNoTrailingSpaces) {
+  EXPECT_EQ(printed(two_names("abcdefgh", "x"), std::nullopt),
+            "left      right       n  kind\n"
+            "abcdefgh  x      12,345  flat\n");
+}
+
+TEST(Table, AShortNameLeavesItsRoomToTheLongOne) {
+  const std::string text = printed(two_names("abc", "abcdefghijklmnopqrstuvwxyz"), 40);
+  EXPECT_EQ(text,
+            "left  right                      n  kind\n"
+            "abc   abcdefghijkl\xe2\x80\xa6tuvwxyz  12,345  flat\n");
+}
+
+TEST(Table, NeverCutsNumbersAndKeepsEightColumnsOfAName) {
+  const std::string text = printed(two_names("abcdefghijklmnop", "abcdefghijklmnop"), 10);
+  EXPECT_NE(text.find("12,345  flat"), std::string::npos);
+  EXPECT_NE(text.find("abcde\xe2\x80\xa6op  abcde\xe2\x80\xa6op"), std::string::npos) << text;
+}
+
+TEST(Table, StopsWhenAsked) {
+  std::stop_source stop;
+  std::size_t asked = 0;
+  Table table{{{"n", Column::Kind::number}}, 1'000'000'000, [&](std::size_t, std::size_t) {
+                if (++asked == 100) stop.request_stop();
+                return std::string("1");
+              }};
+  const int file = ::memfd_create("table", 0);
+  Sink sink(file, "memory");
+  print(table, sink, std::nullopt, stop.get_token());
+  EXPECT_EQ(asked, 100U);
+  ::close(file);
+}
+
+}  // namespace
+}  // namespace impinge::cli

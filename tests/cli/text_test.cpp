@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace impinge::cli {
+namespace {
+
+TEST(Text, InvalidUtf8IsReplacedByteByByte) {
+  EXPECT_EQ(valid_utf8("a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9"), "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9");
+  const std::string r = "\xEF\xBF\xBD";
+  EXPECT_EQ(valid_utf8("\x80z"), r + "z");
+  EXPECT_EQ(valid_utf8("\xc3"), r);                          // cut short
+  EXPECT_EQ(valid_utf8("\xc0\xaf"), r + r);                  // overlong
+  EXPECT_EQ(valid_utf8("\xe0\x80\x80"), r + r + r);          // overlong
+  EXPECT_EQ(valid_utf8("\xed\xa0\x80"), r + r + r);          // surrogate
+  EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), r + r + r + r);  // above U+10FFFF
+  EXPECT_EQ(valid_utf8("\xf0\x9f\x94"), r + r + r);
+}
+
+TEST(Text, PrintableSpellsOutWhatSteersATerminal) {
+  EXPECT_EQ(printable("plain \xc3\xa4"), "plain \xc3\xa4");
+  EXPECT_EQ(printable(std::string_view("\0\x1b[1m\n\t\r\x7f", 9)), "\\x00\\x1b[1m\\n\\t\\r\\x7f");
+  EXPECT_EQ(printable("\xc2\x9b"), "\\u009b");
+  EXPECT_EQ(printable("\xe2\x80\xae\xe2\x80\xa8"), "\\u202e\\u2028");
+  EXPECT_EQ(printable("\xf3\xa0\x81\x81"), "\\ue0041");
+}
+
+TEST(Text, ColumnsCountWideAndCombiningCharacters) {
+  EXPECT_EQ(columns("abc"), 3U);
+  EXPECT_EQ(columns("\xe9\x83\xa8\xe5\x93\x81"), 4U);
+  EXPECT_EQ(columns("a\xcc\x88"), 1U);
+  EXPECT_EQ(columns("\xf0\x9f\x94\xa9"), 2U);
+}
+
+TEST(Text, FitCutsInTheMiddle) {
+  EXPECT_EQ(fit("Cylinder_0012", 13), "Cylinder_0012");
+  EXPECT_EQ(fit("Cylinder_0012", 10),
+            "Cylind\xe2\x80\xa6"
+            "012");
+  EXPECT_EQ(fit("Cylinder_0012", 1), "\xe2\x80\xa6");
+  EXPECT_EQ(fit("Cylinder_0012", 0), "");
+  EXPECT_EQ(fit("", 5), "");
+}
+
+TEST(Text, FitNeverExceedsTheWidthNorSplitsACharacter) {
+  const std::string text =
+      "\xe9\x83\xa8"
+      "a\xcc\x88\xcc\x88\xf0\x9f\x94\xa9"
+      "b\xe5\x93\x81\xe5\x93\x81"
+      "cc\xcc\x88\xe9\x83\xa8";
+  for (std::size_t width = 0; width < 20; ++width) {
+    const std::string cut = fit(text, width);
+    EXPECT_LE(columns(cut), width);
+    EXPECT_EQ(valid_utf8(cut), cut);
+    // A combining mark after the dots would have lost its letter.
+    EXPECT_EQ(cut.find("\xe2\x80\xa6\xcc\x88"), std::string::npos);
+  }
+}
+
+TEST(Text, PatternsMatchWholeNames) {
+  EXPECT_TRUE(matches_pattern("bolt*", "bolt_1"));
+  EXPECT_TRUE(matches_pattern("*", ""));
+  EXPECT_TRUE(matches_pattern("a*b*c", "axxbyybzc"));
+  EXPECT_FALSE(matches_pattern("a*b*c", "axxbyybz"));
+  EXPECT_TRUE(matches_pattern("?", "\xc3\xa4"));
+  EXPECT_FALSE(matches_pattern("??", "\xc3\xa4"));
+  EXPECT_TRUE(matches_pattern("*\xc3\xa4?", "\xc3\xa4\xc3\xa4x"));
+  EXPECT_FALSE(matches_pattern("", "a"));
+  EXPECT_FALSE(matches_pattern("a", ""));
+  EXPECT_TRUE(matches_pattern("\xff?", "\xff\xfe"));
+  // Takes no exponential time.
+  EXPECT_FALSE(matches_pattern("a*a*a*a*a*a*a*a*a*a*b", std::string(2000, 'a')));
+}
+
+TEST(Text, EditDistanceCountsCharacters) {
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+  EXPECT_EQ(edit_distance("Bolt", "bOLT"), 0U);
+  EXPECT_EQ(edit_distance("\xc3\xa4", "a"), 1U);
+}
+
+TEST(Text, NumbersForPeople) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(std::numeric_limits<std::uint64_t>::max()), "18,446,744,073,709,551,615");
+  EXPECT_EQ(counted(1, "pair"), "1 pair");
+  EXPECT_EQ(counted(0, "pair"), "0 pairs");
+}
+
+TEST(Text, DurationsChangeUnitsWithoutFourDigits) {
+  EXPECT_EQ(duration(0), "0 s");
+  EXPECT_EQ(duration(-1), "0 s");
+  EXPECT_EQ(duration(85e-9), "85 ns");
+  EXPECT_EQ(duration(999.6e-9), "1 µs");
+  EXPECT_EQ(duration(999.6e-6), "1 ms");
+  EXPECT_EQ(duration(0.9996), "1.00 s");
+  EXPECT_EQ(duration(1.239), "1.24 s");
+  EXPECT_EQ(duration(9.996), "10.0 s");
+  EXPECT_EQ(duration(119.96), "2 min 0 s");
+  EXPECT_EQ(duration(std::numeric_limits<double>::quiet_NaN()), "0 s");
+  EXPECT_EQ(duration(std::numeric_limits<double>::infinity()), "inf s");
+}
+
+TEST(Text, WrapBreaksAtSpacesAndKeepsLineBreaks) {
+  EXPECT_EQ(wrapped("one two three", 9, 2), "one two\n  three");
+  EXPECT_EQ(wrapped("abcdefghijkl no", 5, 0), "abcdefghijkl\nno");
+  EXPECT_EQ(wrapped("a\n\nb c", 10, 1), "a\n\n b c");
+  EXPECT_EQ(wrapped("", 10, 4), "");
+}
+
+}  // namespace
+}  // namespace impinge::cli
