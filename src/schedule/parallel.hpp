@@ -9,7 +9,9 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,23 @@ namespace impinge::schedule {
 /// One T a thread, made when the thread first asks.
 template <class T>
 using PerWorker = tbb::enumerable_thread_specific<T>;
+
+/// Shows the thread sanitizer that what one thread wrote before it handed work to TBB comes before what another does
+/// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write (a closure's copy
+/// into TBB's memory is one), `take` precedes the first read. Nothing in other builds.
+class HandOver {
+ public:
+#if defined(__SANITIZE_THREAD__)
+  static void give() { count_.fetch_add(1, std::memory_order_release); }
+  static void take() { static_cast<void>(count_.load(std::memory_order_acquire)); }
+
+ private:
+  static inline std::atomic<unsigned> count_{0};
+#else
+  static void give() {}
+  static void take() {}
+#endif
+};
 
 /// Runs `body(task, spawn)` for each task on up to `threads` threads (0: all there are). A body may call `spawn(task)`
 /// to hand part of its work to whoever is idle. Tasks run in any order; with one thread they run on the caller's, those
@@ -41,17 +60,40 @@ void run_tasks(std::vector<Task> tasks, int threads, const Body& body) {
   // More than TBB allows would not run any faster, only make it print a warning.
   const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   tbb::task_arena arena(threads == 0 ? most : std::min(threads, most));
-  arena.execute([&] {
+  const auto run_all = [&] {
+    HandOver::take();
     tbb::task_group group;
-    const auto run = [&](const auto& self, Task task) -> void {
+    const auto run = [&](const auto& self, Task& task) -> void {
       const FloatEnvironment nearest;  // each worker has its own
-      body(task, [&](Task spawned) { group.run([&self, t = std::move(spawned)] { self(self, t); }); });
+      body(task, [&](Task spawned) {
+        tbb::task_handle task_of_spawned = group.defer([&self, task = std::make_unique<Task>(std::move(spawned))] {
+          HandOver::take();
+          self(self, *task);
+          HandOver::give();
+        });
+        HandOver::give();
+        group.run(std::move(task_of_spawned));
+      });
+      HandOver::give();
     };
-    group.run([&] {
-      tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) { run(run, std::move(tasks[i])); });
-    });
+    const auto run_first = [&](std::size_t i) {
+      HandOver::take();
+      run(run, tasks[i]);
+    };
+    const auto run_firsts = [&] {
+      HandOver::take();
+      tbb::parallel_for(std::size_t{0}, tasks.size(), run_first);
+    };
+    tbb::task_handle task_of_firsts = group.defer(run_firsts);
+    HandOver::give();
+    group.run(std::move(task_of_firsts));
     group.wait();
-  });
+    HandOver::take();
+    HandOver::give();
+  };
+  HandOver::give();
+  arena.execute(run_all);
+  HandOver::take();
 }
 
 }  // namespace impinge::schedule
