@@ -1,0 +1,36 @@
+# What `cmake --install` lays down beside the command line (cli/): headers, libraries, the importer that the readers start,
+# and the package that find_package(impinge) reads.
+include(CMakePackageConfigHelpers)
+
+set(IMPINGE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/impinge)
+set(impinge_exported impinge)
+if(TARGET impinge_io)
+  list(APPEND impinge_exported impinge_io)
+  set_target_properties(impinge_io PROPERTIES EXPORT_NAME io VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()
+
+install(TARGETS ${impinge_exported} EXPORT impinge-targets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/impinge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp")
+
+if(TARGET impinge-import)
+  install(TARGETS impinge-import RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/impinge)
+endif()
+
+# Shared libraries are found from wherever the tree was installed to.
+if(BUILD_SHARED_LIBS)
+  set_target_properties(${impinge_exported} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  if(IMPINGE_BUILD_TOOLS)
+    set_target_properties(impinge_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+    set_target_properties(impinge-import PROPERTIES INSTALL_RPATH "$ORIGIN/../../${CMAKE_INSTALL_LIBDIR}")
+  endif()
+endif()
+
+install(EXPORT impinge-targets NAMESPACE impinge:: DESTINATION ${IMPINGE_PACKAGE_DIR})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/impinge-config.cmake.in
+  ${PROJECT_BINARY_DIR}/impinge-config.cmake INSTALL_DESTINATION ${IMPINGE_PACKAGE_DIR})
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/impinge-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/impinge-config.cmake ${PROJECT_BINARY_DIR}/impinge-config-version.cmake
+  DESTINATION ${IMPINGE_PACKAGE_DIR})

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = IMPINGE_SOURCE_DIR;
+
+/// A stage includes its own folder, core/, public headers, and these value types that it is handed.
+const std::map<std::string, std::vector<std::string>> kHandedTo{
+    {"core", {}},
+    {"scene", {}},
+    {"broad", {"scene/scene_view.hpp"}},
+    {"hierarchy", {"broad/object_pairs.hpp"}},
+    {"partition", {"hierarchy/leaf_pairs.hpp"}},
+    {"narrow", {"partition/batch.hpp"}},
+    {"exact", {"partition/batch.hpp", "narrow/verdict.hpp"}},
+    {"results", {"broad/object_pairs.hpp", "exact/"}},
+    {"schedule", {}},
+};
+/// What no stage may know of: files, and (schedule apart) threads.
+const std::vector<std::string> kFiles{"filesystem", "fstream", "iostream"};
+const std::vector<std::string> kThreads{"tbb/", "oneapi/", "thread", "future"};
+/// A container, not a thread: a tree grows in it while others read.
+const std::string kGrowsWhileRead = "tbb/concurrent_vector.h";
+
+/// What is built on the library uses public headers, its own, and these, which an answer's first numbers depend on:
+/// files are read in the library's rounding mode, and a node's transform is baked where the library refuses it as a
+/// pose.
+const std::map<std::string, std::vector<std::string>> kBuiltOnTop{
+    {"io", {"io/", "impinge/", "core/float_environment.hpp", "scene/validate_pose.hpp"}},
+    {"cli", {"cli/", "impinge/"}},
+};
+
+struct Include {
+  fs::path file;  // relative to the source directory
+  int line;
+  bool quoted;
+  std::string target;
+};
+
+std::optional<Include> parse_include(const std::string& text) {
+  const auto skip = [&](std::size_t at) { return std::min(text.find_first_not_of(" \t", at), text.size()); };
+  std::size_t at = skip(0);
+  if (at >= text.size() || text[at] != '#') return std::nullopt;
+  at = skip(at + 1);
+  if (text.compare(at, 7, "include") != 0) return std::nullopt;
+  at = skip(at + 7);
+  if (at >= text.size() || (text[at] != '"' && text[at] != '<')) return std::nullopt;
+  const bool quoted = text[at] == '"';
+  const std::size_t end = text.find(quoted ? '"' : '>', at + 1);
+  if (end == std::string::npos) return std::nullopt;
+  return Include{{}, 0, quoted, text.substr(at + 1, end - at - 1)};
+}
+
+std::vector<Include> includes_of(const fs::path& file) {
+  std::vector<Include> found;
+  std::ifstream stream(file);
+  EXPECT_TRUE(stream) << file;
+  int line = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++line;
+    if (auto include = parse_include(text)) {
+      include->file = fs::relative(file, kSource);
+      include->line = line;
+      found.push_back(*include);
+    }
+  }
+  return found;
+}
+
+bool is_source(const fs::path& file) { return file.extension() == ".hpp" || file.extension() == ".cpp"; }
+
+std::vector<Include> includes_under(const fs::path& folder) {
+  std::vector<Include> found;
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / folder)) {
+    if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+    const auto more = includes_of(entry.path());
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  return found;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& prefix) { return text.starts_with(prefix); });
+}
+
+bool is_any(const std::string& text, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const auto& name) { return name.ends_with('/') ? text.starts_with(name) : text == name; });
+}
+
+void complain(const Include& include, const std::string& why) {
+  ADD_FAILURE() << include.file.string() << ':' << include.line << ": includes " << include.target << ", " << why;
+}
+
+/// The project's own headers are included by their path from src/ or include/, whether the name stands in quotes or
+/// not.
+bool is_of_project(const Include& include) {
+  return include.quoted || fs::exists(kSource / "src" / include.target) || fs::exists(kSource / include.target);
+}
+
+TEST(Layering, EveryFolderOfTheSourceIsAStageOfTheTable) {
+  for (const auto& entry : fs::directory_iterator(kSource / "src")) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(kHandedTo.contains(entry.path().filename())) << entry.path() << " is in no table of layering_test.cpp";
+  }
+}
+
+TEST(Layering, AStageKnowsOnlyCoreAndWhatItIsHanded) {
+  std::size_t seen = 0;
+  for (const auto& [stage, handed] : kHandedTo) {
+    if (!fs::exists(kSource / "src" / stage)) continue;
+    std::vector<std::string> allowed{stage + "/", "core/", "impinge/"};
+    allowed.insert(allowed.end(), handed.begin(), handed.end());
+    for (const Include& include : includes_under(fs::path("src") / stage)) {
+      ++seen;
+      if (is_of_project(include) && !starts_with_any(include.target, allowed)) {
+        complain(include, "which the stage " + stage + " is not handed");
+      }
+    }
+  }
+  EXPECT_GT(seen, 100u);  // the reader of includes works
+}
+
+TEST(Layering, TheLibraryKnowsNothingOfFilesAndStagesNothingOfThreads) {
+  for (const Include& include : includes_under("src")) {
+    if (is_any(include.target, kFiles)) complain(include, "and the library knows nothing of files");
+    const auto folder = include.file.parent_path();
+    const bool may_thread = folder == "src" || folder == "src/schedule";  // src/*.cpp puts the stages together
+    if (!may_thread && include.target != kGrowsWhileRead && is_any(include.target, kThreads)) {
+      complain(include, "which is for src/schedule");
+    }
+    if (starts_with_any(include.target, {"io/", "cli/", "impinge/io.hpp"})) complain(include, "which is built on top");
+  }
+}
+
+TEST(Layering, ReadersAndCommandLineUseThePublicApi) {
+  for (const auto& [folder, prefixes] : kBuiltOnTop) {
+    for (const Include& include : includes_under(folder)) {
+      const bool beside = include.quoted && include.target.find('/') == std::string::npos &&
+                          fs::exists(kSource / include.file.parent_path() / include.target);
+      if (is_of_project(include) && !beside && !starts_with_any(include.target, prefixes)) {
+        complain(include, "which is neither public nor of " + folder);
+      }
+    }
+  }
+}
+
+TEST(Layering, PublicHeadersNeedTheStandardLibraryAlone) {
+  for (const Include& include : includes_under("include")) {
+    const bool standard = !include.quoted && include.target.find_first_of("/.") == std::string::npos;
+    const bool ours = include.quoted && include.target.starts_with("impinge/");
+    if (!standard && !ours) complain(include, "which is neither standard nor public");
+  }
+}
+
+}  // namespace
