@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "broad/all_pairs.hpp"
+#include "broad/sweep_and_prune.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+
+/// By integers, so that borders tie and cases shrink well.
+struct Place {
+  std::array<int, 3> center, half;
+  int radius;
+  int group;
+};
+void showValue(const Place& p, std::ostream& os) {
+  os << "center " << p.center[0] << ' ' << p.center[1] << ' ' << p.center[2] << " half " << p.half[0] << ' '
+     << p.half[1] << ' ' << p.half[2] << " radius " << p.radius << " group " << p.group;
+}
+
+/// Moves the object there, adds it, or removes it (`there` is empty).
+struct Step {
+  std::uint32_t object;
+  std::optional<Place> there;
+};
+void showValue(const Step& step, std::ostream& os) {
+  os << step.object << ": ";
+  if (step.there) showValue(*step.there, os);
+}
+
+}  // namespace impinge
+
+namespace rc {
+template <>
+struct Arbitrary<impinge::Place> {
+  static Gen<impinge::Place> arbitrary() {
+    const auto coordinate = gen::inRange(-6, 7);
+    const auto half = gen::inRange(0, 4);
+    return gen::build<impinge::Place>(gen::set(&impinge::Place::center, gen::container<std::array<int, 3>>(coordinate)),
+                                      gen::set(&impinge::Place::half, gen::container<std::array<int, 3>>(half)),
+                                      gen::set(&impinge::Place::radius, gen::inRange(0, 6)),
+                                      gen::set(&impinge::Place::group, gen::inRange(0, 4)));
+  }
+};
+template <>
+struct Arbitrary<impinge::Step> {
+  static Gen<impinge::Step> arbitrary() {
+    return gen::build<impinge::Step>(
+        gen::set(&impinge::Step::object, gen::inRange<std::uint32_t>(0, 12)),
+        gen::set(&impinge::Step::there,
+                 gen::map(gen::maybe(gen::arbitrary<impinge::Place>()), [](const Maybe<impinge::Place>& place) {
+                   return place ? std::optional(*place) : std::nullopt;
+                 })));
+  }
+};
+}  // namespace rc
+
+namespace impinge {
+namespace {
+
+using scene::PlacedObject;
+using scene::SceneView;
+
+const MeshData kSomething;  // the broad phase only asks whether there is a mesh
+
+PlacedObject placed(const Place& place) {
+  const auto vec = [](const std::array<int, 3>& v) {
+    return Vec3{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+  };
+  PlacedObject object;
+  object.mesh = &kSomething;
+  object.group = static_cast<std::uint32_t>(place.group);
+  object.sphere = {vec(place.center), static_cast<double>(place.radius)};
+  object.box = {vec(place.center) - vec(place.half), vec(place.center) + vec(place.half)};
+  return object;
+}
+
+bool same(const broad::ObjectPairs& p, const broad::ObjectPairs& q) {
+  return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const auto& x, const auto& y) {
+    return x.a == y.a && x.b == y.b && x.overlap.lo == y.overlap.lo && x.overlap.hi == y.overlap.hi;
+  });
+}
+
+RC_GTEST_PROP(SweepAndPrune, FindsEveryPairThatBruteForceFinds,
+              (const std::vector<std::vector<Step>>& frames,
+               const std::vector<std::pair<std::uint8_t, std::uint8_t>>& ignored_pairs)) {
+  std::unordered_set<std::uint64_t> ignored;
+  for (const auto& [a, b] : ignored_pairs) ignored.insert(scene::pair_key(a % 12, b % 12));
+  std::vector<PlacedObject> objects;
+  broad::SweepAndPrune borders;
+  for (const std::vector<Step>& frame : frames) {
+    for (const Step& step : frame) {
+      if (step.object >= objects.size()) objects.resize(step.object + 1);
+      objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
+    }
+    const SceneView view{objects, &ignored};
+    borders.update(view);
+    RC_ASSERT(same(borders.find(view), broad::all_pairs(view)));
+  }
+}
+
+/// What the twin itself promises, by its words.
+RC_GTEST_PROP(AllPairs, HoldBoxesAndSpheresAndGroupsAndIgnoredPairs,
+              (const std::vector<Place>& places, std::uint8_t ignored_a, std::uint8_t ignored_b)) {
+  std::vector<PlacedObject> objects;
+  for (const Place& place : places) objects.push_back(placed(place));
+  const std::unordered_set<std::uint64_t> ignored{scene::pair_key(ignored_a % 8, ignored_b % 8)};
+  const broad::ObjectPairs pairs = broad::all_pairs({objects, &ignored});
+  auto next = pairs.begin();
+  for (std::uint32_t a = 0; a < places.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < places.size(); ++b) {
+      const Place &p = places[a], &q = places[b];
+      int square = 0;
+      bool meet = p.group == 0 || p.group != q.group;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int d = p.center[i] - q.center[i];
+        square += d * d;
+        meet = meet && std::abs(d) <= p.half[i] + q.half[i];
+      }
+      meet = meet && square <= (p.radius + q.radius) * (p.radius + q.radius);
+      meet = meet && !ignored.contains(scene::pair_key(a, b));
+      const bool found = next != pairs.end() && next->a == a && next->b == b;
+      RC_ASSERT(found == meet);
+      if (found) ++next;
+    }
+  }
+  RC_ASSERT(next == pairs.end());
+}
+
+/// Many frames: slow drift, now and then a jump, an arrival or a departure, at sizes where the borders' insertion sort
+/// and its retreat to sorting anew both happen.
+TEST(SweepAndPrune, StaysRightOverManyFrames) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    std::vector<PlacedObject> objects(400);
+    std::vector<Vec3> velocities(objects.size());
+    const auto put = [&](PlacedObject& object, const Vec3& center) {
+      const Vec3 half{0.4, 0.7, 0.2};
+      object.mesh = &kSomething;
+      object.sphere = {center, norm(half)};
+      object.box = {center - half, center + half};
+    };
+    const auto anywhere = [&] { return Vec3{random.uniform(0, 8), random.uniform(0, 8), random.uniform(0, 8)}; };
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      put(objects[i], anywhere());
+      velocities[i] = 0.002 * (anywhere() - Vec3{4, 4, 4});
+    }
+    broad::SweepAndPrune borders;
+    for (int frame = 0; frame < 60; ++frame) {
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].mesh != nullptr) put(objects[i], objects[i].sphere.center + velocities[i]);
+        if (random.integer(0, 200) == 0) put(objects[i], anywhere());
+        if (random.integer(0, 200) == 0) objects[i] = {};
+      }
+      if (frame % 20 == 19)  // everything at once
+        for (PlacedObject& object : objects) put(object, anywhere());
+      const SceneView view{objects, nullptr};
+      borders.update(view);
+      const broad::ObjectPairs pairs = borders.find(view);
+      ASSERT_TRUE(same(pairs, broad::all_pairs(view))) << "frame " << frame;
+      ASSERT_GT(pairs.size(), 20u);
+    }
+  }
+}
+
+TEST(SweepAndPrune, CopesWithAllInOnePlaceAndWithNone) {
+  std::vector<PlacedObject> objects(50, placed({{1, 2, 3}, {0, 0, 0}, 0, 0}));
+  broad::SweepAndPrune borders;
+  borders.update({objects, nullptr});
+  EXPECT_EQ(borders.find({objects, nullptr}).size(), 50u * 49 / 2);
+  objects.clear();
+  borders.update({objects, nullptr});
+  EXPECT_TRUE(borders.find({objects, nullptr}).empty());
+}
+
+/// Spheres that touch in one point, at radii and distances that round either way.
+TEST(MayTouch, KeepsSpheresThatTouchInExactArithmetic) {
+  test::Seeded seeded(9);
+  int touching = 0;
+  for (int i = 0; i < 20000; ++i) {
+    PlacedObject a = placed({{0, 0, 0}, {0, 0, 0}, 0, 0}), b = a;
+    a.box = b.box = {{-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}};
+    // On a Pythagorean quadruple times a random scale of few bits everything here is exact.
+    const double scale = std::ldexp(seeded.random.integer(1, 1 << 20), seeded.random.integer(-40, 20));
+    b.sphere.center = scale * Vec3{2, 3, 6};
+    a.sphere.radius = scale * seeded.random.integer(0, 7);
+    b.sphere.radius = 7 * scale - a.sphere.radius;
+    const std::array<PlacedObject, 2> both{a, b};
+    EXPECT_TRUE(broad::may_touch({both, nullptr}, 0, 1));
+    touching += broad::may_touch({both, nullptr}, 0, 1);
+    b.sphere.radius *= 1 - 1e-12;
+    const std::array<PlacedObject, 2> apart{a, b};
+    if (b.sphere.radius > 1e-3 * scale) {
+      EXPECT_FALSE(broad::may_touch({apart, nullptr}, 0, 1));
+    }
+  }
+  EXPECT_EQ(touching, 20000);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <numeric>
+
+#include "tests/core/support.hpp"
+#include "tests/pipeline/crowd.hpp"
+
+/// CONTRACT 9: one answer. Pairs, kinds, order and hash are the same however they were come by.
+namespace impinge {
+namespace {
+
+TEST(Answer, IsTheSameForEveryLeafSizeWithAndWithoutGrid) {
+  const scenes::PlacedScene placed = test::crowd(2);
+  const Contacts expected = test::scene_of(placed).collide().value();
+  for (const std::uint32_t leaf_size : {1u, 2u, 3u, 8u, 31u, 256u}) {
+    for (const bool grid : {true, false}) {
+      SCOPED_TRACE("leaf size " + std::to_string(leaf_size) + (grid ? " with" : " without") + " grid");
+      const Scene scene = test::scene_of(placed, leaf_size);
+      test::expect_same(expected, scene.collide({.grid = grid}).value());
+      test::expect_same(expected, scene.collide({.grid = grid}).value());  // trees kept from before
+    }
+  }
+}
+
+TEST(Answer, IsThatOfBruteForceOnACrowd) {
+  scenes::PlacedScene placed = test::crowd(3);
+  std::erase_if(placed.objects, [&](const auto& o) { return placed.meshes[o.mesh].triangle_count() > 1000; });
+  EXPECT_EQ(test::listed(test::scene_of(placed).collide().value()), test::brute_force(placed));
+}
+
+/// Renumbered objects give renumbered rows, triangles exchanged where the order of two objects turned, and the same
+/// hash.
+TEST(Answer, DependsOnTheOrderOfObjectsInItsNamesAlone) {
+  const scenes::PlacedScene placed = test::crowd(4);
+  const Contacts expected = test::scene_of(placed).collide().value();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    test::Seeded seeded(seed);
+    std::vector<std::uint32_t> order(placed.objects.size());  // new place -> old place
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[static_cast<std::size_t>(seeded.random.integer(0, static_cast<int>(i) - 1))]);
+    scenes::PlacedScene shuffled = placed;
+    for (std::size_t i = 0; i < order.size(); ++i) shuffled.objects[i] = placed.objects[order[i]];
+    const Contacts found = test::scene_of(shuffled).collide().value();
+    EXPECT_EQ(found.hash, expected.hash);
+    std::vector<test::Contact> renamed = test::listed(found);
+    for (test::Contact& c : renamed) {
+      c[0] = order[c[0]], c[1] = order[c[1]];
+      if (c[0] > c[1]) std::swap(c[0], c[1]), std::swap(c[2], c[3]);
+    }
+    std::sort(renamed.begin(), renamed.end());
+    EXPECT_EQ(renamed, test::listed(expected));
+  }
+}
+
+TEST(Answer, IsTransposedWhenTheMeshesAreSwapped) {
+  test::Seeded seeded(5);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random, 40)) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Mesh> meshes = test::meshes_of(named.scene);
+    const auto &a = named.scene.objects[0], &b = named.scene.objects[1];
+    const Contacts ab = collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose).value();
+    const Contacts ba = collide(meshes[b.mesh], b.pose, meshes[a.mesh], a.pose).value();
+    EXPECT_EQ(ab.hash, ba.hash);
+    EXPECT_EQ(test::transposed(test::listed(ab)), test::listed(ba));
+    // A scene of the two is the same question.
+    test::expect_same(ab, test::scene_of(named.scene).collide().value());
+  }
+}
+
+TEST(Answer, IsTheSameInEveryFloatingPointModeOfTheCaller) {
+  std::vector<test::NamedScene> scenes{{"crowd", test::crowd(6)}};
+  test::Seeded seeded(6);
+  for (test::NamedScene& named : test::hard_scenes(seeded.random, 24)) scenes.push_back(std::move(named));
+  for (const test::NamedScene& named : scenes) {
+    SCOPED_TRACE(named.name);
+    const Contacts expected = test::scene_of(named.scene).collide().value();
+    for (const int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      for (const bool flush : {false, true}) {
+        const test::CallersMode mode(rounding, flush);
+        Scene scene = test::scene_of(named.scene);  // spheres and hashes of meshes as well
+        scene.update();
+        const auto found = scene.collide({.threads = flush ? 2 : 1});
+        EXPECT_TRUE(mode.is_untouched());
+        ASSERT_TRUE(found);
+        test::expect_same(expected, *found);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "impinge/collide.hpp"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+
+/// The error has this code, and its sentence has each of these words.
+template <class T>
+void expect_error(const Result<T>& result, Code code, std::initializer_list<const char*> words) {
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, code);
+  for (const char* word : words)
+    EXPECT_NE(result.error().message.find(word), std::string::npos) << result.error().message;
+}
+
+Result<Mesh> create(const std::vector<double>& xyz, const std::vector<std::uint32_t>& triangles,
+                    const TreeConfig& tree = {}) {
+  return Mesh::create(std::span<const double>(xyz), triangles, tree);
+}
+
+TEST(MeshCreate, NamesThePlaceOfWhatIsWrong) {
+  const std::vector<double> three{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  expect_error(create({0, 0, 0, 1}, {}), Code::bad_mesh, {"coordinates", "4"});
+  expect_error(create(three, {0, 1}), Code::bad_mesh, {"indices", "2"});
+  expect_error(create(three, {0, 1, 2, 2, 1, 3}), Code::bad_mesh, {"triangle 1", "vertex 3"});
+  expect_error(create(three, {0, 1, 0xFFFFFFFF}), Code::bad_mesh, {"triangle 0", "4294967295"});
+  expect_error(create({}, {0, 0, 0}), Code::bad_mesh, {"triangle 0", "vertex 0"});
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      std::vector<double> xyz = three;
+      xyz[i] = bad;
+      const std::string vertex = "vertex " + std::to_string(i / 3);
+      expect_error(create(xyz, {0, 1, 2}), Code::bad_mesh, {vertex.c_str(), "finite"});
+      const std::vector<float> floats(xyz.begin(), xyz.end());
+      const std::vector<std::uint32_t> none;
+      expect_error(Mesh::create(std::span<const float>(floats), none), Code::bad_mesh, {vertex.c_str(), "finite"});
+    }
+  }
+  for (const std::uint32_t size : {0u, 257u, 0xFFFFFFFFu})
+    expect_error(create(three, {0, 1, 2}, {size}), Code::bad_option, {"leaf_size", std::to_string(size).c_str()});
+  for (const std::uint32_t size : {1u, 256u}) EXPECT_TRUE(create(three, {0, 1, 2}, {size}));
+}
+
+TEST(MeshCreate, KeepsWhatItIsGiven) {
+  const Mesh mesh = create({0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 7, 7}, {0, 1, 2, 2, 2, 2, 0, 1, 2}).value();
+  EXPECT_EQ(mesh.vertex_count(), 4u);
+  EXPECT_EQ(mesh.triangle_count(), 3u);
+  EXPECT_EQ(mesh.vertices()[3], (Point{7, 7, 7}));
+  EXPECT_EQ(mesh.triangles()[1], (std::array<std::uint32_t, 3>{2, 2, 2}));
+  // The last vertex is not in use: the sphere is about the longest segment of the others.
+  EXPECT_NEAR(mesh.sphere_radius(), std::sqrt(77.0) / 2, 1e-12);
+  EXPECT_NEAR(mesh.sphere_center().z, 3, 1e-12);
+}
+
+TEST(Mesh, WithoutTrianglesTouchesNothing) {
+  const Mesh empty = create({}, {}).value(), points = create({0, 0, 0, 1, 1, 1}, {}).value();
+  const Mesh cube = test::mesh_of(scenes::cube());
+  for (const Mesh& nothing : {empty, points}) {
+    EXPECT_EQ(nothing.sphere_radius(), 0);
+    EXPECT_EQ(nothing.sphere_center(), (Point{0, 0, 0}));
+    const auto contacts = collide(nothing, {}, cube, {});
+    ASSERT_TRUE(contacts);
+    EXPECT_TRUE(contacts->objects.empty());
+    EXPECT_EQ(contacts->offsets, std::vector<std::uint64_t>{0});
+    EXPECT_EQ(contacts->hash, 0u);
+    Scene scene;
+    const ObjectId id = scene.add(nothing).value();
+    ASSERT_TRUE(scene.add(cube));
+    EXPECT_EQ(scene.size(), 2u);
+    EXPECT_TRUE(scene.collide()->objects.empty());
+    EXPECT_TRUE(scene.set_pose(id, {}));
+    EXPECT_TRUE(scene.remove(id));
+  }
+}
+
+TEST(Mesh, OfFloatsIsThatOfTheSameDoubles) {
+  test::Seeded seeded(1);
+  const scenes::MeshData soup = scenes::triangle_soup(seeded.random, 200, 0.5);
+  const std::vector<float> floats(soup.xyz.begin(), soup.xyz.end());
+  const std::vector<double> doubles(floats.begin(), floats.end());
+  const Mesh of_floats = Mesh::create(std::span<const float>(floats), soup.triangles).value();
+  const Mesh of_doubles = create(doubles, soup.triangles).value();
+  Pose pose = scenes::random_motion(seeded.random, 0.3);
+  const Contacts expected = collide(of_doubles, {}, of_doubles, pose).value();
+  EXPECT_FALSE(expected.triangles.empty());
+  test::expect_same(expected, collide(of_floats, {}, of_floats, pose).value());
+}
+
+TEST(Transformed, IsThePoseBaked) {
+  test::Seeded seeded(2);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random, 24)) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Mesh> meshes = test::meshes_of(named.scene);
+    std::vector<Mesh> baked;
+    for (const auto& object : named.scene.objects)
+      baked.push_back(meshes[object.mesh].transformed({object.pose.R, object.pose.t}).value());
+    const auto &a = named.scene.objects[0], &b = named.scene.objects[1];
+    for (std::size_t i = 0; i < baked[0].vertex_count(); ++i)
+      ASSERT_EQ(baked[0].vertices()[i], world_vertex(a.pose, meshes[a.mesh].vertices()[i]));
+    const auto posed = collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose),
+               at_rest = collide(baked[0], {}, baked[1], {});
+    ASSERT_TRUE(posed && at_rest);
+    EXPECT_EQ(test::listed(*posed), test::listed(*at_rest));
+  }
+}
+
+TEST(Transformed, MirrorsAndScalesAndKeepsOrder) {
+  const Mesh cube = test::mesh_of(scenes::cube(), 3);
+  const Mesh mirrored = cube.transformed({{-2, 0, 0, 0, 1, 0, 0, 0, 0}, {5, 0, 0}}).value();
+  EXPECT_TRUE(std::equal(cube.triangles().begin(), cube.triangles().end(), mirrored.triangles().begin()));
+  for (std::size_t i = 0; i < cube.vertex_count(); ++i)
+    EXPECT_EQ(mirrored.vertices()[i], (Point{5 - 2 * cube.vertices()[i].x, cube.vertices()[i].y, 0}));
+}
+
+TEST(Transformed, RefusesWhatIsNotFinite) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  for (const double bad : {kNaN, kInfinity}) {
+    Affine map;
+    map.m[4] = bad;
+    expect_error(cube.transformed(map), Code::bad_pose, {"matrix", "finite"});
+    map = {};
+    map.t[2] = bad;
+    expect_error(cube.transformed(map), Code::bad_pose, {"translation", "finite"});
+  }
+  Affine huge;
+  huge.m[0] = huge.t[0] = 1e308;
+  expect_error(cube.transformed(huge), Code::out_of_range, {"vertex"});
+}
+
+TEST(Collide, RefusesBadPosesAndWorldsOutOfRange) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  Pose mirror, far, fine;
+  mirror.R[0] = -1;
+  far.t[1] = 0x1p300;
+  fine.t[1] = 0x1p299;
+  expect_error(collide(cube, {}, cube, mirror), Code::bad_pose, {"Mesh::transformed"});
+  expect_error(collide(cube, mirror, cube, {}), Code::bad_pose, {"Mesh::transformed"});
+  expect_error(collide(cube, {}, cube, far), Code::out_of_range, {"object 1", "2^300"});
+  expect_error(collide(cube, far, cube, {}), Code::out_of_range, {"object 0", "2^300"});
+  EXPECT_TRUE(collide(cube, fine, cube, {}));
+  const Mesh small = cube.transformed({{0x1p-359, 0, 0, 0, 1, 0, 0, 0, 1}, {}}).value();
+  expect_error(collide(small, {}, cube, {}), Code::out_of_range, {"object 0", "2^-358"});
+  Pose beside;
+  beside.t = {1, 0, 0};  // the world's x is 1 for all of it, which is in the domain
+  EXPECT_EQ(collide(small, beside, cube, {})->objects.size(), 1u);
+}
+
+/// A mesh whose own numbers are below the least normal double, at a pose that rounds them away: all of it is one point.
+TEST(Collide, TakesAMeshOfDenormalsAtAPoseInTheDomain) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  for (const double size : {0x1p-1074, 0x1p-1030, 0x1p-1000}) {
+    const Mesh dust = cube.transformed({{size, 0, 0, 0, size, 0, 0, 0, size}, {}}).value();
+    Pose on_cube, off_cube;
+    on_cube.t = {1, 0.5, 0.25};
+    off_cube.t = {1.5, 0.5, 0.25};
+    const auto contacts = collide(dust, on_cube, cube, {});
+    ASSERT_TRUE(contacts) << contacts.error().message;
+    EXPECT_GE(contacts->triangles.size(), 12u);  // every triangle of the dust with the face's one or two
+    for (const Kind kind : contacts->kinds) EXPECT_EQ(kind, Kind::touching);
+    EXPECT_TRUE(collide(dust, off_cube, cube, {})->triangles.empty());
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/placed.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+/// Objects that cross, touch, lie in one plane, and do nothing of the kind; some share no contact of a wanted kind.
+scenes::PlacedScene mixed_scene() {
+  scenes::Random random(11);
+  scenes::PlacedScene scene = scenes::flush_boxes(2, 2, 2);
+  scene.meshes.push_back(scenes::integer_soup(random, 40, 3));
+  scene.meshes.push_back(scenes::degenerate_soup(random, 30, 3));
+  scene.meshes.push_back(scenes::triangle_soup(random, 60, 0.5));
+  scene.objects.push_back({.mesh = 1});
+  scene.objects.push_back({.mesh = 2});
+  scene.objects.push_back({.mesh = 3, .pose = scenes::random_motion(random, 1)});
+  scene.objects.push_back({.mesh = 3, .pose = scenes::random_motion(random, 1)});
+  scene.objects.push_back({.mesh = 0, .pose = {.t = {50, 0, 0}}});
+  return scene;
+}
+
+TEST(Options, ThatCannotBeAreRefused) {
+  const Scene scene = test::scene_of(mixed_scene());
+  const Mesh cube = test::mesh_of(scenes::cube());
+  const auto expect_refused = [&](const Options& options, const char* word) {
+    for (const auto& result : {scene.collide(options), collide(cube, {}, cube, {}, options)}) {
+      ASSERT_FALSE(result);
+      EXPECT_EQ(result.error().code, Code::bad_option);
+      EXPECT_NE(result.error().message.find(word), std::string::npos) << result.error().message;
+    }
+  };
+  expect_refused({.threads = -1}, "-1");
+  expect_refused({.kinds = 8}, "kinds");
+  expect_refused({.kinds = 255}, "kinds");
+  expect_refused({.backend = "vulkan"}, "'vulkan'");
+  expect_refused({.backend = ""}, "auto");
+  for (const char* backend : {"auto", "scalar"}) EXPECT_TRUE(scene.collide({.backend = backend}));
+}
+
+TEST(Options, KindsFilterTheAnswer) {
+  const Scene scene = test::scene_of(mixed_scene());
+  const std::vector<test::Contact> all = test::listed(scene.collide().value());
+  EXPECT_EQ(all, test::brute_force(mixed_scene()));
+  for (std::uint8_t kinds = 0; kinds <= kAllKinds; ++kinds) {
+    std::vector<test::Contact> expected;
+    for (const test::Contact& contact : all)
+      if (kinds >> contact[4] & 1) expected.push_back(contact);
+    const Contacts found = scene.collide({.kinds = kinds}).value();
+    EXPECT_EQ(test::listed(found), expected);
+    EXPECT_FALSE(found.truncated);
+    if (kinds == kCrossing || kinds == kTouching || kinds == kCoplanar) {
+      EXPECT_GT(expected.size(), 10u);
+    }
+  }
+}
+
+TEST(Options, LimitKeepsThePrefixOfTheFullAnswer) {
+  const Scene scene = test::scene_of(mixed_scene());
+  for (const std::uint8_t kinds : {kAllKinds, kTouching}) {
+    const std::vector<test::Contact> all = test::listed(scene.collide({.kinds = kinds}).value());
+    for (const std::size_t limit :
+         {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size() - 1, all.size(), all.size() + 1}) {
+      for (const int threads : {1, 0}) {
+        const Contacts found = scene.collide({.limit = limit, .kinds = kinds, .threads = threads}).value();
+        const std::size_t kept = std::min(limit, all.size());
+        EXPECT_EQ(test::listed(found),
+                  std::vector<test::Contact>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept)));
+        EXPECT_EQ(found.truncated, kept < all.size());
+      }
+    }
+  }
+}
+
+TEST(Options, LimitCutsLargeAnswersToo) {
+  const Mesh plane = test::mesh_of(scenes::flat_grid(40, 40));
+  const std::vector<test::Contact> all = test::listed(collide(plane, {}, plane, {}).value());
+  EXPECT_GT(all.size(), 30000u);
+  for (const std::size_t limit : {100, 5000, 20000}) {
+    const Contacts found = collide(plane, {}, plane, {}, {.limit = limit}).value();
+    EXPECT_EQ(test::listed(found),
+              std::vector<test::Contact>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(limit)));
+    EXPECT_TRUE(found.truncated);
+  }
+}
+
+/// Every pair of objects with a contact of a wanted kind, and one true witness each.
+TEST(FindFirst, FindsEachTouchingPairWithATrueWitness) {
+  const scenes::PlacedScene placed = mixed_scene();
+  const Scene scene = test::scene_of(placed);
+  const std::vector<test::Contact> all = test::listed(scene.collide().value());
+  const std::set<test::Contact> truths(all.begin(), all.end());
+  for (std::uint8_t kinds = 0; kinds <= kAllKinds; ++kinds) {
+    std::vector<std::array<std::uint32_t, 2>> expected;
+    for (const test::Contact& contact : all) {
+      if ((kinds >> contact[4] & 1) == 0) continue;
+      if (expected.empty() || expected.back() != std::array{contact[0], contact[1]})
+        expected.push_back({contact[0], contact[1]});
+    }
+    for (const int threads : {1, 0}) {
+      const Contacts found = scene.collide({.find = Options::Find::first, .kinds = kinds, .threads = threads}).value();
+      EXPECT_EQ(found.objects, expected);
+      EXPECT_EQ(found.triangles.size(), expected.size());
+      EXPECT_EQ(found.hash, 0u);
+      EXPECT_FALSE(found.truncated);
+      for (const test::Contact& witness : test::listed(found)) {
+        EXPECT_TRUE(truths.contains(witness));
+        EXPECT_TRUE(kinds >> witness[4] & 1);
+      }
+    }
+  }
+}
+
+TEST(FindFirst, HonoursALimit) {
+  const Scene scene = test::scene_of(mixed_scene());
+  const auto all = scene.collide({.find = Options::Find::first})->objects;
+  for (const std::size_t limit : {std::size_t{0}, std::size_t{3}, all.size()}) {
+    const Contacts found = scene.collide({.find = Options::Find::first, .limit = limit}).value();
+    EXPECT_EQ(found.objects, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(limit)));
+    EXPECT_EQ(found.truncated, limit < all.size());
+  }
+}
+
+TEST(FindFirst, IsCheaperThanAll) {
+  const Mesh plane = test::mesh_of(scenes::flat_grid(100, 100));
+  const Statistics all = collide(plane, {}, plane, {}, {.threads = 1})->statistics;
+  const Statistics first = collide(plane, {}, plane, {}, {.find = Options::Find::first, .threads = 1})->statistics;
+  EXPECT_LT(first.element_tests, all.element_tests / 20);
+}
+
+TEST(Stop, EndsAQueryWithoutAnAnswer) {
+  std::stop_source source;
+  source.request_stop();
+  const Mesh cube = test::mesh_of(scenes::cube());
+  for (const int threads : {1, 0}) {
+    Options options;
+    options.threads = threads;
+    options.stop = source.get_token();
+    const auto result = collide(cube, {}, cube, {}, options);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Code::cancelled);
+    EXPECT_EQ(test::scene_of(mixed_scene()).collide(options).error().code, Code::cancelled);
+  }
+}
+
+TEST(Progress, CountsEachPairOfObjectsOnce) {
+  const Scene scene = test::scene_of(mixed_scene());
+  for (const int threads : {1, 0}) {
+    Progress progress;
+    const Contacts found = scene.collide({.threads = threads, .progress = &progress}).value();
+    EXPECT_EQ(progress.total, found.statistics.object_pairs);
+    EXPECT_EQ(progress.done, found.statistics.object_pairs);
+    EXPECT_GE(found.statistics.object_pairs, found.objects.size());
+  }
+}
+
+TEST(Statistics, AddUp) {
+  const Mesh plane = test::mesh_of(scenes::bumpy_grid(30, 30));
+  Pose pose;
+  pose.t = {0.5, 0.5, 0};
+  const Contacts found = collide(plane, {}, plane, pose, {.threads = 1}).value();
+  const Statistics& s = found.statistics;
+  EXPECT_EQ(s.object_pairs, 1u);
+  EXPECT_GE(s.box_tests, s.leaf_pairs);
+  EXPECT_GE(s.triangle_pairs, found.triangles.size());
+  EXPECT_GE(s.element_tests, s.triangle_pairs / 2);
+  EXPECT_GE(s.triangle_pairs, s.exact_calls);
+  EXPECT_GT(s.nodes_built, 0u);
+  EXPECT_GE(s.total_seconds, s.measured_seconds);  // on one thread
+}
+
+}  // namespace
+}  // namespace impinge

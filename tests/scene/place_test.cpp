@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gmpxx.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/pose.hpp"
+#include "scene/scene_view.hpp"
+#include "scene/validate_pose.hpp"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+void expect_holds_world_vertices(const scene::PlacedObject& object, const Mesh& mesh, const Pose& pose) {
+  const mpq_class square = mpq_class(object.sphere.radius) * object.sphere.radius;
+  for (const auto& triangle : mesh.triangles()) {
+    for (const std::uint32_t i : triangle) {
+      const Point w = world_vertex(pose, mesh.vertices()[i]);
+      ASSERT_TRUE(overlap(object.box, {w, w}));
+      const mpq_class x = mpq_class(w.x) - object.sphere.center.x, y = mpq_class(w.y) - object.sphere.center.y,
+                      z = mpq_class(w.z) - object.sphere.center.z;
+      ASSERT_LE(x * x + y * y + z * z, square);
+    }
+  }
+}
+
+TEST(Place, BoundsHoldEveryWorldVertex) {
+  test::Seeded seeded(1);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random)) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Mesh> meshes = test::meshes_of(named.scene);
+    for (const auto& object : named.scene.objects) {
+      const Mesh& mesh = meshes[object.mesh];
+      const auto placed = scene::place(test::numbers_of(mesh), object.pose, 5);
+      EXPECT_EQ(placed.mesh, &test::numbers_of(mesh));
+      EXPECT_EQ(placed.group, 5u);
+      EXPECT_TRUE(placed.in_domain);
+      expect_holds_world_vertices(placed, mesh, object.pose);
+    }
+  }
+}
+
+/// Where a bound has least to spare: vertices at its border, the matrix off by 9e-7, a translation of 1e6.
+TEST(Place, BoundsHoldWhereTheyAreTight) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    scenes::MeshData numbers = seed % 2 == 0 ? scenes::cube() : scenes::uv_sphere(8, 6);
+    numbers = scenes::shifted(numbers, random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+    const Mesh mesh = test::mesh_of(numbers);
+    Pose pose = scenes::random_motion(random, seed % 3 == 0 ? 1e6 : seed % 3 == 1 ? 1 : 0);
+    if (seed % 4 != 0) pose.R = scenes::stretched_rotation(random);
+    expect_holds_world_vertices(scene::place(test::numbers_of(mesh), pose, 0), mesh, pose);
+  }
+}
+
+TEST(Place, BoxAtRestIsTheMeshsBox) {
+  const Mesh mesh = test::mesh_of(scenes::box({1, 2, 3}, {2, 4, 9}));
+  const Box box = scene::place(test::numbers_of(mesh), {}, 0).box;
+  const auto near = [](double x, double expected) { return std::abs(x - expected) <= 1e-12; };
+  EXPECT_TRUE(near(box.lo.x, 1) && near(box.lo.y, 2) && near(box.lo.z, 3));
+  EXPECT_TRUE(near(box.hi.x, 2) && near(box.hi.y, 4) && near(box.hi.z, 9));
+}
+
+TEST(Place, MeshWithoutTrianglesIsNowhere) {
+  const Mesh mesh = Mesh::create(std::vector<double>{1, 2, 3}, {}).value();
+  EXPECT_EQ(scene::place(test::numbers_of(mesh), {}, 0).mesh, nullptr);
+}
+
+TEST(Place, KeyIsOfTheNumbersAlone) {
+  const Mesh cube = test::mesh_of(scenes::cube()), again = test::mesh_of(scenes::cube(), 2);
+  const auto key = [](const Mesh& mesh, const Pose& pose) { return scene::place(test::numbers_of(mesh), pose, 0).key; };
+  Pose minus_zero;
+  minus_zero.t = {-0.0, 0, -0.0};
+  minus_zero.R[1] = -0.0;
+  EXPECT_EQ(key(cube, {}), key(again, {}));
+  EXPECT_EQ(key(cube, {}), key(cube, minus_zero));
+  Pose moved;
+  moved.t = {0, 0, 0x1p-1074};
+  EXPECT_NE(key(cube, {}), key(cube, moved));
+  EXPECT_NE(key(cube, {}), key(test::mesh_of(scenes::shifted(scenes::cube(), 1, 0, 0)), {}));
+  scenes::MeshData negative = scenes::cube();
+  for (double& x : negative.xyz)
+    if (x == 0) x = -0.0;
+  EXPECT_EQ(key(cube, {}), key(test::mesh_of(negative), {}));
+}
+
+TEST(ValidatePose, HasItsBorderWhereTheContractHasIt) {
+  int accepted = 0, refused = 0;
+  double stretch = 1 + 4.9999e-7;
+  for (int i = 0; i < 4000; ++i, stretch = std::nextafter(stretch + 1e-14, 2)) {
+    Pose pose;
+    pose.R[4] = stretch;
+    const bool expected = stretch * stretch - 1 <= 1e-6;
+    EXPECT_EQ(scene::validate(pose).has_value(), expected);
+    ++(expected ? accepted : refused);
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(refused, 100);
+  test::Seeded seeded(5);
+  for (int i = 0; i < 100; ++i) {
+    Pose pose;
+    pose.R = scenes::stretched_rotation(seeded.random, 9e-7);
+    EXPECT_TRUE(scene::validate(pose));
+    pose.R = scenes::stretched_rotation(seeded.random, 1.1e-6);
+    EXPECT_FALSE(scene::validate(pose));
+  }
+}
+
+TEST(ValidatePose, SaysWhatIsWrongAndWhatToDo) {
+  const auto error_of = [](const Pose& pose) {
+    const auto result = scene::validate(pose);
+    EXPECT_FALSE(result);
+    EXPECT_EQ(result.error().code, Code::bad_pose);
+    return result.error().message;
+  };
+  const auto names = [](const std::string& message, const char* word) {
+    return message.find(word) != std::string::npos;
+  };
+  Pose pose;
+  pose.R = {-1, 0, 0, 0, 1, 0, 0, 0, 1};
+  EXPECT_TRUE(names(error_of(pose), "mirror") && names(error_of(pose), "Mesh::transformed"));
+  pose.R = {2, 0, 0, 0, 2, 0, 0, 0, 2};
+  EXPECT_TRUE(names(error_of(pose), "rotation") && names(error_of(pose), "Mesh::transformed"));
+  pose.R = {};
+  EXPECT_TRUE(names(error_of(pose), "rotation"));
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()}) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      pose = {};
+      pose.R[i] = bad;
+      EXPECT_TRUE(names(error_of(pose), "matrix"));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      pose = {};
+      pose.t[i] = bad;
+      EXPECT_TRUE(names(error_of(pose), "translation"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impinge

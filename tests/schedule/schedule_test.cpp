@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <cfenv>
+#include <memory>
+#include <thread>
+
+#include "impinge/collide.hpp"
+#include "scenes/shapes.hpp"
+#include "schedule/cost.hpp"
+#include "schedule/parallel.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+/// A task is a range that is halved until it is short; both halves may be empty only where the whole was.
+struct Range {
+  std::uint32_t from, to;
+};
+
+TEST(RunTasks, RunsEachTaskAndWhatItSpawnsOnce) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
+  constexpr std::uint32_t n = 20000;
+  for (const int threads : {0, 1, 2, 3, 5, 8, 16, 1000}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    const auto times = std::make_unique<std::atomic<int>[]>(n);
+    schedule::PerWorker<std::uint64_t> counts([] { return std::uint64_t{0}; });
+    std::vector<Range> tasks;
+    for (std::uint32_t i = 0; i < n; i += 100) tasks.push_back({i, i + 100});
+    schedule::run_tasks(std::move(tasks), threads, [&](Range& range, const auto& spawn) {
+      while (range.to - range.from > 3) {
+        const std::uint32_t middle = range.from + (range.to - range.from) / 2;
+        spawn(Range{middle, range.to});
+        range.to = middle;
+      }
+      for (std::uint32_t i = range.from; i < range.to; ++i) times[i].fetch_add(1);
+      counts.local() += range.to - range.from;
+    });
+    std::uint64_t total = 0;
+    for (const std::uint64_t count : counts) total += count;
+    EXPECT_EQ(total, n);
+    for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(times[i], 1);
+  }
+}
+
+TEST(RunTasks, OneThreadIsTheCallers) {
+  const std::thread::id caller = std::this_thread::get_id();
+  schedule::run_tasks(std::vector<int>{5, 3}, 1, [&](int& depth, const auto& spawn) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    if (depth > 0) spawn(depth - 1);
+  });
+}
+
+TEST(RunTasks, CopesWithNothingToDo) {
+  for (const int threads : {1, 2, 0})
+    schedule::run_tasks(std::vector<int>{}, threads, [](int&, const auto&) { ADD_FAILURE(); });
+}
+
+/// CONTRACT 4, on the workers too.
+TEST(RunTasks, EachTaskRoundsToNearest) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
+  const test::CallersMode mode(FE_UPWARD, true);
+  std::atomic<int> wrong{0};
+  schedule::run_tasks(std::vector<int>(200, 4), 8, [&](int& depth, const auto& spawn) {
+    if (!test::rounds_to_nearest_with_denormals()) ++wrong;
+    if (depth > 0) spawn(depth - 1);
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_TRUE(mode.is_untouched());
+}
+
+TEST(Cost, IsEquationOneWithATermForTheGrid) {
+  Statistics s;
+  s.box_tests = 1000, s.element_tests = 200, s.nodes_built = 30, s.leaf_pairs = 7;
+  EXPECT_DOUBLE_EQ(schedule::predict_seconds(s, {2e-7, 5e-8, 1e-5, 3e-6}),
+                   1000 * 2e-7 + 200 * 5e-8 + 30 * 1e-5 + 7 * 3e-6);
+  s.hierarchy_seconds = 1, s.partition_seconds = 2, s.narrow_seconds = 4, s.exact_seconds = 8;
+  s.broad_seconds = 100, s.results_seconds = 100, s.total_seconds = 100;
+  EXPECT_DOUBLE_EQ(schedule::modelled_seconds(s), 15);
+}
+
+TEST(Cost, ConstantsExplainTheRunsTheyWereReadFrom) {
+  Statistics building, repeated;
+  repeated.box_tests = building.box_tests = 500;
+  repeated.element_tests = building.element_tests = 100;
+  repeated.hierarchy_seconds = 1e-3, building.hierarchy_seconds = 5e-3;
+  repeated.narrow_seconds = building.narrow_seconds = 2e-3;
+  repeated.exact_seconds = building.exact_seconds = 1e-3;
+  building.nodes_built = 40;
+  repeated.leaf_pairs = building.leaf_pairs = 20;
+  repeated.partition_seconds = building.partition_seconds = 6e-3;
+  const schedule::CostConstants c = schedule::constants_from(building, repeated);
+  EXPECT_DOUBLE_EQ(c.box_test, 1e-3 / 500);
+  EXPECT_DOUBLE_EQ(c.element_test, 3e-3 / 100);
+  EXPECT_DOUBLE_EQ(c.node, 4e-3 / 40);
+  EXPECT_DOUBLE_EQ(c.leaf_pair, 6e-3 / 20);
+  for (const Statistics& s : {building, repeated})
+    EXPECT_NEAR(schedule::predict_seconds(s, c), schedule::modelled_seconds(s), 1e-12);
+  const schedule::CostConstants none = schedule::constants_from({}, {});
+  EXPECT_EQ(none.box_test + none.element_test + none.node + none.leaf_pair, 0);
+}
+
+TEST(Cost, IsPredictedWhenAskedFor) {
+  const Mesh ball = test::mesh_of(scenes::uv_sphere(32, 32));
+  Pose pose;
+  pose.t = {1.5, 0, 0};
+  const Statistics plain = collide(ball, {}, ball, pose)->statistics;
+  EXPECT_EQ(plain.predicted_seconds, 0);
+  EXPECT_EQ(plain.box_test_seconds, 0);
+  const Statistics s = collide(ball, {}, ball, pose, {.predict_cost = true})->statistics;
+  EXPECT_GT(s.box_test_seconds, 0);
+  EXPECT_GT(s.element_test_seconds, 0);
+  EXPECT_GT(s.node_seconds, 0);
+  EXPECT_GT(s.leaf_pair_seconds, 0);
+  EXPECT_DOUBLE_EQ(s.predicted_seconds, schedule::predict_seconds(s, {s.box_test_seconds, s.element_test_seconds,
+                                                                      s.node_seconds, s.leaf_pair_seconds}));
+  EXPECT_DOUBLE_EQ(s.measured_seconds, schedule::modelled_seconds(s));
+  EXPECT_GT(s.total_seconds, 0);
+}
+
+}  // namespace
+}  // namespace impinge
