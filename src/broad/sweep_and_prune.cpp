@@ -3,7 +3,6 @@
 #include "broad/sweep_and_prune.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "broad/all_pairs.hpp"
 
@@ -91,18 +90,19 @@ void SweepAndPrune::update(const scene::SceneView& view) {
   }
 }
 
-ObjectPairs SweepAndPrune::find(const scene::SceneView& view) const {
-  // Sweep along the axis on which the fewest projections overlap, or a thousand pipes side by side would all be open at
-  // once.
-  const std::vector<Border>* sweep = nullptr;
-  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
-  for (const std::vector<Border>& borders : axes_)
-    if (const std::uint64_t overlaps = count_overlaps(borders); sweep == nullptr || overlaps < fewest)
-      sweep = &borders, fewest = overlaps;
+SweepAndPrune::SweepAxis SweepAndPrune::cheapest_axis() const {
+  SweepAxis cheapest{0, count_overlaps(axes_[0])};
+  for (int axis = 1; axis < 3; ++axis)
+    if (const std::uint64_t overlaps = count_overlaps(axes_[axis]); overlaps < cheapest.overlaps)
+      cheapest = {axis, overlaps};
+  return cheapest;
+}
 
+ObjectPairs SweepAndPrune::find(const scene::SceneView& view) const {
   ObjectPairs pairs;
   OpenObjects open(view.objects.size());
-  for (const Border& border : *sweep) {
+  // Along another axis a thousand pipes side by side would all be open at once.
+  for (const Border& border : axes_[cheapest_axis().axis]) {
     const std::uint32_t object = border.object;
     if (border.is_end) {
       open.close(object);

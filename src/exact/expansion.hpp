@@ -110,10 +110,10 @@ Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
 }
 
 /// Shewchuk's scale expansion with zero elimination.
-template <std::size_t N>
-Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
-  Expansion<2 * N> h;
-  if (e.size == 0 || b == 0) return h;
+template <std::size_t N, std::size_t M>
+void scale(const Expansion<N>& e, double b, Expansion<M>& h) {
+  static_assert(M >= 2 * N);
+  if (e.size == 0) return;
   const Two b_split = split(b);
   Two product = two_product(e.component[0], b, b_split);
   h.push(product.low);
@@ -127,19 +127,17 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
     q = carry.high;
   }
   h.push(q);
-  return h;
 }
 
 template <std::size_t N>
 Expansion<4 * N> operator*(const Expansion<N>& e, const Expansion<2>& f) {
-  if (f.size == 0) return {};
-  const Expansion<2 * N> low = e * f.component[0];
-  if (f.size == 1) {
-    Expansion<4 * N> h;
-    for (std::size_t i = 0; i < low.size; ++i) h.push(low.component[i]);
-    return h;
-  }
-  return low + e * f.component[1];
+  Expansion<4 * N> h;
+  if (f.size == 1) scale(e, f.component[0], h);  // the usual case of real data: differences are doubles
+  if (f.size < 2) return h;
+  Expansion<2 * N> low, high;
+  scale(e, f.component[0], low);
+  scale(e, f.component[1], high);
+  return low + high;
 }
 
 }  // namespace impinge::exact

@@ -14,9 +14,8 @@ namespace {
 using Sides = std::array<int, 3>;  ///< of a triangle's vertices against the other's plane
 
 Sides sides_of(const Triangle& points, const Triangle& plane) {
-  Sides s;
-  for (int i = 0; i < 3; ++i) s[i] = orient3d(plane[0], plane[1], plane[2], points[i]);
-  return s;
+  Plane p(plane[0], plane[1], plane[2]);
+  return {p.side(points[0]), p.side(points[1]), p.side(points[2])};
 }
 
 int count(const Sides& s, int side) { return int{s[0] == side} + int{s[1] == side} + int{s[2] == side}; }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/hash.hpp"
 #include "core/number.hpp"
 #include "exact/decide.hpp"
 #include "exact/expansion.hpp"
@@ -19,14 +20,23 @@ namespace {
 using exact::Expansion;
 using exact::Two;
 
-/// Numbers whose bits overlap, cancel and leave gaps, and zeros.
+/// Numbers of few bits that cancel and leave gaps, zeros, and numbers of all bits.
 rc::Gen<double> number() {
-  return rc::gen::map(rc::gen::tuple(rc::gen::inRange(-3, 4), rc::gen::inRange(-60, 60), rc::gen::inRange(-60, 60),
-                                     rc::gen::inRange(-2, 3)),
-                      [](const auto& t) {
-                        const auto [high, e, f, low] = t;
-                        return std::ldexp(high, e) + std::ldexp(low, f);
-                      });
+  const auto sparse = rc::gen::map(rc::gen::tuple(rc::gen::inRange(-3, 4), rc::gen::inRange(-60, 60),
+                                                  rc::gen::inRange(-60, 60), rc::gen::inRange(-2, 3)),
+                                   [](const auto& t) {
+                                     const auto [high, e, f, low] = t;
+                                     return std::ldexp(high, e) + std::ldexp(low, f);
+                                   });
+  const auto dense = rc::gen::map(rc::gen::pair(rc::gen::arbitrary<std::int64_t>(), rc::gen::inRange(-60, 60)),
+                                  [](const auto& p) { return std::ldexp(static_cast<double>(p.first), p.second); });
+  // Small sizes make small integers: spread their bits.
+  const auto spread =
+      rc::gen::map(rc::gen::pair(rc::gen::arbitrary<std::uint32_t>(), rc::gen::inRange(-60, 60)), [](const auto& p) {
+        const std::uint64_t bits = mix(p.first) >> 11;
+        return std::ldexp(static_cast<double>(bits), p.second);
+      });
+  return rc::gen::oneOf(sparse, dense, spread);
 }
 
 mpq_class sum_of(const Two& t) { return mpq_class(t.high) + t.low; }
@@ -58,17 +68,18 @@ RC_GTEST_PROP(Expansion, ArithmeticIsExact, ()) {
   RC_ASSERT(sum_of(exact::two_difference(a, b)) == mpq_class(a) - b);
   RC_ASSERT(sum_of(exact::two_product(a, b)) == mpq_class(a) * b);
   RC_ASSERT(exact::two_product(a, b).high == a * b);
-  const Expansion<2> x = exact::expansion(exact::two_sum(a, b)), y = exact::expansion(exact::two_difference(c, d));
+  const Expansion<2> x = exact::expansion(exact::two_sum(a, b)), y = exact::expansion(exact::two_difference(c, d)),
+                     z = exact::expansion(Two{d, 0});
   const mpq_class p = mpq_class(a) + b, q = mpq_class(c) - d;
   check(x, p);
   check(x + y, p + q);
   check(x - y, p - q);
   check(x - x, 0);
-  check(x * d, p * d);
+  check(x * z, p * d);
   check(x * y, p * q);
   check((x * y) * y, p * q * q);
-  check(x * y + y * d, p * q + q * d);
-  check((x * y - y * d) * x - (x - y), (p * q - q * d) * p - (p - q));
+  check(x * y + y * z, p * q + q * d);
+  check((x * y - y * z) * x - (x - y), (p * q - q * d) * p - (p - q));
 }
 
 rc::Gen<Point> lattice_point(int reach) {

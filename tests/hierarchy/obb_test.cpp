@@ -174,6 +174,61 @@ TEST(MayOverlap, NeverPartsTrianglesThatShareAPoint) {
   EXPECT_GT(attacks, 1500);
 }
 
+/// A triangle that is a point has no extent for errors to hide in: only the rounding of its world vertex is left.
+TEST(MayOverlap, NeverPartsPointsThatRoundToOneWorldVertex) {
+  int attacks = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    test::Seeded seeded(seed);
+    std::array<Pose, 2> poses;
+    for (Pose& pose : poses) {
+      pose = scenes::random_motion(seeded.random, 1e6);
+      pose.R = scenes::stretched_rotation(seeded.random);
+      pose.t = poses[0].t;
+    }
+    const Point p = world_vertex(poses[0], {seeded.random.unit(), seeded.random.unit(), seeded.random.unit()});
+    const auto one = triangle_through(p, p, p, poses[0]), other = triangle_through(p, p, p, poses[1]);
+    if (!one || !other) continue;
+    const std::array<std::uint32_t, 1> first{0};
+    const auto point_box = [&](const Mesh& mesh) {
+      scenes::MeshData point;
+      const Point& v = mesh.vertices()[0];
+      point.add_triangle({v.x, v.y, v.z, v.x, v.y, v.z, v.x, v.y, v.z});
+      return test::mesh_of(point);
+    };
+    const Mesh mesh_a = point_box(one->mesh), mesh_b = point_box(other->mesh);
+    const MeshData &a = test::numbers_of(mesh_a), &b = test::numbers_of(mesh_b);
+    const Obb box_a = hierarchy::fit_obb(a, first), box_b = hierarchy::fit_obb(b, first);
+    EXPECT_TRUE(may_overlap(box_a, poses[0], a, box_b, poses[1], b));
+    EXPECT_TRUE(hierarchy::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {p, p}));
+    EXPECT_TRUE(hierarchy::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {p, p}));
+    EXPECT_EQ(collide(mesh_a, poses[0], mesh_b, poses[1])->triangles.size(), 1u);
+    ++attacks;
+  }
+  EXPECT_GT(attacks, 200);
+}
+
+/// The ends of a segment are the corners of what its box reaches, so that the rounding of the world's vertices shows.
+TEST(MayReach, HoldsTheWorldVerticesOfASegment) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    Pose pose = scenes::random_motion(random, 1e6);
+    if (seed % 2 == 0) pose.R = scenes::stretched_rotation(random);
+    scenes::MeshData numbers;
+    const Vec3 p{random.unit(), random.unit(), random.unit()}, q{random.unit(), random.unit(), random.unit()};
+    numbers.add_triangle({p.x, p.y, p.z, q.x, q.y, q.z, p.x, p.y, p.z});
+    const Mesh mesh = test::mesh_of(numbers);
+    const std::array<std::uint32_t, 1> first{0};
+    const Obb box = hierarchy::fit_obb(test::numbers_of(mesh), first);
+    for (const Vec3& v : {p, q}) {
+      const Point w = world_vertex(pose, v);
+      EXPECT_TRUE(hierarchy::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {w, w}));
+    }
+    const Point far = world_vertex(pose, p) + Vec3{3, 0, 0};
+    EXPECT_FALSE(hierarchy::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {far, far}));
+  }
+}
+
 TEST(MayOverlap, PartsBoxesThatAreClearlyApart) {
   test::Seeded seeded(4);
   const Mesh bar = test::mesh_of(scenes::box({-4, -1, -1}, {4, 1, 1}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -56,6 +57,21 @@ TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
   return pairs;
 }
 
+/// Only nodes that reach the region have been split.
+void expect_split_in_region(hierarchy::ObbTree& tree, const MeshData& mesh, const Pose& pose, const Box& region) {
+  std::vector<std::uint32_t> open{hierarchy::ObbTree::kRoot};
+  std::uint64_t nodes_made = 0;
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    const hierarchy::Node& node = tree.node(index);
+    if (!hierarchy::ObbTree::is_split(node)) continue;
+    ASSERT_TRUE(hierarchy::may_reach(node.box, pose, rounding_radius(pose, mesh), region));
+    const std::uint32_t child = tree.children(index, nodes_made);
+    open.insert(open.end(), {child, child + 1});
+  }
+}
+
 TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
   test::Seeded seeded(1);
   std::size_t touching = 0;
@@ -73,12 +89,45 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
       walk.advance(stack, leaf_pairs, kAll, kAll, counts);
       EXPECT_TRUE(stack.empty());
       EXPECT_EQ(counts.nodes_made, walked.tree_a.node_count() + walked.tree_b.node_count());
+      expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.objects.overlap);
+      expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.objects.overlap);
       const TrianglePairs found = pairs_of(leaf_pairs);
       for (const test::Contact& contact : expected) ASSERT_TRUE(found.contains({contact[2], contact[3]}));
       touching += expected.size();
     }
   }
   EXPECT_GT(touching, 10000u);
+}
+
+/// An L's box stands askew and sticks out of its bounds. A long strip passes beneath the bounds through the box.
+TEST(DualWalk, SplitsNodesInTheRegionAlone) {
+  scenes::MeshData corner = scenes::grid(30, 2, 0.33, [](int i, int) { return i * 0.01; });
+  const auto first = static_cast<std::uint32_t>(corner.vertex_count());
+  const scenes::MeshData bar = scenes::grid(2, 30, 0.33, [](int, int j) { return j * 0.01; });
+  corner.xyz.insert(corner.xyz.end(), bar.xyz.begin(), bar.xyz.end());
+  for (const std::uint32_t v : bar.triangles) corner.triangles.push_back(v + first);
+  int reached = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    const scenes::MeshData strip = scenes::shifted(scenes::flat_grid(200, 1, 0.32), -32, -0.16, 0.1);
+    scenes::PlacedScene scene = scenes::pair_scene(strip, corner);
+    const double angle = random.uniform(0.02, 0.1);
+    scene.objects[0].pose.R = {std::cos(angle), std::sin(angle), 0, -std::sin(angle), std::cos(angle), 0, 0, 0, 1};
+    scene.objects[0].pose.t = {random.uniform(-2, 2), random.uniform(-0.6, 0), 0};
+    Walked walked(scene, 2);
+    if (!walked.reached()) continue;
+    ++reached;
+    const hierarchy::DualWalk walk = walked.walk();
+    std::vector<NodePair> stack;
+    hierarchy::WalkCounts counts;
+    LeafPairs leaf_pairs;
+    walk.start(stack, counts);
+    walk.advance(stack, leaf_pairs, kAll, kAll, counts);
+    expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.objects.overlap);
+    expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.objects.overlap);
+  }
+  EXPECT_GT(reached, 40);
 }
 
 /// However the walk is cut into slices, and its stack in two, it finds the same leaves. All nodes are split beforehand:
