@@ -55,7 +55,7 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
     ids.push_back(*id);
   }
   if (auto ignored = ignore_pairs(assembly, arguments.ignored, ids, scene); !ignored) return ignored.error();
-  scene.update();
+  if (auto updated = scene.update(); !updated) return updated.error();
 
   Progress progress;
   Options options;

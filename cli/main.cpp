@@ -38,11 +38,11 @@ int run(int argc, char** argv) {
   const Interrupt interrupt;
   if (const auto* arguments = std::get_if<CheckArguments>(&*command)) {
     const Result<bool> touches = check(*arguments, interrupt.token());
-    if (!touches) return failed(touches.error());
+    if (!touches.has_value()) return failed(touches.error());
     return *touches ? kSomethingTouches : kNothingTouches;
   }
   const Result<bool> all_read = info(std::get<InfoArguments>(*command), interrupt.token());
-  if (!all_read) return failed(all_read.error());
+  if (!all_read.has_value()) return failed(all_read.error());
   return *all_read ? 0 : kFailed;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <unordered_map>
 
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "io/model.hpp"
 #include "io/readers.hpp"
 
@@ -161,11 +161,13 @@ class ObjReader {
 }  // namespace
 
 Result<Model> read_obj(std::string_view bytes, const Source& source) {
-  const FloatEnvironment nearest;
-  if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE")) {
-    return file_error(source, "the text is UTF-16; save it as UTF-8");
-  }
-  return ObjReader(without_byte_order_mark(bytes), source).read();
+  return guarded([&]() -> Result<Model> {
+    if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE")) {
+      return file_error(source, "the text is UTF-16; save it as UTF-8");
+    }
+    if (const Result<void> text = check_text(bytes, source); !text) return text.error();
+    return ObjReader(without_byte_order_mark(bytes), source).read();
+  });
 }
 
 Result<Model> read_obj(std::string_view bytes, std::string_view name) { return read_obj(bytes, Source{name, name}); }

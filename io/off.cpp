@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "io/model.hpp"
 #include "io/readers.hpp"
 
@@ -85,6 +85,7 @@ class OffReader {
       if (word.empty()) return fail(sentence("the file ends before face ", i, " of ", faces_, "; it is cut short"));
       if (!parse_integer(word, size, problem_)) return fail(sentence("face ", i, ": ", problem_));
       if (size < 0) return fail(sentence("face ", i, " has a negative number of corners"));
+      if (size >= std::int64_t{1} << 32) return fail(sentence("face ", i, " has too many corners; split it"));
       for (std::int64_t k = 0; k < size; ++k) {
         if (!read_corner(i, part)) return false;
       }
@@ -99,7 +100,7 @@ class OffReader {
     std::int64_t index = 0;
     if (word.empty()) return fail(sentence("the file ends in face ", face, "; it is cut short"));
     if (!parse_integer(word, index, problem_)) return fail(sentence("face ", face, ": ", problem_));
-    if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_) {
+    if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_ || index >= std::int64_t{1} << 32) {
       return fail(sentence("face ", face, " names vertex ", index, ", but indices run from 0 to ", vertices_,
                            " exclusive; mend the index or the header's count"));
     }
@@ -117,8 +118,10 @@ class OffReader {
 }  // namespace
 
 Result<Model> read_off(std::string_view bytes, const Source& source) {
-  const FloatEnvironment nearest;
-  return OffReader(without_byte_order_mark(bytes), source).read();
+  return guarded([&]() -> Result<Model> {
+    if (const Result<void> text = check_text(bytes, source); !text) return text.error();
+    return OffReader(without_byte_order_mark(bytes), source).read();
+  });
 }
 
 Result<Model> read_off(std::string_view bytes, std::string_view name) { return read_off(bytes, Source{name, name}); }

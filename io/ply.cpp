@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "io/little_endian.hpp"
 #include "io/model.hpp"
 #include "io/ply_header.hpp"
@@ -276,12 +276,16 @@ class PlyReader {
 }  // namespace
 
 Result<Model> read_ply(std::string_view bytes, const Source& source) {
-  const FloatEnvironment nearest;
-  bytes = without_byte_order_mark(bytes);
-  const Result<PlyHeader> header = read_ply_header(bytes, source);
-  if (!header) return header.error();
-  if (header->format == PlyHeader::Format::text) return PlyReader<TextBody>(bytes, *header, source).read();
-  return PlyReader<BinaryBody>(bytes, *header, source).read();
+  return guarded([&]() -> Result<Model> {
+    bytes = without_byte_order_mark(bytes);
+    const Result<PlyHeader> header = read_ply_header(bytes, source);
+    if (!header) return header.error();
+    if (header->format == PlyHeader::Format::text) {
+      if (const Result<void> text = check_text(bytes, source); !text) return text.error();
+      return PlyReader<TextBody>(bytes, *header, source).read();
+    }
+    return PlyReader<BinaryBody>(bytes, *header, source).read();
+  });
 }
 
 Result<Model> read_ply(std::string_view bytes, std::string_view name) { return read_ply(bytes, Source{name, name}); }

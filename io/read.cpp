@@ -3,7 +3,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "io/file_bytes.hpp"
 #include "io/import_process.hpp"
 #include "io/readers.hpp"
@@ -46,10 +46,7 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
   return {};
 }
 
-}  // namespace
-
-Result<Model> read(const std::filesystem::path& file, const ReadOptions& options) {
-  const FloatEnvironment nearest;
+Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOptions& options) {
   const std::string label = file.string(), name = file.stem().string();
   const Source source{label, name};
   if (!(options.scale > 0) || !std::isfinite(options.scale)) {
@@ -69,6 +66,12 @@ Result<Model> read(const std::filesystem::path& file, const ReadOptions& options
   if (!model || options.scale == 1) return model;
   if (const Result<void> scaled = scale_model(*model, options.scale, source); !scaled) return scaled.error();
   return model;
+}
+
+}  // namespace
+
+Result<Model> read(const std::filesystem::path& file, const ReadOptions& options) {
+  return guarded([&] { return read_unguarded(file, options); });
 }
 
 }  // namespace impinge::io

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <unordered_map>
 
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "io/little_endian.hpp"
 #include "io/model.hpp"
 #include "io/readers.hpp"
@@ -33,14 +35,27 @@ class VertexMerger {
   void clear() { index_.clear(); }
 
  private:
+  /// With a secret in it, or a file could be made whose points all fall on one another, and reading it would take
+  /// quadratic time. No answer depends on the secret: vertices are numbered as they come.
   struct Hash {
     std::size_t operator()(const Point& p) const {
-      std::uint64_t hash = 0;
-      for (const double x : {p.x, p.y, p.z}) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;
-        hash ^= hash >> 29;
-      }
+      static const std::uint64_t secret = random_bits();
+      std::uint64_t hash = secret;
+      for (const double x : {p.x, p.y, p.z}) hash = mixed(hash ^ std::bit_cast<std::uint64_t>(x));
       return hash;
+    }
+
+   private:
+    static std::uint64_t random_bits() {
+      std::uint64_t bits = 0;
+      const bool is_random = getentropy(&bits, sizeof bits) == 0;
+      return is_random ? bits : 0x9E3779B97F4A7C15;
+    }
+    /// The finaliser of splitmix64.
+    static std::uint64_t mixed(std::uint64_t x) {
+      x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
+      x = (x ^ (x >> 27)) * 0x94D049BB133111EB;
+      return x ^ (x >> 31);
     }
   };
   std::vector<double>& xyz_;
@@ -163,14 +178,15 @@ bool is_binary(std::string_view bytes) {
 }  // namespace
 
 Result<Model> read_stl(std::string_view bytes, const Source& source) {
-  const FloatEnvironment nearest;
-  if (!is_binary(bytes)) return TextReader(bytes, source).read();
-  const std::string_view text = without_byte_order_mark(bytes);
-  if (text.size() < bytes.size() && !is_binary(text)) return TextReader(text, source).read();
-  if (bytes.size() >= kHeaderBytes) return read_binary(bytes, source);
-  return file_error(source,
-                    "the file is neither text STL, which begins with 'solid', nor binary STL, which has at least "
-                    "84 bytes; it is cut short, or another format");
+  return guarded([&]() -> Result<Model> {
+    if (!is_binary(bytes)) return TextReader(bytes, source).read();
+    const std::string_view text = without_byte_order_mark(bytes);
+    if (text.size() < bytes.size() && !is_binary(text)) return TextReader(text, source).read();
+    if (bytes.size() >= kHeaderBytes) return read_binary(bytes, source);
+    return file_error(source,
+                      "the file is neither text STL, which begins with 'solid', nor binary STL, which has at least "
+                      "84 bytes; it is cut short, or another format");
+  });
 }
 
 Result<Model> read_stl(std::string_view bytes, std::string_view name) { return read_stl(bytes, Source{name, name}); }

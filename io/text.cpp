@@ -43,6 +43,13 @@ Error byte_error(const Source& source, std::uint64_t byte, std::string_view mess
   return {Code::bad_file, sentence(source.label, ", byte ", byte, ": ", message)};
 }
 
+Result<void> check_text(std::string_view bytes, const Source& source) {
+  const std::size_t nul = bytes.substr(0, 4096).find('\0');
+  if (nul == bytes.npos) return {};
+  return byte_error(source, nul,
+                    "a zero byte stands where text should; the file is damaged, in UTF-16, or of another format");
+}
+
 bool parse_real(std::string_view word, double& value, std::string& problem) {
   const std::string_view digits = without_plus(word);
   const char* const end = digits.data() + digits.size();

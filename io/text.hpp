@@ -44,6 +44,9 @@ Error file_error(const Source& source, std::string_view message);
 Error line_error(const Source& source, std::uint64_t line, std::string_view message);
 Error byte_error(const Source& source, std::uint64_t byte, std::string_view message);
 
+/// Refuses bytes that are no text: those with a NUL among the first 4096. Errors: `bad_file`.
+Result<void> check_text(std::string_view bytes, const Source& source);
+
 /// The nearest double to a decimal number, with or without a leading '+'. Anything else, NaN, infinity and numbers
 /// outside the range of a double leave a sentence part in `problem`; numbers that underflow are rounded like others.
 bool parse_real(std::string_view word, double& value, std::string& problem);

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "core/hash.hpp"
 #include "core/number.hpp"
 #include "core/pose.hpp"
@@ -79,53 +79,46 @@ Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint3
   return mesh;
 }
 
-Result<std::shared_ptr<const MeshState>> make_state(Result<MeshData> numbers, const TreeConfig& config) {
-  if (config.leaf_size < 1 || config.leaf_size > 256)
-    return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) + "; choose 1 to 256"};
-  if (!numbers) return numbers.error();
-  measure(*numbers);
-  return std::shared_ptr<const MeshState>(std::make_shared<MeshState>(*std::move(numbers), config));
-}
-
 }  // namespace
 
 Result<Mesh> Mesh::create(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
                           const TreeConfig& tree) {
-  const FloatEnvironment nearest;
-  auto state = make_state(read_numbers(xyz, triangles), tree);
-  if (!state) return state.error();
-  return Mesh(*std::move(state));
+  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
 }
 
 Result<Mesh> Mesh::create(std::span<const float> xyz, std::span<const std::uint32_t> triangles,
                           const TreeConfig& tree) {
-  const FloatEnvironment nearest;
-  auto state = make_state(read_numbers(xyz, triangles), tree);
-  if (!state) return state.error();
-  return Mesh(*std::move(state));
+  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
 }
 
 Result<Mesh> Mesh::transformed(const Affine& map) const {
-  const FloatEnvironment nearest;
-  for (const double x : map.m)
-    if (!std::isfinite(x))
-      return Error{Code::bad_pose, "the affine map's matrix has an entry that is not a finite number"};
-  for (const double x : map.t)
-    if (!std::isfinite(x))
-      return Error{Code::bad_pose, "the affine map's translation has an entry that is not a finite number"};
+  return guarded([&]() -> Result<Mesh> {
+    for (const double x : map.m)
+      if (!std::isfinite(x))
+        return Error{Code::bad_pose, "the affine map's matrix has an entry that is not a finite number"};
+    for (const double x : map.t)
+      if (!std::isfinite(x))
+        return Error{Code::bad_pose, "the affine map's translation has an entry that is not a finite number"};
 
-  MeshData mesh;
-  mesh.vertices = state_->data.vertices;
-  mesh.triangles = state_->data.triangles;
-  pose_all_vertices({map.m, map.t}, mesh.vertices);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3& v = mesh.vertices[i];
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      return Error{Code::out_of_range, "vertex " + std::to_string(i) + " is mapped beyond the range of double"};
-  }
-  auto state = make_state(std::move(mesh), state_->config);
-  if (!state) return state.error();
-  return Mesh(*std::move(state));
+    MeshData mesh;
+    mesh.vertices = state_->data.vertices;
+    mesh.triangles = state_->data.triangles;
+    pose_all_vertices({map.m, map.t}, mesh.vertices);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const Vec3& v = mesh.vertices[i];
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+        return Error{Code::out_of_range, "vertex " + std::to_string(i) + " is mapped beyond the range of double"};
+    }
+    return make(std::move(mesh), state_->config);
+  });
+}
+
+Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
+  if (config.leaf_size < 1 || config.leaf_size > 256)
+    return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) + "; choose 1 to 256"};
+  if (!numbers) return numbers.error();
+  measure(*numbers);
+  return Mesh(std::make_shared<const MeshState>(*std::move(numbers), config));
 }
 
 std::size_t Mesh::vertex_count() const noexcept { return state_->data.vertices.size(); }

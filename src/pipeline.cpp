@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,10 +23,11 @@
 namespace impinge {
 namespace {
 
-// A slice of work: long enough that clocks and hand-overs do not show, short enough that threads share one large pair
-// and a batch stays in cache.
+// A slice of work: long enough that clocks and hand-overs do not show, short enough that threads share one large pair.
 constexpr std::size_t kLeafPairsPerSlice = 64;
 constexpr std::uint64_t kBoxTestsPerSlice = 8192;
+// A batch is closed when it has so many tests: it stays in cache, and memory stays bounded with large leaves.
+constexpr std::size_t kTestsPerBatch = 16384;
 
 /// Adds the time since it was last asked to a counter.
 class StageClock {
@@ -86,17 +88,17 @@ class Pipeline {
 
   Result<Contacts> run() {
     StageClock total, stage;
-    pairs_ = query_.borders != nullptr ? query_.borders->find(query_.view) : broad::all_pairs(query_.view);
+    pairs_ =
+        query_.borders != nullptr ? query_.borders->find(query_.view, options_.stop) : broad::all_pairs(query_.view);
     states_ = std::make_unique<PairState[]>(pairs_.size());
+    if (pairs_.size() > std::numeric_limits<std::uint32_t>::max())
+      return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
     report_total();
     Statistics statistics;
     statistics.object_pairs = pairs_.size();
     stage.charge(statistics.broad_seconds);
 
-    std::vector<Task> tasks(pairs_.size());
-    for (std::uint32_t i = 0; i < pairs_.size(); ++i) tasks[i].object_pair = i;
-    schedule::run_tasks(std::move(tasks), options_.threads,
-                        [&](Task& task, const auto& spawn) { run_task(task, spawn); });
+    schedule::run_tasks(first_tasks(), options_.threads, [&](Task& task, const auto& spawn) { run_task(task, spawn); });
     if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
 
     double threads_wall_clock = 0;
@@ -111,6 +113,21 @@ class Pipeline {
   }
 
  private:
+  /// One a pair of objects. A single pair has its first slice done here: small questions end before a thread would
+  /// wake.
+  std::vector<Task> first_tasks() {
+    std::vector<Task> tasks(pairs_.size());
+    for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].object_pair = static_cast<std::uint32_t>(i);
+    if (tasks.size() == 1) {
+      run_slice(make_walk(0), true, tasks[0], workers_.local());
+      if (tasks[0].stack.empty()) {
+        report_done();
+        tasks.clear();
+      }
+    }
+    return tasks;
+  }
+
   /// Walks on until the task's stack is empty, a slice at a time; after each slice half of what is left goes to whoever
   /// is idle.
   template <class Spawn>
@@ -143,23 +160,26 @@ class Pipeline {
     w.statistics.leaf_pairs += w.leaf_pairs.size();
     if (w.leaf_pairs.empty()) return;
 
-    w.batch.clear();
-    w.partitioner.restart();
     const partition::PlacedMeshes placed = placed_meshes(task.object_pair);
-    for (const hierarchy::LeafPair& leaves : w.leaf_pairs) w.partitioner.append(leaves, placed, w.batch);
-    clock.charge(w.statistics.partition_seconds);
-    w.statistics.element_tests += w.batch.tests.size();
-    w.statistics.triangle_pairs += w.batch.pairs.size();
+    for (auto leaves = w.leaf_pairs.begin(); leaves != w.leaf_pairs.end();) {
+      w.batch.clear();
+      w.partitioner.restart();
+      for (; leaves != w.leaf_pairs.end() && w.batch.tests.size() < kTestsPerBatch; ++leaves)
+        w.partitioner.append(*leaves, placed, w.batch);
+      clock.charge(w.statistics.partition_seconds);
+      w.statistics.element_tests += w.batch.tests.size();
+      w.statistics.triangle_pairs += w.batch.pairs.size();
 
-    w.backend->submit(w.batch);
-    narrow::fold(w.batch, w.backend->wait(), w.verdicts);
-    clock.charge(w.statistics.narrow_seconds);
+      w.backend->submit(w.batch);
+      narrow::fold(w.batch, w.backend->wait(), w.verdicts);
+      clock.charge(w.statistics.narrow_seconds);
 
-    w.contacts.clear();
-    w.statistics.exact_calls += exact::decide(w.batch, w.verdicts, w.contacts);
-    clock.charge(w.statistics.exact_seconds);
+      w.contacts.clear();
+      w.statistics.exact_calls += exact::decide(w.batch, w.verdicts, w.contacts);
+      clock.charge(w.statistics.exact_seconds);
 
-    collect(task.object_pair, w);
+      collect(task.object_pair, w);
+    }
   }
 
   void collect(std::uint32_t object_pair, Worker& w) {
@@ -181,9 +201,7 @@ class Pipeline {
     }
     std::vector<std::uint64_t> keys;
     for (const scene::PlacedObject& object : query_.view.objects) keys.push_back(object.key);
-    Contacts result = results::assemble(std::move(contacts), pairs_, keys, {options_.limit, !first_only_});
-    result.truncated = seen > options_.limit;
-    return result;
+    return results::assemble(std::move(contacts), pairs_, keys, {options_.limit, seen, !first_only_});
   }
 
   static void predict(Statistics& s) {
@@ -239,6 +257,8 @@ Result<void> validate(const Options& options) {
   const auto bad = [](std::string message) { return Error{Code::bad_option, std::move(message)}; };
   if (options.threads < 0)
     return bad("threads is " + std::to_string(options.threads) + "; choose 0 for all, or a positive number");
+  if (options.find != Options::Find::all && options.find != Options::Find::first)
+    return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.backend != "auto" && options.backend != "scalar")
     return bad("there is no backend '" + std::string(options.backend) + "'; choose auto or scalar");

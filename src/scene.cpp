@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/scene.hpp"
 
+#include <bit>
 #include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
 
 #include "broad/sweep_and_prune.hpp"
-#include "core/float_environment.hpp"
+#include "core/guarded.hpp"
 #include "mesh_state.hpp"
 #include "pipeline.hpp"
 #include "scene/scene_view.hpp"
@@ -43,6 +44,15 @@ struct Scene::State {
                                        " in this scene; it was removed, or belongs to another scene"};
   }
 
+  /// Makes a free slot. Room for every list comes first, so that they stay of one length if memory runs out.
+  void grow() {
+    const std::size_t n = slots.size() + 1;
+    const std::size_t room = std::bit_ceil(n);
+    objects.reserve(room), trees.reserve(room), slots.reserve(room), free_slots.reserve(room);
+    objects.emplace_back(), trees.push_back(nullptr), slots.emplace_back();
+    free_slots.push_back(static_cast<std::uint32_t>(n - 1));
+  }
+
   [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }
 };
 
@@ -52,23 +62,19 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
-  const FloatEnvironment nearest;
-  if (auto valid = scene::validate(pose); !valid) return valid.error();
-  State& s = *state_;
-  if (s.free_slots.empty()) {
-    s.free_slots.push_back(static_cast<std::uint32_t>(s.slots.size()));
-    s.slots.emplace_back();
-    s.objects.emplace_back();
-    s.trees.push_back(nullptr);
-  }
-  const std::uint32_t index = s.free_slots.back();
-  s.free_slots.pop_back();
-  const MeshState& mesh_state = mesh.state();
-  s.objects[index] = scene::place(mesh_state.data, pose, group);
-  s.trees[index] = &mesh_state.tree;
-  s.slots[index].mesh = std::move(mesh);
-  s.borders_are_stale = true;
-  return ObjectId{index, s.slots[index].generation};
+  return guarded([&]() -> Result<ObjectId> {
+    if (auto valid = scene::validate(pose); !valid) return valid.error();
+    State& s = *state_;
+    if (s.free_slots.empty()) s.grow();
+    const std::uint32_t index = s.free_slots.back();
+    s.free_slots.pop_back();
+    const MeshState& mesh_state = mesh.state();
+    s.objects[index] = scene::place(mesh_state.data, pose, group);
+    s.trees[index] = &mesh_state.tree;
+    s.slots[index].mesh = std::move(mesh);
+    s.borders_are_stale = true;
+    return ObjectId{index, s.slots[index].generation};
+  });
 }
 
 Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
@@ -97,11 +103,13 @@ Result<void> Scene::remove(ObjectId id) {
 }
 
 Result<void> Scene::ignore(ObjectId a, ObjectId b) {
-  for (const ObjectId id : {a, b})
-    if (auto known = state_->check(id); !known) return known;
-  if (a == b) return Error{Code::bad_option, "an object is never tested against itself; name two objects"};
-  state_->ignored.insert(scene::pair_key(a.index, b.index));
-  return {};
+  return guarded([&]() -> Result<void> {
+    for (const ObjectId id : {a, b})
+      if (auto known = state_->check(id); !known) return known;
+    if (a == b) return Error{Code::bad_option, "an object is never tested against itself; name two objects"};
+    state_->ignored.insert(scene::pair_key(a.index, b.index));
+    return {};
+  });
 }
 
 Result<void> Scene::unignore(ObjectId a, ObjectId b) {
@@ -118,20 +126,24 @@ Result<Pose> Scene::pose(ObjectId id) const {
   return state_->objects[id.index].pose;
 }
 
-void Scene::update() {
-  const FloatEnvironment nearest;
-  state_->borders.update(state_->view());
-  state_->borders_are_stale = false;
+Result<void> Scene::update() {
+  return guarded([&]() -> Result<void> {
+    state_->borders_are_stale = true;
+    state_->borders.update(state_->view());
+    state_->borders_are_stale = false;
+    return {};
+  });
 }
 
 Result<Contacts> Scene::collide(const Options& options) const {
-  const FloatEnvironment nearest;
-  if (auto valid = validate(options); !valid) return valid.error();
-  const State& s = *state_;
-  if (!s.borders_are_stale) return run_pipeline({s.view(), s.trees, &s.borders, options});
-  broad::SweepAndPrune repaired = s.borders;
-  repaired.update(s.view());
-  return run_pipeline({s.view(), s.trees, &repaired, options});
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    const State& s = *state_;
+    if (!s.borders_are_stale) return run_pipeline({s.view(), s.trees, &s.borders, options});
+    broad::SweepAndPrune repaired = s.borders;
+    repaired.update(s.view());
+    return run_pipeline({s.view(), s.trees, &repaired, options});
+  });
 }
 
 }  // namespace impinge

@@ -41,7 +41,7 @@ struct ReadOptions {
 };
 
 /// Reads a mesh file; the format is told by the name's ending. Errors: `bad_file` (the sentence names the file, the
-/// line or byte, and the mend), `bad_option` (scale), `cancelled`.
+/// line or byte, and the mend), `bad_option` (scale), `cancelled`, `out_of_memory`.
 Result<Model> read(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The readers alone, on bytes in memory; `name` stands for the file in messages and names its only object.

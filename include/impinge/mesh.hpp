@@ -39,10 +39,11 @@ struct TreeConfig {
   std::uint32_t leaf_size = 8;  ///< most triangles in a leaf, 1 to 256
 };
 
+struct MeshData;   // internal
 struct MeshState;  // internal
 
 /// An immutable triangle mesh with its lazily built tree. A handle: copies are cheap and share both.
-/// Safe to use from many threads.
+/// Safe to use from many threads. A mesh that was moved from may only be destroyed or assigned to.
 class Mesh {
  public:
   /// `xyz` holds 3 finite coordinates a vertex, `triangles` 3 vertex indices a triangle. Degenerate and duplicate
@@ -63,7 +64,8 @@ class Mesh {
   [[nodiscard]] std::size_t triangle_count() const noexcept;
   [[nodiscard]] std::span<const Point> vertices() const noexcept;
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const noexcept;
-  /// Bounding sphere in the mesh's own frame, tight to rounding. {0, 0, 0} and 0 without vertices in use.
+  /// Bounding sphere in the mesh's own frame: the smallest one, up to rounding. {0, 0, 0} and 0 without vertices in
+  /// use.
   [[nodiscard]] Point sphere_center() const noexcept;
   [[nodiscard]] double sphere_radius() const noexcept;
 
@@ -71,6 +73,7 @@ class Mesh {
   [[nodiscard]] const MeshState& state() const noexcept { return *state_; }
 
  private:
+  static Result<Mesh> make(Result<MeshData> numbers, const TreeConfig& config);
   explicit Mesh(std::shared_ptr<const MeshState> state) : state_(std::move(state)) {}
   std::shared_ptr<const MeshState> state_;
 };

@@ -18,7 +18,10 @@ enum class Kind : std::uint8_t {
 };
 
 /// Bits of `Options::kinds`.
-inline constexpr std::uint8_t kCrossing = 1, kTouching = 2, kCoplanar = 4, kAllKinds = 7;
+inline constexpr std::uint8_t kCrossing = 1 << static_cast<int>(Kind::crossing);
+inline constexpr std::uint8_t kTouching = 1 << static_cast<int>(Kind::touching);
+inline constexpr std::uint8_t kCoplanar = 1 << static_cast<int>(Kind::coplanar);
+inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
 /// Work done so far, for a progress display: read it from another thread while a query runs.
 struct Progress {
@@ -26,7 +29,8 @@ struct Progress {
   std::atomic<std::uint64_t> total{0};  ///< object pairs in all; 0 until the broad phase has counted them
 };
 
-/// What a query looks for, and how. Nothing here but `find`, `limit` and `kinds` changes the answer.
+/// What a query looks for, and how. Nothing here but `find`, `limit` and `kinds` changes the answer; `stop` ends it
+/// with the error `cancelled`.
 struct Options {
   enum class Find : std::uint8_t {
     all,    ///< every pair of triangles that touch
@@ -35,10 +39,10 @@ struct Options {
   Find find = Find::all;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many in canonical order
   std::uint8_t kinds = kAllKinds;                                   ///< the kinds wanted, or-ed
-  int threads = 0;                                                  ///< 0: as many as the machine has
-  std::string_view backend = "auto";                                ///< "auto" or "scalar"
-  bool grid = true;                                                 ///< partition leaf pairs by the uniform grid
-  bool predict_cost = false;                                        ///< calibrate once, and fill the predicted time
+  int threads = 0;                    ///< at most so many; 0: as many as oneTBB offers, a machine's all by default
+  std::string_view backend = "auto";  ///< "auto" or "scalar"
+  bool grid = true;                   ///< partition leaf pairs by the uniform grid
+  bool predict_cost = false;          ///< calibrate once, and fill the predicted time
   Progress* progress = nullptr;
   std::stop_token stop{};
 };

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -12,14 +13,15 @@ namespace impinge {
 
 /// Why a call gave no answer.
 enum class Code : std::uint8_t {
-  bad_mesh,      ///< vertices or triangles that cannot be a mesh
-  bad_pose,      ///< a pose that is not finite and nearly a rotation, or an affine map that is not finite
-  out_of_range,  ///< world coordinates outside the range in which every answer is exact
-  bad_option,    ///< an option with a value that it cannot have
-  unknown_id,    ///< an object id that this scene never gave out, or whose object was removed
-  bad_file,      ///< a file that cannot be read, or whose contents are not what its format says
-  cancelled,     ///< the caller's stop token asked for it
-  no_device,     ///< no device that can run the backend asked for
+  bad_mesh,       ///< vertices or triangles that cannot be a mesh
+  bad_pose,       ///< a pose that is not finite and nearly a rotation, or an affine map that is not finite
+  out_of_range,   ///< world coordinates outside the range in which every answer is exact
+  bad_option,     ///< an option with a value that it cannot have
+  unknown_id,     ///< an object id that this scene never gave out, or whose object was removed
+  bad_file,       ///< a file that cannot be read, or whose contents are not what its format says
+  cancelled,      ///< the caller's stop token asked for it
+  no_device,      ///< no device that can run the backend asked for
+  out_of_memory,  ///< memory ran out; what the call worked on is as it was, and may be asked again
 };
 
 /// What went wrong, in a sentence that names the place and the mend.
@@ -36,7 +38,8 @@ class [[nodiscard]] Result {
   Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool has_value() const noexcept { return state_.index() == 0; }
-  explicit operator bool() const noexcept { return has_value(); }
+  /// Not for a `Result<bool>`, where it would be taken for the answer: ask `has_value()`.
+  explicit operator bool() const noexcept requires(!std::is_same_v<T, bool>) { return has_value(); }
 
   [[nodiscard]] T& value() & { return assert(has_value()), *std::get_if<0>(&state_); }
   [[nodiscard]] const T& value() const& { return assert(has_value()), *std::get_if<0>(&state_); }

@@ -20,7 +20,8 @@ struct ObjectId {
 };
 
 /// Placed meshes that are asked about again and again. Keeps the sorted borders of the bounding spheres between frames.
-/// Const calls are safe from many threads at once; the others need the scene to themselves.
+/// A scene that was moved from may only be destroyed or assigned to. Const calls are safe from many threads at once;
+/// the others need the scene to themselves.
 class Scene {
  public:
   Scene();
@@ -47,7 +48,7 @@ class Scene {
 
   /// Repairs the sorted borders after objects were added, moved or removed. Without it `collide` repairs a copy each
   /// time: the answer is the same, only slower.
-  void update();
+  Result<void> update();
 
   /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
   Result<Contacts> collide(const Options& options = {}) const;

@@ -46,7 +46,10 @@ std::string SceneNames::given_name(const aiNode& node) const {
     return std::string(has_name ? product.name : product.type);
   }
   const bool is_root = node.mParent == nullptr;
-  if (is_gltf_ && (is_gltf_placeholder(name) || (is_root && name == "ROOT"))) return {};
+  if (is_gltf_) {  // whatever else stands there, a person may have given
+    const bool is_made_up = is_gltf_placeholder(name) || (is_root && name == "ROOT");
+    return is_made_up ? std::string() : std::string(name);
+  }
   if (is_3mf_ && is_root && name == "3MF") return {};
   if (is_root && name == "RootNode") return {};                                            // FBX and others
   if (name.starts_with('$') || (name.starts_with('<') && name.ends_with('>'))) return {};  // COLLADA, 3DS, DXF, ..

@@ -10,9 +10,11 @@
 #include <assimp/Importer.hpp>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "io/importer/axes.hpp"
+#include "io/importer/gltf_check.hpp"
 #include "io/importer/scene_names.hpp"
 #include "io/text.hpp"
 
@@ -123,6 +125,8 @@ void write_objects(const aiScene& scene, io::ImportWriter& writer) {
 }  // namespace
 
 std::string write_scene(const char* file, io::ImportWriter& writer) {
+  const std::optional<GltfCheck> gltf = check_gltf(file);
+  if (gltf && !gltf->problem.empty()) return gltf->problem;
   Assimp::Importer importer;
   // The author's names, not the ids of COLLADA.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
@@ -133,6 +137,9 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (!scene || !scene->mRootNode) {
     const std::string problem = importer.GetErrorString();
     return problem.empty() ? "it gives no reason" : problem;
+  }
+  if (gltf) {
+    if (std::string problem = lost_triangles(*gltf, *scene); !problem.empty()) return problem;
   }
   const std::uint64_t expected = triangles_in(*scene);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);

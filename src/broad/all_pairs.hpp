@@ -7,9 +7,6 @@
 
 namespace impinge::broad {
 
-/// Whether two objects are to be tested, and their bounds meet: boxes, then spheres (section 3.2 of the paper).
-bool may_touch(const scene::SceneView& view, std::uint32_t a, std::uint32_t b);
-
 /// The broad phase by brute force: the twin that sweep and prune is held against.
 ObjectPairs all_pairs(const scene::SceneView& view);
 

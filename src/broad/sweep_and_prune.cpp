@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "broad/all_pairs.hpp"
+#include "broad/may_touch.hpp"
 
 namespace impinge::broad {
 namespace {
@@ -98,11 +98,12 @@ SweepAndPrune::SweepAxis SweepAndPrune::cheapest_axis() const {
   return cheapest;
 }
 
-ObjectPairs SweepAndPrune::find(const scene::SceneView& view) const {
+ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_token& stop) const {
   ObjectPairs pairs;
   OpenObjects open(view.objects.size());
   // Along another axis a thousand pipes side by side would all be open at once.
   for (const Border& border : axes_[cheapest_axis().axis]) {
+    if (stop.stop_requested()) return {};
     const std::uint32_t object = border.object;
     if (border.is_end) {
       open.close(object);

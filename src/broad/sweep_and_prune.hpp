@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "broad/object_pairs.hpp"
@@ -35,7 +36,8 @@ class SweepAndPrune {
   [[nodiscard]] SweepAxis cheapest_axis() const;
 
   /// The pairs whose projections overlap on all three axes and whose spheres meet. The borders must be up to date.
-  [[nodiscard]] ObjectPairs find(const scene::SceneView& view) const;
+  /// Ends early, with no pairs, when asked to stop.
+  [[nodiscard]] ObjectPairs find(const scene::SceneView& view, const std::stop_token& stop = {}) const;
 
  private:
   std::array<std::vector<Border>, 3> axes_;

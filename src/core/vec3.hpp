@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/strict_arithmetic.hpp"
 #include "impinge/mesh.hpp"
 
 namespace impinge {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/strict_arithmetic.hpp"
+
 /// Floating-point expansions: a number as an unevaluated sum of non-overlapping doubles, least significant first, zeros
 /// left out (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
 /// All on the stack. Needs round-to-nearest and products without over- or underflow: CONTRACT 3 sees to that.

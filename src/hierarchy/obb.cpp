@@ -73,9 +73,9 @@ Obb fit_obb(const MeshData& mesh, std::span<const std::uint32_t> triangles) {
     hi = max(hi, projected), lo = min(lo, projected);
   });
 
-  // Equation 5. The projections are off by less than 8 eps of a vertex's distance from the mean, as much again comes
-  // from axes that are orthonormal only to 8 eps, and the centre is rounded relative to the mesh's coordinates: 2^-47
-  // and 2^-50 cover that.
+  // Equation 5. The projections are off by less than 8 eps of a vertex's distance from the mean, axes that are
+  // orthonormal only to 24 eps add that much, and the centre is rounded relative to the mesh's coordinates: 64 eps and
+  // 8 eps cover it.
   const Vec3 middle = 0.5 * (hi + lo);
   box.center = mean + transpose(box.axes) * middle;
   const Vec3 extent = max(abs(hi), abs(lo));

@@ -11,7 +11,7 @@
 
 namespace impinge::hierarchy {
 
-/// {center + axesᵀ u : |u| <= half}, in the mesh's frame; the rows of `axes` are orthonormal to within 8 eps.
+/// {center + axesᵀ u : |u| <= half}, in the mesh's frame; the rows of `axes` are orthonormal to within 24 eps.
 struct Obb {
   Vec3 center{};
   Mat3 axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};

@@ -17,14 +17,16 @@ double sum(const Vec3& v) { return v.x + v.y + v.z; }
 }  // namespace
 
 // A shared point is R_A x + t_A + e = R_B y + t_B + f with x and y in the two boxes and e, f the rounding of world
-// vertices (CONTRACT 1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53 and S the sum
-// of both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations,
-//   R_A⁻¹(f - e)              at most  8 u S  in length (4.01 u a coordinate of |R||x| + |t|, times sqrt 3),
-//   M and t in floating point  "      24 u S  (adjugate, product, difference),
-//   the test's own arithmetic  "      32 u S  (dot products of unit vectors with lengths below S),
-// so 2^-46 S = 128 u S is enough. The test takes M for a rotation: MᵀM differs from I by at most 6 rho, rho the sum of
-// both defects, and that shifts a projection of B's box by at most 6 rho times three half extents of B; 32 rho times
-// B's diameter is enough.
+// vertices (CONTRACT 1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53, S the sum of
+// both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations, at most
+//    8 u S  in R_A⁻¹(f - e): 4.01 u a coordinate of |R||x| + |t|, times sqrt 3,
+//   24 u S  in M and t: adjugate, product, difference,
+//   16 u S  in moving a box of B to A's frame: two products and sums of three terms,
+//   24 u S  for axes that are orthonormal only to 24 u (they scale a half extent or a distance, each below S),
+//   64 u S  in the test: dot products of three terms, sums of six, of lengths below S,
+// 136 u S in all, and 2^-45 S = 256 u S is taken. The test takes M for a rotation: MᵀM differs from I by at most 6 rho,
+// rho the sum of both defects, and that shifts a projection of B's box by at most 6 rho times three half extents of B;
+// 32 rho times B's diameter is taken.
 RelativePose::RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pose& pose_b, const MeshData& mesh_b) {
   const Mat3 inverse_a = inverse(to_mat3(pose_a.R));
   M = inverse_a * to_mat3(pose_b.R);
@@ -32,7 +34,7 @@ RelativePose::RelativePose(const Pose& pose_a, const MeshData& mesh_a, const Pos
   t = inverse_a * (tb - ta);
   const double magnitude = sum(mesh_a.max_abs) + sum(mesh_b.max_abs) + sum(abs(ta)) + sum(abs(tb));
   const double defect = orthogonality_defect(pose_a) + orthogonality_defect(pose_b);
-  margin = 0x1p-46 * magnitude + 32 * defect * sum(mesh_b.box.hi - mesh_b.box.lo);
+  margin = 0x1p-45 * magnitude + 32 * defect * sum(mesh_b.box.hi - mesh_b.box.lo);
 }
 
 Obb RelativePose::moved(const Obb& b) const {

@@ -24,46 +24,63 @@ std::uint32_t ObbTree::prepare() {
   std::call_once(root_made_, [&] {
     order_.resize(mesh_.triangles.size());
     std::iota(order_.begin(), order_.end(), 0u);
-    make(*nodes_.grow_by(1), 0, static_cast<std::uint32_t>(order_.size()), 0);
+    const Draft root = draft(0, static_cast<std::uint32_t>(order_.size()), 0);
+    publish(root, *nodes_.grow_by(1));
     made = 1;
   });
   return made;
 }
 
-void ObbTree::make(Node& node, std::uint32_t first, std::uint32_t count, std::uint32_t depth) {
+ObbTree::Draft ObbTree::draft(std::uint32_t first, std::uint32_t count, std::uint32_t depth) {
   const std::span<const std::uint32_t> triangles = std::span(order_).subspan(first, count);
-  node.box = fit_obb(mesh_, triangles);
-  node.first = first;
-  node.count = count;
-  node.depth = depth;
-  if (count > leaf_size_) return;
+  Draft draft{fit_obb(mesh_, triangles), first, count, depth, 0};
+  if (count > leaf_size_) return draft;
   const auto block = blocks_.push_back(make_leaf_block(mesh_, triangles));
-  node.leaf = static_cast<std::uint32_t>(block - blocks_.begin());
-  node.children.store(kLeaf, std::memory_order_release);
+  draft.leaf = static_cast<std::uint32_t>(block - blocks_.begin());
+  return draft;
+}
+
+void ObbTree::publish(const Draft& draft, Node& node) const {
+  node.box = draft.box;
+  node.first = draft.first;
+  node.count = draft.count;
+  node.depth = draft.depth;
+  node.leaf = draft.leaf;
+  if (draft.count <= leaf_size_) node.children.store(kLeaf, std::memory_order_release);
 }
 
 std::uint32_t ObbTree::children(std::uint32_t index, std::uint64_t& nodes_made) {
   Node& node = nodes_[index];
+  const auto settle = [&](std::uint32_t state) {
+    node.children.store(state);
+    node.children.notify_all();
+  };
   std::uint32_t children = node.children.load(std::memory_order_acquire);
   while (children == kUnsplit || children == kBusy) {
     if (children == kBusy) {  // another walk is splitting it
       node.children.wait(kBusy, std::memory_order_acquire);
       children = node.children.load(std::memory_order_acquire);
     } else if (node.children.compare_exchange_weak(children, kBusy, std::memory_order_acquire)) {
-      children = split(node);
+      try {
+        children = split(node);
+      } catch (...) {  // out of memory: whoever waits, or comes later, may try again
+        settle(kUnsplit);
+        throw;
+      }
       nodes_made += 2;
-      node.children.store(children, std::memory_order_release);
-      node.children.notify_all();
+      settle(children);
     }
   }
   return children;
 }
 
 std::uint32_t ObbTree::split(const Node& node) {
-  const std::uint32_t left = partition(node);
+  const std::uint32_t left_count = partition(node);
+  const Draft left = draft(node.first, left_count, node.depth + 1);
+  const Draft right = draft(node.first + left_count, node.count - left_count, node.depth + 1);
   const auto pair = nodes_.grow_by(2);
-  make(pair[0], node.first, left, node.depth + 1);
-  make(pair[1], node.first + left, node.count - left, node.depth + 1);
+  publish(left, pair[0]);
+  publish(right, pair[1]);
   return static_cast<std::uint32_t>(pair - nodes_.begin());
 }
 

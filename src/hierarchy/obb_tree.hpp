@@ -33,7 +33,8 @@ class ObbTree {
 
   ObbTree(const MeshData& mesh, std::uint32_t leaf_size) : mesh_(mesh), leaf_size_(leaf_size) {}
 
-  /// Makes the root if there is none yet. The mesh has at least one triangle. Returns the number of nodes made.
+  /// Makes the root if there is none yet. The mesh has at least one triangle. Returns the number of nodes made. If
+  /// memory runs out, here or below, the exception passes and the tree is as it was.
   std::uint32_t prepare();
 
   [[nodiscard]] const Node& node(std::uint32_t index) const { return nodes_[index]; }
@@ -51,9 +52,16 @@ class ObbTree {
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
 
  private:
+  /// What a node is made of, before it is one: all that may run out of memory happens first.
+  struct Draft {
+    Obb box;
+    std::uint32_t first, count, depth, leaf;
+  };
+
   std::uint32_t split(const Node& node);
   std::uint32_t partition(const Node& node);
-  void make(Node& node, std::uint32_t first, std::uint32_t count, std::uint32_t depth);
+  Draft draft(std::uint32_t first, std::uint32_t count, std::uint32_t depth);
+  void publish(const Draft& draft, Node& node) const;
 
   const MeshData& mesh_;
   std::uint32_t leaf_size_;

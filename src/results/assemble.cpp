@@ -22,8 +22,8 @@ Contacts assemble(std::vector<exact::Contact> contacts, const broad::ObjectPairs
                   std::span<const std::uint64_t> keys, const AssembleConfig& config) {
   std::sort(contacts.begin(), contacts.end(), precedes);
   Contacts result;
-  result.truncated = contacts.size() > config.limit;
-  if (result.truncated) contacts.resize(config.limit);
+  result.truncated = config.found > config.limit;
+  if (contacts.size() > config.limit) contacts.resize(config.limit);
 
   result.triangles.reserve(contacts.size());
   result.kinds.reserve(contacts.size());

@@ -27,8 +27,8 @@ Sphere circumsphere(std::span<const Vec3> points) {
   return {points[0] + offset, norm(offset)};
 }
 
-/// The smallest sphere around at most five points, the last of them on its border, and the points that span it: each
-/// subset is tried.
+/// The smallest sphere around at most five points, the last of which is on its border. `points` becomes the subset that
+/// spans it: every subset is tried.
 Sphere smallest_sphere(std::vector<Vec3>& points) {
   constexpr double kSlack = 1 + 1e-9;
   const std::size_t last = points.size() - 1;
@@ -61,7 +61,8 @@ Sphere bounding_sphere(std::span<const Vec3> points) {
   if (extent == 0) return {points[0], 0};
   // Squares and their products would leave the range of double at the borders of the domain: work in units of the
   // extent.
-  const double unit = std::ldexp(1.0, exponent(extent)), inverse_unit = std::ldexp(1.0, -exponent(extent));
+  const int magnitude = std::clamp(exponent(extent), -1000, 1000);
+  const double unit = std::ldexp(1.0, magnitude), inverse_unit = std::ldexp(1.0, -magnitude);
   const auto scaled = [&](const Vec3& p) { return inverse_unit * (p - middle); };
 
   const auto farthest_from = [&](const Vec3& center) {

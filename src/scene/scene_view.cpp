@@ -17,6 +17,7 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
   if (mesh.triangles.empty()) return object;
   object.mesh = &mesh;
   object.in_domain = in_exact_domain(pose, mesh);
+  if (!object.in_domain) return object;  // queries refuse it, and its bounds might not be numbers
 
   // rounding_radius covers the world vertices' rounding and, with 12 u S to spare, that of the lines below.
   const Vec3 radius = rounding_radius(pose, mesh);

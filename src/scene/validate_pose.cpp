@@ -11,13 +11,13 @@ namespace impinge::scene {
 
 Result<void> validate(const Pose& pose) {
   const auto bad = [](const std::string& what) {
-    return Error{Code::bad_pose, "the pose's " + what + "; bake such a map into the mesh with Mesh::transformed"};
+    return Error{Code::bad_pose,
+                 "the pose's " + what + "; bake any other finite map into the mesh with Mesh::transformed"};
   };
   for (const double r : pose.R)
-    if (!std::isfinite(r)) return Error{Code::bad_pose, "the pose's matrix has an entry that is not a finite number"};
+    if (!std::isfinite(r)) return bad("matrix has an entry that is not a finite number");
   for (const double t : pose.t)
-    if (!std::isfinite(t))
-      return Error{Code::bad_pose, "the pose's translation has an entry that is not a finite number"};
+    if (!std::isfinite(t)) return bad("translation has an entry that is not a finite number");
   const double defect = orthogonality_defect(pose);
   if (!(defect <= 1e-6)) {
     char text[96];

@@ -3,12 +3,9 @@
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -24,21 +21,25 @@ template <class T>
 using PerWorker = tbb::enumerable_thread_specific<T>;
 
 /// Shows the thread sanitizer that what one thread wrote before it handed work to TBB comes before what another does
-/// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write (a closure's copy
-/// into TBB's memory is one), `take` precedes the first read. Nothing in other builds.
+/// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write, `take` precedes
+/// the first read. Nothing in other builds.
 class HandOver {
  public:
 #if defined(__SANITIZE_THREAD__)
-  static void give() { count_.fetch_add(1, std::memory_order_release); }
-  static void take() { static_cast<void>(count_.load(std::memory_order_acquire)); }
+  void give() { count_.fetch_add(1, std::memory_order_release); }
+  void take() { static_cast<void>(count_.load(std::memory_order_acquire)); }
 
  private:
-  static inline std::atomic<unsigned> count_{0};
+  std::atomic<unsigned> count_{0};
 #else
-  static void give() {}
-  static void take() {}
+  void give() {}
+  void take() {}
 #endif
 };
+
+/// Up to so many threads of TBB's. Arenas are kept, one a size: oneTBB 2021.8 loses some kilobytes with each one that
+/// ends.
+tbb::task_arena& arena_of(int threads);
 
 /// Runs `body(task, spawn)` for each task on up to `threads` threads (0: all there are). A body may call `spawn(task)`
 /// to hand part of its work to whoever is idle. Tasks run in any order; with one thread they run on the caller's, those
@@ -57,43 +58,29 @@ void run_tasks(std::vector<Task> tasks, int threads, const Body& body) {
     }
     return;
   }
-  // More than TBB allows would not run any faster, only make it print a warning.
-  const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  tbb::task_arena arena(threads == 0 ? most : std::min(threads, most));
+  if (tasks.empty()) return;
+  HandOver hand_over;
+  std::vector<std::unique_ptr<Task>> firsts;
+  for (Task& task : tasks) firsts.push_back(std::make_unique<Task>(std::move(task)));
   const auto run_all = [&] {
-    HandOver::take();
-    tbb::task_group group;
-    const auto run = [&](const auto& self, Task& task) -> void {
+    tbb::parallel_for_each(firsts.begin(), firsts.end(), [&](std::unique_ptr<Task>& task, auto& feeder) {
+      hand_over.take();
       const FloatEnvironment nearest;  // each worker has its own
-      body(task, [&](Task spawned) {
-        tbb::task_handle task_of_spawned = group.defer([&self, task = std::make_unique<Task>(std::move(spawned))] {
-          HandOver::take();
-          self(self, *task);
-          HandOver::give();
-        });
-        HandOver::give();
-        group.run(std::move(task_of_spawned));
+      body(*task, [&](Task spawned) {
+        auto handed = std::make_unique<Task>(std::move(spawned));
+        hand_over.give();
+        feeder.add(std::move(handed));
       });
-      HandOver::give();
-    };
-    const auto run_first = [&](std::size_t i) {
-      HandOver::take();
-      run(run, tasks[i]);
-    };
-    const auto run_firsts = [&] {
-      HandOver::take();
-      tbb::parallel_for(std::size_t{0}, tasks.size(), run_first);
-    };
-    tbb::task_handle task_of_firsts = group.defer(run_firsts);
-    HandOver::give();
-    group.run(std::move(task_of_firsts));
-    group.wait();
-    HandOver::take();
-    HandOver::give();
+      hand_over.give();
+    });
   };
-  HandOver::give();
-  arena.execute(run_all);
-  HandOver::take();
+  hand_over.give();
+  if (threads == 0) {
+    run_all();
+  } else {
+    arena_of(threads).execute(run_all);
+  }
+  hand_over.take();
 }
 
 }  // namespace impinge::schedule

@@ -83,7 +83,7 @@ TEST(Scene, HoldsAHundredThousandPipes) {
   const std::vector<test::Contact> expected = test::listed(*joint);
   ASSERT_FALSE(expected.empty());
   Scene scene = test::scene_of(scenes::pipe_row(n, 3));
-  scene.update();
+  ASSERT_TRUE(scene.update());
   const auto found = scene.collide();
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found->objects.size(), n - 1u);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "broad/all_pairs.hpp"
+#include "broad/may_touch.hpp"
 #include "broad/sweep_and_prune.hpp"
 #include "tests/core/support.hpp"
 

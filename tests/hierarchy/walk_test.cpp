@@ -8,6 +8,7 @@
 #include <set>
 
 #include "broad/all_pairs.hpp"
+#include "broad/may_touch.hpp"
 #include "hierarchy/dual_walk.hpp"
 #include "scene/scene_view.hpp"
 #include "scenes/shapes.hpp"

@@ -37,7 +37,7 @@ const std::string kGrowsWhileRead = "tbb/concurrent_vector.h";
 /// files are read in the library's rounding mode, and a node's transform is baked where the library refuses it as a
 /// pose.
 const std::map<std::string, std::vector<std::string>> kBuiltOnTop{
-    {"io", {"io/", "impinge/", "core/float_environment.hpp", "scene/validate_pose.hpp"}},
+    {"io", {"io/", "impinge/", "core/guarded.hpp", "scene/validate_pose.hpp"}},
     {"cli", {"cli/", "impinge/"}},
 };
 

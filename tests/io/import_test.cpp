@@ -65,6 +65,91 @@ TEST(Import, GltfNamesPathsPosesAndSharedMeshes) {
   EXPECT_TRUE(model.warnings.empty()) << model.warnings[0];
 }
 
+void replace(std::string& text, std::string_view what, std::string_view by) {
+  const std::size_t at = text.find(what);
+  ASSERT_NE(at, std::string::npos) << what;
+  text.replace(at, what.size(), by);
+}
+
+/// One node that shows one primitive of the mode, four vertices and these indices.
+std::string indexed_gltf(const std::vector<std::uint16_t>& indices, int mode = 4) {
+  std::string buffer;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f}) append_bytes(buffer, x);
+  for (const std::uint16_t index : indices) append_bytes(buffer, index);
+  const std::string count = std::to_string(indices.size()), bytes = std::to_string(2 * indices.size());
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":)" +
+         std::to_string(mode) +
+         R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+         R"({"bufferView":1,"componentType":5123,"type":"SCALAR","count":)" +
+         count + R"(}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":)" + bytes +
+         R"(}],"buffers":[{"byteLength":)" + std::to_string(buffer.size()) +
+         R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + R"("}]})";
+}
+
+TEST(Import, GltfNamesThatOtherFormatsWouldMakeUpAreKept) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"$shaft", "<lid>", "RootNode", "a_$AssimpFbx$_b"}) {
+    EXPECT_EQ(names_of(model_of(read(folder.write("case.gltf", gltf(R"({"mesh":1,"name":")" + name + R"("})"))))),
+              std::vector<std::string>{name});
+  }
+}
+
+TEST(Import, GltfTrianglesWithIndicesOutOfRangeAreAnError) {
+  const TemporaryFolder folder;
+  // The node is shown twice.
+  EXPECT_EQ(model_of(read(folder.write("good.gltf", indexed_gltf({0, 1, 2, 1, 1, 3})))).objects.size(), 2u);
+  EXPECT_THAT(error_of(read(folder.write("bad.gltf", indexed_gltf({0, 1, 2, 0, 1, 9})))),
+              HasSubstr("assimp dropped 2 of 4 triangles whose indices are out of range"));
+  for (const int mode : {5, 6}) {  // strips and fans, with a degenerate triangle
+    EXPECT_EQ(triangles_of(model_of(read(folder.write("good.gltf", indexed_gltf({0, 1, 2, 2, 3}, mode)))).objects.at(0))
+                  .size(),
+              3u);
+    EXPECT_THAT(error_of(read(folder.write("bad.gltf", indexed_gltf({0, 1, 2, 9}, mode)))),
+                HasSubstr("assimp dropped 2 of 4"));
+  }
+}
+
+TEST(Import, GltfThatAssimpWouldMisreadIsRefused) {
+  const TemporaryFolder folder;
+  const auto problem_of = [&](const std::string& text) { return error_of(read(folder.write("bad.gltf", text))); };
+  EXPECT_THAT(problem_of(indexed_gltf({0, 1, 2, 0, 1})), HasSubstr("has 5 corners, which is not a multiple of 3"));
+  std::string text = indexed_gltf({0, 1, 2});
+  replace(text, "5126", "5122");
+  EXPECT_THAT(problem_of(text), HasSubstr("component type 5122"));
+  text = indexed_gltf({0, 1, 2});
+  replace(text, "VEC3", "VEC4");
+  EXPECT_THAT(problem_of(text), HasSubstr("'VEC4'"));
+  const auto requiring = [](std::string_view extension) {
+    return R"({"extensionsRequired":[")" + std::string(extension) + R"("],)" + indexed_gltf({0, 1, 2}).substr(1);
+  };
+  EXPECT_THAT(problem_of(requiring("KHR_mesh_quantization")), HasSubstr("extension 'KHR_mesh_quantization'"));
+  EXPECT_THAT(problem_of(requiring("EXT_meshopt_compression")), HasSubstr("extension 'EXT_meshopt_compression'"));
+  EXPECT_THAT(problem_of(requiring("KHR_draco_mesh_compression")), HasSubstr("holds nothing compressed"));
+  for (const char* harmless : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"}) {
+    EXPECT_EQ(model_of(read(folder.write("good.gltf", requiring(harmless)))).objects.size(), 2u) << harmless;
+  }
+  text = indexed_gltf({0, 1, 2});
+  replace(text, R"({"mesh":0})", R"({"mesh":0,"children":[0]})");
+  EXPECT_THAT(problem_of(text), HasSubstr("its nodes form a loop"));
+  EXPECT_THAT(problem_of("{\"asset\":"), HasSubstr("its JSON cannot be read"));
+}
+
+TEST(Import, GlbWhoseChunkIsLongerThanTheFileIsRefused) {
+  const TemporaryFolder folder;
+  std::string glb = "glTF";
+  for (const std::uint32_t number : {2u, 24u, 4u, 0x4E4F534Au}) append_bytes(glb, number);
+  EXPECT_THAT(error_of(read(folder.write("bad.glb", glb))), HasSubstr("longer than the rest of the file, 0 bytes"));
+  EXPECT_THAT(error_of(read(folder.write("bad.glb", glb.substr(0, 19)))), HasSubstr("ends in the GLB header"));
+}
+
+TEST(Import, DracoIsDecoded) {
+  const Model model = model_of(read(kModels / "glTF2/draco/2CylinderEngine.gltf"));
+  std::size_t triangles = 0;
+  for (const Object& object : model.objects) triangles += object.mesh.triangle_count();
+  EXPECT_EQ(triangles, 110'336u) << "the sum of its accessors' counts over three";
+}
+
 TEST(Import, TheEngineHasItsPartsAndTriangles) {
   const Model model = model_of(read(kModels / "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"));
   expect_sound(model);

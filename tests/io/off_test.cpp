@@ -43,6 +43,7 @@ TEST(Off, ErrorsNameTheLine) {
   EXPECT_THAT(error_of(read_off("OFF\n-3 1 0\n", "a.off")), HasSubstr("negative"));
   EXPECT_THAT(error_of(read_off("OFF\n3", "a.off")), HasSubstr("the number of faces is missing"));
   EXPECT_THAT(error_of(read_off(head + "3 0 1 3\n", "a.off")), HasSubstr("line 6: face 0 names vertex 3"));
+  EXPECT_THAT(error_of(read_off(head + "3 0 1 4294967298\n", "a.off")), HasSubstr("face 0 names vertex 4294967298"));
   EXPECT_THAT(error_of(read_off(head + "3 0 1 -1\n", "a.off")), HasSubstr("line 6: face 0 names vertex -1"));
   EXPECT_THAT(error_of(read_off(head + "3 0 1\n", "a.off")), HasSubstr("the file ends in face 0"));
   EXPECT_THAT(error_of(read_off("OFF\n3 1 0\n0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n", "a.off")),
@@ -54,6 +55,8 @@ TEST(Off, CountsBeyondTheFileAreRefusedBeforeAllocation) {
   EXPECT_THAT(error_of(read_off("OFF\n9000000000000000000 1 0\n0 0 0\n", "a.off")), HasSubstr("the header promises"));
   EXPECT_THAT(error_of(read_off("OFF\n1 9000000000000000000 0\n0 0 0\n", "a.off")), HasSubstr("the header promises"));
   EXPECT_THAT(error_of(read_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999999 0 1 2\n", "a.off")),
+              HasSubstr("face 0 has too many corners"));
+  EXPECT_THAT(error_of(read_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "a.off")),
               HasSubstr("the file ends in face 0"));
 }
 

@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <limits>
+#include <random>
 
 #include "support.hpp"
 
@@ -67,6 +72,35 @@ TEST(Stl, BytesAfterTheLastTriangleAreReported) {
   const Model model = model_of(read_stl(binary_stl("", {{0, 0, 0, 1, 0, 0, 0, 1, 0}}) + "tail", "file"));
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_THAT(model.warnings[0], HasSubstr("4 bytes"));
+}
+
+TEST(Stl, PointsMadeToCollideTakeNoQuadraticTime) {
+  // All points fall on one another under x -> (h ^ x) * k, h ^ h >> 29, which can be undone: z = h(x, y).
+  constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15;
+  const unsigned seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::vector<std::string> points;
+  while (points.size() < 60'000) {
+    const std::array<double, 2> xy{static_cast<double>(random()) * 0x1p-32, static_cast<double>(random()) * 0x1p-32};
+    std::uint64_t hash = 0;
+    for (const double x : xy) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kFactor;
+      hash ^= hash >> 29;
+    }
+    const auto z = std::bit_cast<double>(hash);
+    if (!(std::abs(z) < 1e100 && std::abs(z) > 1e-100)) continue;
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%.17g %.17g %.17g", xy[0], xy[1], z);
+    points.emplace_back(text.data());
+  }
+  std::string file = "solid\n";
+  for (std::size_t i = 0; i < points.size(); i += 3) file += facet(points[i], points[i + 1], points[i + 2]);
+  const auto start = std::chrono::steady_clock::now();
+  const Model model = model_of(read_stl(file + "endsolid\n", "file"));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8));
+  EXPECT_EQ(points_of(model.objects.at(0)).size(), points.size());
+  EXPECT_EQ(triangles_of(model.objects[0]).back(), (std::array<std::uint32_t, 3>{59'997, 59'998, 59'999}));
 }
 
 TEST(Stl, ErrorsNameThePlace) {

@@ -198,7 +198,7 @@ Answer answer_under(const PlacedScene& scene, int rounding, bool flush, bool pai
         return answer;
       }
     }
-    placed.update();
+    EXPECT_TRUE(placed.update());
     answer.contacts = placed.collide();
   }
   answer.unchanged = environment.unchanged();

@@ -176,10 +176,10 @@ TEST(EdgeAndPolygon, IsExact) {
     const bool expected = meets(edge, corners);
     ++(expected ? hits : misses);
     const auto found = intersects(edge, std::span<const Point>(corners));
-    ASSERT_TRUE(found) << "round " << round << ": " << found.error().message;
+    ASSERT_TRUE(found.has_value()) << "round " << round << ": " << found.error().message;
     ASSERT_EQ(*found, expected) << "round " << round;
     const auto backwards = intersects(Segment{edge[1], edge[0]}, std::span<const Point>(corners));
-    ASSERT_TRUE(backwards);
+    ASSERT_TRUE(backwards.has_value());
     ASSERT_EQ(*backwards, expected) << "round " << round << ", edge turned";
   }
   EXPECT_GT(hits, 1000);
@@ -196,10 +196,10 @@ TEST(EdgeAndPolygon, AgreesWithEdgeAndTriangle) {
       const Triangle triangle{corners[0], corners[1], corners[2]};
       const auto found = intersects(edge, std::span<const Point>(corners));
       if (points::exact_corners(triangle).size() < 3) {
-        ASSERT_FALSE(found);
+        ASSERT_FALSE(found.has_value());
         EXPECT_EQ(found.error().code, Code::bad_mesh);
       } else {
-        ASSERT_TRUE(found) << found.error().message;
+        ASSERT_TRUE(found.has_value()) << found.error().message;
         ASSERT_EQ(*found, oracle::meeting(points::exact_corners(edge), points::exact_corners(triangle)).has_value());
       }
     }
@@ -217,7 +217,7 @@ TEST(EdgeAndPolygon, RefusesWhatIsNoPolygon) {
       {{0.1, 0.1, 0.1}, {1.3, 0.7, 0.2}, {0.3, 2.9, 0.6}, {-0.9, 2.3, std::nextafter(0.5, 1.0)}}};
   for (const auto& polygon : bad) {
     const auto answer = intersects(edge, std::span<const Point>(polygon));
-    ASSERT_FALSE(answer) << polygon.size() << " corners";
+    ASSERT_FALSE(answer.has_value()) << polygon.size() << " corners";
     EXPECT_EQ(answer.error().code, Code::bad_mesh);
     EXPECT_FALSE(answer.error().message.empty());
   }

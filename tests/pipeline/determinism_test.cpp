@@ -83,7 +83,7 @@ TEST(Answer, IsTheSameInEveryFloatingPointModeOfTheCaller) {
       for (const bool flush : {false, true}) {
         const test::CallersMode mode(rounding, flush);
         Scene scene = test::scene_of(named.scene);  // spheres and hashes of meshes as well
-        scene.update();
+        ASSERT_TRUE(scene.update());
         const auto found = scene.collide({.threads = flush ? 2 : 1});
         EXPECT_TRUE(mode.is_untouched());
         ASSERT_TRUE(found);

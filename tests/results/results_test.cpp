@@ -124,12 +124,14 @@ RC_GTEST_PROP(Assemble, GivesCanonicalRowsAndAPrefixUnderALimit, (std::uint64_t 
   std::vector<test::Contact> expected;
   for (const exact::Contact& contact : c.contacts) expected.push_back(plain(c, contact));
   std::sort(expected.begin(), expected.end());
-  const Contacts whole = results::assemble(shuffled(c.contacts, seed), c.pairs, c.keys, {kNoLimit, true});
+  const Contacts whole =
+      results::assemble(shuffled(c.contacts, seed), c.pairs, c.keys, {kNoLimit, c.contacts.size(), true});
   RC_ASSERT(test::listed(whole) == expected);
   RC_ASSERT(!whole.truncated);
 
   for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, seed % 40, std::uint64_t{expected.size()}}) {
-    const Contacts cut = results::assemble(shuffled(c.contacts, seed + 1), c.pairs, c.keys, {limit, true});
+    const Contacts cut =
+        results::assemble(shuffled(c.contacts, seed + 1), c.pairs, c.keys, {limit, c.contacts.size(), true});
     const std::size_t kept = std::min<std::size_t>(limit, expected.size());
     const std::vector<test::Contact> prefix(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(kept));
     RC_ASSERT(test::listed(cut) == prefix);
@@ -138,7 +140,7 @@ RC_GTEST_PROP(Assemble, GivesCanonicalRowsAndAPrefixUnderALimit, (std::uint64_t 
     for (const test::Contact& p : prefix) sum += documented::contact(c.keys[p[0]], p[2], c.keys[p[1]], p[3], p[4]);
     RC_ASSERT(cut.hash == sum);
   }
-  RC_ASSERT(results::assemble(c.contacts, c.pairs, c.keys, {kNoLimit, false}).hash == 0);
+  RC_ASSERT(results::assemble(c.contacts, c.pairs, c.keys, {kNoLimit, c.contacts.size(), false}).hash == 0);
 }
 
 /// Objects renumbered and pairs turned round: the arrays change, the hash does not.
@@ -147,7 +149,9 @@ RC_GTEST_PROP(Assemble, HashIsIndependentOfIdsAndSwap, ()) {
   Case turned{{}, {c.keys.rbegin(), c.keys.rend()}, c.contacts};
   for (const broad::ObjectPair& pair : c.pairs) turned.pairs.push_back({5 - pair.b, 5 - pair.a, {}});
   for (exact::Contact& contact : turned.contacts) std::swap(contact.a, contact.b);
-  const auto hash = [](const Case& x) { return results::assemble(x.contacts, x.pairs, x.keys, {kNoLimit, true}).hash; };
+  const auto hash = [](const Case& x) {
+    return results::assemble(x.contacts, x.pairs, x.keys, {kNoLimit, x.contacts.size(), true}).hash;
+  };
   RC_ASSERT(hash(c) == hash(turned));
   if (c.contacts.empty()) return;
   Case other = c;

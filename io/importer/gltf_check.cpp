@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "io/importer/gltf_check.hpp"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "io/little_endian.hpp"
+#include "io/text.hpp"
+
+namespace impinge::importer {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kGlbHeader = 20;  // with the first chunk's length and type
+/// assimp decodes it. Without a decoder the compressed triangles are missing, which `lost_triangles` tells.
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+constexpr std::int64_t kFloat = 5126;
+/// A file of more nodes than this has a loop of them.
+constexpr std::size_t kMostVisits = 10'000'000;
+/// assimp counts in 32 bits.
+constexpr std::uint64_t kMostElements = 0xFFFFFFFF;
+
+/// The member of an object, or null.
+const json& member(const json& object, const char* name) {
+  static const json kNull;
+  if (!object.is_object()) return kNull;
+  const auto place = object.find(name);
+  return place == object.end() ? kNull : *place;
+}
+
+/// The element that a reference names, or null: glTF 2 numbers a list, glTF 1 names the members of an object.
+const json& element(const json& list, const json& reference) {
+  static const json kNull;
+  if (list.is_object() && reference.is_string()) return member(list, reference.get_ref<const std::string&>().c_str());
+  if (!list.is_array() || !reference.is_number_unsigned()) return kNull;
+  const auto index = reference.get<std::uint64_t>();
+  return index < list.size() ? list[index] : kNull;
+}
+
+std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+
+std::int64_t integer_of(const json& value, std::int64_t missing) {
+  return value.is_number_integer() ? value.get<std::int64_t>() : missing;
+}
+
+/// The JSON text of a file; leaves a problem if there is none.
+std::string json_text(const char* file, std::string& problem) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff end = in.tellg();
+  if (!in || end < 0) return problem = "the file cannot be read", std::string();
+  auto length = static_cast<std::size_t>(end);
+  in.seekg(0);
+  std::array<char, kGlbHeader> header{};
+  in.read(header.data(), header.size());
+  const bool is_binary = in.gcount() >= 4 && std::string_view(header.data(), 4) == "glTF";
+  if (is_binary) {
+    if (length < kGlbHeader) return problem = "the file ends in the GLB header; it is cut short", std::string();
+    const auto chunk = io::load_little<std::uint32_t>(header.data() + 12);
+    if (chunk > length - kGlbHeader) {
+      problem = io::sentence("the JSON chunk of ", chunk, " bytes is longer than the rest of the file, ",
+                             length - kGlbHeader, " bytes; it is cut short");
+      return {};
+    }
+    length = chunk;
+  }
+  std::string text(length, '\0');
+  in.clear();
+  in.seekg(is_binary ? std::streamoff{kGlbHeader} : 0);
+  in.read(text.data(), static_cast<std::streamsize>(length));
+  text.resize(std::min(static_cast<std::size_t>(in.gcount()), text.find('\0')));  // some pad a chunk with NULs
+  text.erase(0, text.size() - io::without_byte_order_mark(text).size());
+  // assimp takes any bytes in names, the parser only UTF-8; no name is looked at here.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; }, '?');
+  return text;
+}
+
+class Checker {
+ public:
+  explicit Checker(const json& file) : file_(file) {}
+
+  GltfCheck check() {
+    check_extensions();
+    const json& meshes = member(file_, "meshes");
+    for (auto mesh = meshes.begin(); mesh != meshes.end() && check_.problem.empty(); ++mesh) add_mesh(*mesh);
+    if (check_.problem.empty() && requires_draco_ && !has_draco_) {
+      check_.problem = io::sentence("it requires ", kDraco, ", but holds nothing compressed by it; export it again");
+    }
+    if (check_.problem.empty()) count_shown();
+    return std::move(check_);
+  }
+
+ private:
+  void check_extensions() {
+    constexpr std::array<std::string_view, 8> kHarmless{"KHR_technique", "KHR_materials_", "KHR_texture_",
+                                                        "KHR_lights_",   "KHR_animation_", "EXT_texture_",
+                                                        "EXT_lights_",   "KHR_xmp"};
+    for (const json& extension : member(file_, "extensionsRequired")) {
+      const std::string name = text_of(extension);
+      if (std::any_of(kHarmless.begin(), kHarmless.end(), [&](auto begin) { return name.starts_with(begin); }))
+        continue;
+      if (name == kDraco) {
+        requires_draco_ = true;
+        continue;
+      }
+      check_.problem = io::sentence("it requires the glTF extension ", io::in_quotes(name),
+                                    ", which may change its geometry; export it without");
+      return;
+    }
+  }
+
+  void add_mesh(const json& mesh) {
+    std::uint64_t triangles = 0;
+    for (const json& primitive : member(mesh, "primitives")) {
+      has_draco_ |= member(primitive, "extensions").contains(kDraco);
+      triangles += triangles_of(primitive);
+      if (!check_.problem.empty()) {
+        check_.problem = io::sentence("mesh ", meshes_.size(), ": ", check_.problem);
+        return;
+      }
+    }
+    meshes_.emplace(&mesh, triangles);
+  }
+
+  /// How many triangles a primitive has, with a problem if that is not to be told.
+  std::uint64_t triangles_of(const json& primitive) {
+    const std::int64_t mode = integer_of(member(primitive, "mode"), 4);
+    const json& accessors = member(file_, "accessors");
+    const json& positions = element(accessors, member(member(primitive, "attributes"), "POSITION"));
+    if (mode < 4 || mode > 6 || positions.is_null()) return 0;
+    const std::int64_t type = integer_of(member(positions, "componentType"), 0);
+    if (type != kFloat || text_of(member(positions, "type")) != "VEC3") {
+      check_.problem = io::sentence("its positions have the component type ", type, " and the type ",
+                                    io::in_quotes(text_of(member(positions, "type"))),
+                                    " instead of 5126 (32-bit float) and 'VEC3'; export it without quantization");
+      return 0;
+    }
+    const json& indices = member(primitive, "indices");
+    const json& count_of = indices.is_null() ? positions : element(accessors, indices);
+    const json& count = member(count_of, "count");
+    if (!count.is_number_unsigned() || count.get<std::uint64_t>() > kMostElements) {
+      check_.problem = "a primitive does not say how many corners it has; export it again";
+      return 0;
+    }
+    const auto corners = count.get<std::uint64_t>();
+    if (mode != 4) return corners < 2 ? 0 : corners - 2;
+    if (corners % 3 != 0) {
+      check_.problem =
+          io::sentence("a list of triangles has ", corners, " corners, which is not a multiple of 3; export it again");
+    }
+    return corners / 3;
+  }
+
+  /// Adds up the meshes of the scene's nodes, as often as they are shown.
+  void count_shown() {
+    const json& nodes = member(file_, "nodes");
+    const json& meshes = member(file_, "meshes");
+    const json& scenes = member(file_, "scenes");
+    const json& chosen = member(file_, "scene");
+    const json kFirst = 0U;
+    std::vector<const json*> stack;
+    const auto push = [&](const json& references) {
+      if (!references.is_array()) return;
+      for (const json& reference : references) stack.push_back(&element(nodes, reference));
+    };
+    const auto show = [&](const json& mesh) {
+      if (const auto known = meshes_.find(&mesh); known != meshes_.end()) check_.triangles += known->second;
+    };
+    push(member(element(scenes, chosen.is_null() ? kFirst : chosen), "nodes"));
+    for (std::size_t visits = 0; !stack.empty(); ++visits) {
+      if (visits > kMostVisits || stack.size() > kMostVisits) {
+        check_.problem = "its nodes form a loop, or are too many; export it again";
+        return;
+      }
+      const json& node = *stack.back();
+      stack.pop_back();
+      show(element(meshes, member(node, "mesh")));
+      if (const json& list = member(node, "meshes"); list.is_array()) {  // glTF 1
+        for (const json& reference : list) show(element(meshes, reference));
+      }
+      push(member(node, "children"));
+    }
+  }
+
+  const json& file_;
+  GltfCheck check_;
+  bool requires_draco_ = false, has_draco_ = false;
+  std::map<const json*, std::uint64_t> meshes_;  ///< each with its number of triangles
+};
+
+}  // namespace
+
+std::optional<GltfCheck> check_gltf(const char* file) {
+  const std::string ending = io::lower_case(std::filesystem::path(file).extension().string());
+  if (ending != ".gltf" && ending != ".glb" && ending != ".vrm") return std::nullopt;
+  std::string problem;
+  const std::string text = json_text(file, problem);
+  if (!problem.empty()) return GltfCheck{problem, 0};
+  try {
+    return Checker(json::parse(text)).check();
+  } catch (const json::exception& error) {
+    return GltfCheck{io::sentence("its JSON cannot be read: ", error.what()), 0};
+  }
+}
+
+std::string lost_triangles(const GltfCheck& check, const aiScene& scene) {
+  std::vector<std::uint64_t> triangles(scene.mNumMeshes);
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene.mMeshes[i];
+    triangles[i] = static_cast<std::uint64_t>(
+        std::count_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, [](const aiFace& f) { return f.mNumIndices == 3; }));
+  }
+  std::uint64_t found = 0;
+  std::vector<const aiNode*> stack{scene.mRootNode};
+  while (!stack.empty()) {
+    const aiNode& node = *stack.back();
+    stack.pop_back();
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) found += triangles[node.mMeshes[i]];
+    stack.insert(stack.end(), node.mChildren, node.mChildren + node.mNumChildren);
+  }
+  if (found >= check.triangles) return {};
+  return io::sentence("assimp dropped ", check.triangles - found, " of ", check.triangles,
+                      " triangles whose indices are out of range; mend the indices");
+}
+
+}  // namespace impinge::importer
