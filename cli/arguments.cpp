@@ -154,7 +154,7 @@ std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
   const CLI::App& command = parser.info->parsed() ? *parser.info : *parser.check;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
-    const std::string name = "--" + option->get_lnames().front();
+    std::string name = "--" + option->get_lnames().front();
     if (error.get_name() == "ConversionError" && text.find(name + " =") != std::string::npos)
       return name + " takes no value";
     if (error.get_name() != "ArgumentMismatch" || !text.starts_with(name + ":")) continue;

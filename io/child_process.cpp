@@ -49,6 +49,7 @@ class Pipe {
 /// 0, or the reason as an errno.
 int spawn(pid_t& child, const std::vector<std::string>& arguments, int out, int err) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files;

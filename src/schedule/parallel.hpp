@@ -3,8 +3,9 @@
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for_each.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <cstddef>
@@ -22,18 +23,18 @@ using PerWorker = tbb::enumerable_thread_specific<T>;
 
 /// Shows the thread sanitizer that what one thread wrote before it handed work to TBB comes before what another does
 /// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write, `take` precedes
-/// the first read. Nothing in other builds.
+/// the first read, that of a closure's captures among them. Nothing in other builds.
 class HandOver {
  public:
 #if defined(__SANITIZE_THREAD__)
-  void give() { count_.fetch_add(1, std::memory_order_release); }
-  void take() { static_cast<void>(count_.load(std::memory_order_acquire)); }
+  static void give() { count_.fetch_add(1, std::memory_order_release); }
+  static void take() { static_cast<void>(count_.load(std::memory_order_acquire)); }
 
  private:
-  std::atomic<unsigned> count_{0};
+  static inline std::atomic<unsigned> count_{0};
 #else
-  void give() {}
-  void take() {}
+  static void give() {}
+  static void take() {}
 #endif
 };
 
@@ -59,28 +60,44 @@ void run_tasks(std::vector<Task> tasks, int threads, const Body& body) {
     return;
   }
   if (tasks.empty()) return;
-  HandOver hand_over;
-  std::vector<std::unique_ptr<Task>> firsts;
-  for (Task& task : tasks) firsts.push_back(std::make_unique<Task>(std::move(task)));
   const auto run_all = [&] {
-    tbb::parallel_for_each(firsts.begin(), firsts.end(), [&](std::unique_ptr<Task>& task, auto& feeder) {
-      hand_over.take();
+    HandOver::take();  // a full arena has one of its own threads run this
+    tbb::task_group group;
+    const auto run = [&](const auto& self, Task& task) -> void {
       const FloatEnvironment nearest;  // each worker has its own
-      body(*task, [&](Task spawned) {
-        auto handed = std::make_unique<Task>(std::move(spawned));
-        hand_over.give();
-        feeder.add(std::move(handed));
+      body(task, [&](Task spawned) {
+        tbb::task_handle handle = group.defer([&self, kept = std::make_unique<Task>(std::move(spawned))] {
+          HandOver::take();
+          self(self, *kept);
+          HandOver::give();
+        });
+        HandOver::give();
+        group.run(std::move(handle));
       });
-      hand_over.give();
-    });
+      HandOver::give();
+    };
+    const auto run_one = [&](std::size_t i) {
+      HandOver::take();
+      run(run, tasks[i]);
+    };
+    const auto run_firsts = [&] {
+      HandOver::take();
+      tbb::parallel_for(std::size_t{0}, tasks.size(), run_one);
+    };
+    tbb::task_handle handle = group.defer(run_firsts);
+    HandOver::give();
+    group.run(std::move(handle));
+    group.wait();
+    HandOver::take();
+    HandOver::give();
   };
-  hand_over.give();
+  HandOver::give();
   if (threads == 0) {
     run_all();
   } else {
     arena_of(threads).execute(run_all);
   }
-  hand_over.take();
+  HandOver::take();
 }
 
 }  // namespace impinge::schedule
