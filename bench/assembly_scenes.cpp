@@ -27,7 +27,7 @@ Scene fresh_scene(const io::Model& model, const TreeConfig& tree) {
     if (!meshes.contains(known)) meshes.emplace(known, without_tree(object.mesh, tree));
     must(scene.add(meshes.at(known), object.pose));
   }
-  must(scene.update());
+  if (const auto updated = scene.update(); !updated) fail(updated.error().message);
   return scene;
 }
 
@@ -37,7 +37,7 @@ Scene fresh_scene(const scenes::PlacedScene& placed) {
   Scene scene;
   for (const scenes::PlacedObject& object : placed.objects)
     must(scene.add(meshes[object.mesh], object.pose, object.group));
-  must(scene.update());
+  if (const auto updated = scene.update(); !updated) fail(updated.error().message);
   return scene;
 }
 
