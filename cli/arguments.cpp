@@ -150,7 +150,7 @@ std::vector<std::string> extras(const Parser& parser) {
 /// CLI11 says "--limit: At Most 1 required but received 2", "--json: 1 required FILE missing" and "Could not convert:
 /// --first = maybe".
 std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   const CLI::App& command = parser.info->parsed() ? *parser.info : *parser.check;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
