@@ -51,6 +51,7 @@ class OpenObjects {
     place_[entries_.back().object] = place_[object];
     entries_.pop_back();
   }
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
   template <class Visit>
   void visit_overlapping(const Box& box, const Visit& visit) const {
     for (const Entry& entry : entries_)
@@ -90,25 +91,23 @@ void SweepAndPrune::update(const scene::SceneView& view) {
   }
 }
 
-SweepAndPrune::SweepAxis SweepAndPrune::cheapest_axis() const {
-  SweepAxis cheapest{0, count_overlaps(axes_[0])};
-  for (int axis = 1; axis < 3; ++axis)
-    if (const std::uint64_t overlaps = count_overlaps(axes_[axis]); overlaps < cheapest.overlaps)
-      cheapest = {axis, overlaps};
-  return cheapest;
-}
+ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_token& stop,
+                                std::uint64_t* comparisons) const {
+  // Along any other axis than the one with the fewest overlaps a thousand pipes side by side would all be open at once.
+  const std::array<std::uint64_t, 3> overlaps{count_overlaps(axes_[0]), count_overlaps(axes_[1]),
+                                              count_overlaps(axes_[2])};
+  const auto axis = std::min_element(overlaps.begin(), overlaps.end()) - overlaps.begin();
 
-ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_token& stop) const {
   ObjectPairs pairs;
   OpenObjects open(view.objects.size());
-  // Along another axis a thousand pipes side by side would all be open at once.
-  for (const Border& border : axes_[cheapest_axis().axis]) {
+  for (const Border& border : axes_[axis]) {
     if (stop.stop_requested()) return {};
     const std::uint32_t object = border.object;
     if (border.is_end) {
       open.close(object);
       continue;
     }
+    if (comparisons != nullptr) *comparisons += open.size();
     const Box& box = view.objects[object].box;
     open.visit_overlapping(box, [&](std::uint32_t other) {
       if (!may_touch(view, object, other)) return;

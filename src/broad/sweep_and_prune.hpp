@@ -27,17 +27,11 @@ class SweepAndPrune {
   /// repaired by insertion in nearly linear time; after a jump they are sorted anew.
   void update(const scene::SceneView& view);
 
-  /// The axis on which the fewest projections overlap, and how many pairs of them do: a sweep along it makes that many
-  /// comparisons.
-  struct SweepAxis {
-    int axis;
-    std::uint64_t overlaps;
-  };
-  [[nodiscard]] SweepAxis cheapest_axis() const;
-
-  /// The pairs whose projections overlap on all three axes and whose spheres meet. The borders must be up to date.
-  /// Ends early, with no pairs, when asked to stop.
-  [[nodiscard]] ObjectPairs find(const scene::SceneView& view, const std::stop_token& stop = {}) const;
+  /// The pairs whose projections overlap on all three axes and whose spheres meet. The borders must be up to date. Ends
+  /// early, with no pairs, when asked to stop. `comparisons`, if given, is raised by the pairs of objects that were
+  /// held against each other.
+  [[nodiscard]] ObjectPairs find(const scene::SceneView& view, const std::stop_token& stop = {},
+                                 std::uint64_t* comparisons = nullptr) const;
 
  private:
   std::array<std::vector<Border>, 3> axes_;

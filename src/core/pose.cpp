@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/pose.hpp"
 
-#include <bit>
 #include <limits>
 
 #include "core/float_environment.hpp"

@@ -43,11 +43,27 @@ struct Found {
 Found find(const std::vector<PlacedObject>& objects) {
   broad::SweepAndPrune borders;
   borders.update({objects, nullptr});
-  return {borders.find({objects, nullptr}).size(), borders.cheapest_axis().overlaps};
+  std::uint64_t comparisons = 0;
+  const std::size_t pairs = borders.find({objects, nullptr}, {}, &comparisons).size();
+  return {pairs, comparisons};
 }
 
 TEST(SweepAndPrune, FindsTheNeighboursOfAHundredThousandBoxes) {
   EXPECT_EQ(find(lattice(50, 50, 40)).pairs, lattice_pairs(50, 50, 40));
+}
+
+TEST(SweepAndPrune, EndsEarlyWhenAskedToStop) {
+  const std::vector<PlacedObject> objects = lattice(3, 3, 3);
+  broad::SweepAndPrune borders;
+  borders.update({objects, nullptr});
+  std::stop_source stop;
+  std::uint64_t comparisons = 0;
+  EXPECT_FALSE(borders.find({objects, nullptr}, stop.get_token(), &comparisons).empty());
+  EXPECT_GT(comparisons, 0u);
+  stop.request_stop();
+  comparisons = 0;
+  EXPECT_TRUE(borders.find({objects, nullptr}, stop.get_token(), &comparisons).empty());
+  EXPECT_EQ(comparisons, 0u);
 }
 
 /// If all were open at once, each would be held against fifty thousand others.

@@ -44,6 +44,7 @@ TEST(Options, ThatCannotBeAreRefused) {
   expect_refused({.threads = -1}, "-1");
   expect_refused({.kinds = 8}, "kinds");
   expect_refused({.kinds = 255}, "kinds");
+  expect_refused({.find = static_cast<Options::Find>(2)}, "find");
   expect_refused({.backend = "vulkan"}, "'vulkan'");
   expect_refused({.backend = ""}, "auto");
   for (const char* backend : {"auto", "scalar"}) EXPECT_TRUE(scene.collide({.backend = backend}));
