@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// Two real assemblies: what a query counts, and the time of each stage; the first query, which builds trees as it
-/// goes, and the same again.
+/// Two real assemblies: what a query counts, and the time of each stage, for the first query, which builds trees as it
+/// goes, and for the same again; then every library on the same parts.
 #include "bench/assemblies.hpp"
 
+#include "bench/assembly_contest.hpp"
+#include "bench/ours.hpp"
 #include "bench/support.hpp"
 
 namespace impinge::bench {
@@ -16,12 +18,11 @@ struct Repeats {
 };
 
 Repeats query(const io::Model& model, int repeats) {
-  const Options one_thread{.threads = 1};
   Repeats result;
   for (int i = 0; i < repeats; ++i) {
     const Scene scene = fresh_scene(model);
-    result.first.push_back(must(scene.collide(one_thread)).statistics);
-    const Contacts contacts = must(scene.collide(one_thread));
+    result.first.push_back(must(scene.collide(fast())).statistics);
+    const Contacts contacts = must(scene.collide(fast()));
     result.again.push_back(contacts.statistics);
     result.rows = contacts.objects.size();
     result.contacts = contacts.triangles.size();
@@ -35,12 +36,16 @@ void add_times(Table& table, const std::string& name, const char* which, const S
              milliseconds(s.results_seconds), milliseconds(s.total_seconds)});
 }
 
-void run(const Arguments& arguments) {
+}  // namespace
+
+void bench_main(const Arguments& arguments) {
+  pin_to_one_core();
   const int repeats = arguments.quick ? 2 : 7;
   Table counts({"assembly", "objects", "triangles", "read ms", "candidate object pairs", "touching object pairs",
                 "touching triangle pairs", "candidate triangle pairs", "exact calls", "share of candidates"});
   Table times({"assembly", "query", "broad ms", "hierarchy ms", "partition ms", "narrow ms", "exact ms", "results ms",
                "total ms"});
+  AssemblyContest contest;
   for (const Assembly& assembly : assemblies()) {
     std::vector<double> reading;
     for (int i = 0; i < (arguments.quick ? 1 : 3); ++i)
@@ -57,16 +62,11 @@ void run(const Arguments& arguments) {
                 percent(static_cast<double>(again.exact_calls), static_cast<double>(again.triangle_pairs))});
     add_times(times, assembly.name, "first", first);
     add_times(times, assembly.name, "repeated", again);
+    contest.add(assembly.name, model, arguments.quick ? Effort{2, 2, 0} : Effort{5, 9, 5});
   }
   counts.write(arguments.folder, "assembly_counts");
   times.write(arguments.folder, "assembly_times");
+  contest.write(arguments.folder);
 }
 
-}  // namespace
 }  // namespace impinge::bench
-
-int main(int argc, char** argv) {
-  const auto arguments = impinge::bench::parse_arguments(argc, argv);
-  impinge::bench::pin_to_one_core();
-  impinge::bench::run(arguments);
-}

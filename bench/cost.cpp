@@ -4,14 +4,17 @@
 /// The cost function, T = N_v C_v + N_p C_p + N_u C_u + N_l C_l with constants measured once, beside the measured time.
 #include "bench/assemblies.hpp"
 #include "bench/mesh_pairs.hpp"
-#include "bench/support.hpp"
-#include "impinge/collide.hpp"
+#include "bench/ours.hpp"
 #include "scenes/placed.hpp"
 
 namespace impinge::bench {
 namespace {
 
-const Options kPredict{.threads = 1, .predict_cost = true};
+const Options kPredict = [] {
+  Options options = fast();
+  options.predict_cost = true;
+  return options;
+}();
 
 class CostTable {
  public:
@@ -28,7 +31,7 @@ class CostTable {
 
 void add_mesh_pairs(const Subject& subject, int poses, int repeats, CostTable& table) {
   const Mesh mesh = make_mesh(subject.data);
-  for (const Depth depth : kDepths) {
+  for (const Depth depth : {Depth::light, Depth::deep}) {
     const auto pairs = random_poses(mesh, depth, poses);
     std::vector<Statistics> sums(static_cast<std::size_t>(repeats));
     for (int warm = 0; warm < 2; ++warm)
@@ -54,9 +57,12 @@ void add_scene(const std::string& name, int repeats, const MakeScene& make_scene
   table.add(name + " repeated", median(again));
 }
 
-void run(const Arguments& arguments) {
+}  // namespace
+
+void bench_main(const Arguments& arguments) {
+  pin_to_one_core();
   const int poses = arguments.quick ? 10 : 40, repeats = arguments.quick ? 1 : 5;
-  const Mesh any = make_mesh(torus_knots()[0].data);
+  const Mesh any = make_mesh(torus_knot_subject(968).data);
   const Statistics constants = must(collide(any, {}, any, {}, kPredict)).statistics;
   Table costs(
       {"C_v ns a box test", "C_p ns an edge against a triangle", "C_u ns a tree node", "C_l ns a pair of leaves"});
@@ -65,9 +71,9 @@ void run(const Arguments& arguments) {
   costs.write(arguments.folder, "cost_constants");
 
   CostTable table;
-  add_mesh_pairs(torus_knots()[0], poses, repeats, table);
-  add_mesh_pairs(torus_knots()[4], poses, repeats, table);
-  add_mesh_pairs(demo_meshes()[2], poses, repeats, table);
+  add_mesh_pairs(torus_knot_subject(968), poses, repeats, table);
+  add_mesh_pairs(torus_knot_subject(9612), poses, repeats, table);
+  add_mesh_pairs(demo_subject("armadillo.off"), poses, repeats, table);
   for (const Assembly& assembly : assemblies()) {
     const io::Model model = read_model(assembly);
     add_scene(
@@ -79,11 +85,4 @@ void run(const Arguments& arguments) {
   table.write(arguments.folder);
 }
 
-}  // namespace
 }  // namespace impinge::bench
-
-int main(int argc, char** argv) {
-  const auto arguments = impinge::bench::parse_arguments(argc, argv);
-  impinge::bench::pin_to_one_core();
-  impinge::bench::run(arguments);
-}

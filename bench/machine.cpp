@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include <CGAL/version.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
 #include <fstream>
 #include <thread>
 
+#include "bench/ours.hpp"
 #include "bench/support.hpp"
 #include "impinge/version.hpp"
 
@@ -47,7 +49,12 @@ Table describe_machine() {
   table.add({"compiler", IMPINGE_COMPILER});
   table.add({"flags", flags});
   table.add({"impinge", IMPINGE_VERSION});
-  table.add({"FCL", IMPINGE_FCL_VERSION});
+  table.add({"impinge backend", std::string(fast_backend())});
+  table.add(
+      {"FCL", std::string(IMPINGE_FCL_VERSION) + " as Debian compiled it; native: its headers by -O3 -march=native"});
+  table.add(
+      {"Embree", std::string(IMPINGE_EMBREE_VERSION) + " as Debian compiled it; the triangle test by -march=native"});
+  table.add({"CGAL", std::string(CGAL_VERSION_STR) + " headers by -march=native"});
   table.add({"load average at the start", load.substr(0, load.find(' '))});
   return table;
 }

@@ -2,34 +2,121 @@
 // SPDX-License-Identifier: MIT
 #include "bench/mesh_pairs.hpp"
 
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
 #include "bench/support.hpp"
+#include "impinge/collide.hpp"
 #include "scenes/shapes.hpp"
 
 namespace impinge::bench {
+namespace {
 
-std::vector<Subject> torus_knots() {
+bool apart(const Mesh& mesh, const scenes::PosePair& poses) {
+  return must(collide(mesh, poses.a, mesh, poses.b, {.find = Options::Find::first})).triangles.empty();
+}
+
+scenes::PosePair random_pose(scenes::Random& random, const Mesh& mesh, Depth depth, double thickness) {
+  constexpr double kGap = 0.01, kPastFirstTouch = 0.03, kCentersApart = 0.2;
+  if (depth == Depth::deep) return scenes::centers_apart(random, mesh, mesh, kCentersApart * thickness);
+  if (depth == Depth::light) return must(scenes::near_first_touch(random, mesh, mesh, kPastFirstTouch));
+  // Bisection finds some first touch along the line; now and then there was another one before it.
+  for (;;)
+    if (const auto poses = must(scenes::near_first_touch(random, mesh, mesh, -kGap)); apart(mesh, poses)) return poses;
+}
+
+/// By Rodrigues' formula; `axis` has length 1.
+std::array<double, 9> rotation(const std::array<double, 3>& axis, double angle) {
+  const auto [x, y, z] = axis;
+  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+  return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s, y * x * d + z * s, c + y * y * d,
+          y * z * d - x * s, z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+/// Turned, and moved so that the sphere's centre comes to stand at `center`.
+Pose turned_about_center(const Mesh& mesh, const std::array<double, 9>& turn, const Point& center) {
+  Pose pose{.R = turn};
+  const Point c = world_vertex(pose, mesh.sphere_center());
+  pose.t = {center.x - c.x, center.y - c.y, center.z - c.z};
+  return pose;
+}
+
+}  // namespace
+
+Subject torus_knot_subject(int triangles) { return {"torus knot", scenes::torus_knot_of(triangles)}; }
+
+Subject demo_subject(const std::string& file) { return {std::filesystem::path(file).stem().string(), demo_mesh(file)}; }
+
+Subject elongated(Subject subject) {
+  std::vector<double>& xyz = subject.data.xyz;
+  for (std::size_t i = 0; i < xyz.size(); i += 3) {
+    const double along = 9 * (xyz[i] + xyz[i + 1] + xyz[i + 2]) / 3;  // nine more of the part along (1, 1, 1)
+    for (std::size_t k = 0; k < 3; ++k) xyz[i + k] += along;
+  }
+  subject.thickness /= 10;
+  return subject;
+}
+
+std::vector<Subject> paper_subjects() {
   std::vector<Subject> subjects;
-  for (const int triangles : {968, 3162, 5200, 7590, 9612})
-    subjects.push_back({"torus knot", scenes::torus_knot_of(triangles)});
+  for (const int triangles : {968, 3162, 5200, 7590, 9612}) subjects.push_back(torus_knot_subject(triangles));
   return subjects;
 }
 
-std::vector<Subject> demo_meshes() {
-  std::vector<Subject> subjects;
-  for (const char* file : {"elephant.off", "fandisk.off", "armadillo.off"}) subjects.push_back({file, demo_mesh(file)});
-  return subjects;
+const char* name_of(Depth depth) {
+  switch (depth) {
+    case Depth::near:
+      return "near miss";
+    case Depth::light:
+      return "light";
+    case Depth::deep:
+      break;
+  }
+  return "deep";
 }
 
-const char* name_of(Depth depth) { return depth == Depth::light ? "light" : "deep"; }
-
-std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses) {
-  constexpr double kPastFirstTouch = 0.03, kCentersApart = 0.2;
-  scenes::Random random(20080901 + mesh.triangle_count());
+std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses, double thickness) {
+  // One seed for all: meshes of one shape and different sizes get the same turns.
+  scenes::Random random(20080901);
   std::vector<scenes::PosePair> pairs;
-  for (int i = 0; i < poses; ++i)
-    pairs.push_back(depth == Depth::light ? must(scenes::near_first_touch(random, mesh, mesh, kPastFirstTouch))
-                                          : scenes::centers_apart(random, mesh, mesh, kCentersApart));
+  for (int i = 0; i < poses; ++i) pairs.push_back(random_pose(random, mesh, depth, thickness));
   return pairs;
+}
+
+std::vector<scenes::PosePair> small_steps(const Mesh& mesh, int steps) {
+  constexpr double kTurn = 0.4 * std::numbers::pi / 180, kMove = 0.0014;
+  const double diameter = 2 * mesh.sphere_radius();
+  std::vector<scenes::PosePair> poses;
+  for (int i = 0; i < steps; ++i) {
+    const double x = (i - steps / 2) * kMove * diameter;
+    poses.push_back({turned_about_center(mesh, rotation({0.6, 0.8, 0}, kTurn * i), {0, 0, 0}),
+                     turned_about_center(mesh, rotation({0, -0.6, 0.8}, kTurn * i), {x, 0.05 * diameter, 0})});
+  }
+  return poses;
+}
+
+std::vector<scenes::PosePair> published_poses(const std::string& file) {
+  const auto path = std::filesystem::path(IMPINGE_POSES_DIR) / file;
+  std::ifstream rows(path);
+  if (!rows) fail("cannot read " + path.string());
+  std::vector<scenes::PosePair> poses;
+  for (std::string row; std::getline(rows, row);) {
+    if (row.empty() || row[0] == '#' || row[0] == 's') continue;  // a remark, or the columns' names
+    std::vector<double> numbers;
+    std::istringstream cells(row);
+    for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::strtod(cell.c_str(), nullptr));
+    if (numbers.size() != 25) fail(path.string() + ": a row is not a step and twice R and t: " + row);
+    scenes::PosePair pair;
+    auto next = numbers.begin() + 1;
+    for (Pose* pose : {&pair.a, &pair.b}) {
+      for (double& entry : pose->R) entry = *next++;
+      for (double& entry : pose->t) entry = *next++;
+    }
+    poses.push_back(pair);
+  }
+  return poses;
 }
 
 }  // namespace impinge::bench

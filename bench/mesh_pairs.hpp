@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,20 +16,34 @@ namespace impinge::bench {
 struct Subject {
   std::string name;
   scenes::MeshData data;
+  double thickness = 1;  ///< of its length
 };
 
-/// Five torus knots; then an animal, a machine part and a scan from libcgal-demo.
-std::vector<Subject> torus_knots();
-std::vector<Subject> demo_meshes();
+Subject torus_knot_subject(int triangles);
+/// A file of libcgal-demo: a scan, or a machine part.
+Subject demo_subject(const std::string& file);
+/// Ten times as long along (1, 1, 1): a shape that boxes along the axes fit badly.
+Subject elongated(Subject subject);
+
+/// The five of the paper's Table 1, whose counts a torus knot has to within one triangle.
+std::vector<Subject> paper_subjects();
 
 enum class Depth : std::uint8_t {
-  light,  ///< 0.03 bounding-sphere diameters past first touch
-  deep,   ///< sphere centres 0.2 diameters apart
+  near,   ///< a gap of 0.01 bounding-sphere diameters before first touch
+  light,  ///< 0.03 diameters past first touch
+  deep,   ///< sphere centres 0.2 diameters apart, times the thickness of the mesh
 };
-inline constexpr std::array<Depth, 2> kDepths{Depth::light, Depth::deep};
+inline constexpr std::array<Depth, 3> kDepths{Depth::near, Depth::light, Depth::deep};
 const char* name_of(Depth depth);
 
 /// The same poses in every run.
-std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses);
+std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses, double thickness = 1);
+
+/// Two copies in contact that turn, about different axes and by 0.4 degrees a step, while one passes through the other
+/// by 0.0014 bounding-sphere diameters a step.
+std::vector<scenes::PosePair> small_steps(const Mesh& mesh, int steps);
+
+/// The poses of a file that the repository keeps (bench/poses): a step a row, R and t of both bodies.
+std::vector<scenes::PosePair> published_poses(const std::string& file);
 
 }  // namespace impinge::bench

@@ -53,7 +53,10 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::string, Result> results_;
 };
 
-void run(const Arguments& arguments) {
+}  // namespace
+
+void bench_main(const Arguments& arguments) {
+  pin_to_one_core();
   std::vector<std::string> flags{"bench_micro",
                                  arguments.quick ? "--benchmark_min_time=0.02" : "--benchmark_min_time=0.1",
                                  arguments.quick ? "--benchmark_repetitions=3" : "--benchmark_repetitions=7"};
@@ -71,11 +74,4 @@ void run(const Arguments& arguments) {
   collector.table(benchmark::kMillisecond).write(arguments.folder, "broad");
 }
 
-}  // namespace
 }  // namespace impinge::bench
-
-int main(int argc, char** argv) {
-  const auto arguments = impinge::bench::parse_arguments(argc, argv);
-  impinge::bench::pin_to_one_core();
-  impinge::bench::run(arguments);
-}

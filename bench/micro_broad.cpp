@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "bench/micro.hpp"
 #include "bench/support.hpp"
+#include "broad/near_pairs.hpp"
 #include "broad/sweep_and_prune.hpp"
 #include "mesh_state.hpp"
 #include "scene/scene_view.hpp"
@@ -16,59 +18,160 @@
 namespace impinge::bench {
 namespace {
 
-/// A scene, and the same one a moment later: everything has moved by a hundredth of its size.
-struct Crowd {
-  Mesh mesh;
-  std::array<std::vector<scene::PlacedObject>, 2> frames;
+/// Spheres of radius 1 in a cube, a few neighbours each. Every one moves on at its own speed, by up to a hundredth of
+/// its size a frame along each axis, and turns back at the cube's sides.
+class DriftingCrowd {
+ public:
+  explicit DriftingCrowd(int n) : side_(3 * std::cbrt(n)), mesh_(make_mesh(scenes::uv_sphere(8, 6))) {
+    scenes::Random random(6);
+    for (const scenes::PlacedObject& object : scenes::scattered(random, scenes::uv_sphere(8, 6), n, side_).objects) {
+      poses_.push_back(object.pose);
+      velocities_.push_back({random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)});
+    }
+    objects_.resize(poses_.size());
+    place([](std::uint32_t, const scene::PlacedObject&) {});
+  }
 
-  Crowd(const scenes::PlacedScene& placed, std::uint64_t seed) : mesh(make_mesh(placed.meshes.front())) {
-    scenes::Random random(seed);
-    const double step = 0.02 * mesh.sphere_radius();
-    for (const scenes::PlacedObject& object : placed.objects) {
-      Pose pose = object.pose;
-      frames[0].push_back(scene::place(mesh.state().data, pose, object.group));
-      for (double& t : pose.t) t += random.uniform(-step, step);
-      frames[1].push_back(scene::place(mesh.state().data, pose, object.group));
+  void move() {
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double &at = poses_[i].t[axis], &velocity = velocities_[i][axis];
+        at += velocity;
+        if (std::abs(at) > side_ / 2) velocity = -std::copysign(velocity, at);
+      }
     }
   }
-  [[nodiscard]] scene::SceneView frame(std::size_t i) const { return {frames[i % 2]}; }
+  /// Calls `placed(i, object)` for each.
+  template <class Placed>
+  void place(const Placed& placed) {
+    for (std::uint32_t i = 0; i < poses_.size(); ++i) {
+      objects_[i] = scene::place(mesh_.state().data, poses_[i], 0);
+      placed(i, objects_[i]);
+    }
+  }
+  [[nodiscard]] const std::vector<scene::PlacedObject>& objects() const { return objects_; }
+
+ private:
+  double side_;
+  Mesh mesh_;
+  std::vector<Pose> poses_;
+  std::vector<std::array<double, 3>> velocities_;
+  std::vector<scene::PlacedObject> objects_;
 };
 
-void count_items(benchmark::State& state) { state.SetItemsProcessed(state.iterations()); }
+/// The parts of a frame.
+struct FrameSeconds {
+  double place = 0, update = 0, find = 0;
+};
 
-void add_crowd(const std::string& name, const scenes::PlacedScene& placed) {
-  const auto crowd = std::make_shared<const Crowd>(placed, 5);
-  benchmark::RegisterBenchmark((name + ": borders sorted").c_str(), [crowd](benchmark::State& state) {
-    for (auto _ : state) {
+/// Frames of one crowd, measured when it has been moving for a while.
+class Frames {
+ public:
+  explicit Frames(int n) : crowd_(n) {
+    near_pairs_.reserve(crowd_.objects().size());
+    for (int frame = 0; frame < 100; ++frame) next();
+  }
+  FrameSeconds next() {
+    FrameSeconds seconds;
+    crowd_.move();
+    seconds.place = seconds_of([&] {
+      crowd_.place([&](std::uint32_t i, const scene::PlacedObject& placed) { near_pairs_.place(i, placed); });
+    });
+    seconds.update = seconds_of([&] { near_pairs_.update(); });
+    seconds.find = seconds_of([&] { near_pairs_.find({crowd_.objects()}, pairs_); });
+    return seconds;
+  }
+
+ private:
+  DriftingCrowd crowd_;
+  broad::NearPairs near_pairs_;
+  broad::ObjectPairs pairs_;
+};
+
+/// `work` returns the seconds that count.
+template <class Work>
+void add(const std::string& name, const Work& work) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [work](benchmark::State& state) {
+                                 for (auto _ : state) state.SetIterationTime(work());
+                                 state.SetItemsProcessed(state.iterations());
+                               })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+void add_frames(int n) {
+  const std::string name = std::to_string(n) + " drifting spheres, a frame: ";
+  const auto frames = std::make_shared<std::optional<Frames>>();
+  const auto add_part = [&](const std::string& what, double FrameSeconds::*part) {
+    add(name + what, [n, frames, part] {
+      if (!*frames) frames->emplace(n);
+      return (*frames)->next().*part;
+    });
+  };
+  add_part("bounds", &FrameSeconds::place);
+  add_part("candidates updated", &FrameSeconds::update);
+  add_part("pairs found", &FrameSeconds::find);
+  const auto crowd = std::make_shared<DriftingCrowd>(n);
+  add(name + "the paper's sweep", [crowd, borders = std::make_shared<broad::SweepAndPrune>()] {
+    crowd->move();
+    crowd->place([](std::uint32_t, const scene::PlacedObject&) {});
+    return seconds_of([&] {
+      borders->update({crowd->objects()});
+      benchmark::DoNotOptimize(borders->find({crowd->objects()}));
+    });
+  });
+}
+
+/// From nothing to the pairs.
+void add_first(const std::string& name, const std::vector<scene::PlacedObject>& objects) {
+  const auto shared = std::make_shared<const std::vector<scene::PlacedObject>>(objects);
+  add(name + ", from nothing", [shared] {
+    return seconds_of([&] {
+      broad::NearPairs near_pairs;
+      broad::ObjectPairs pairs;
+      near_pairs.reserve(shared->size());
+      for (std::uint32_t i = 0; i < shared->size(); ++i) near_pairs.place(i, (*shared)[i]);
+      near_pairs.update();
+      near_pairs.find({*shared}, pairs);
+      benchmark::DoNotOptimize(pairs.data());
+    });
+  });
+  add(name + ", from nothing: the paper's sweep", [shared] {
+    return seconds_of([&] {
       broad::SweepAndPrune borders;
-      borders.update(crowd->frame(0));
-      benchmark::DoNotOptimize(&borders);
-    }
-    count_items(state);
-  })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark((name + ": borders repaired").c_str(), [crowd](benchmark::State& state) {
-    broad::SweepAndPrune borders;
-    borders.update(crowd->frame(0));
-    std::size_t frame = 0;
-    for (auto _ : state) borders.update(crowd->frame(++frame));
-    count_items(state);
-  })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark((name + ": pairs found").c_str(), [crowd](benchmark::State& state) {
-    broad::SweepAndPrune borders;
-    borders.update(crowd->frame(0));
-    for (auto _ : state) benchmark::DoNotOptimize(borders.find(crowd->frame(0)));
-    count_items(state);
-  })->Unit(benchmark::kMillisecond);
+      borders.update({*shared});
+      benchmark::DoNotOptimize(borders.find({*shared}));
+    });
+  });
+}
+
+/// Thin pipes through the whole of a cube, at random, a third along each axis.
+std::vector<scene::PlacedObject> crossing_pipes(int n) {
+  static const MeshData some_mesh;
+  scenes::Random random(3);
+  const double half = 0.5 * std::sqrt(n / 3.0);
+  std::vector<scene::PlacedObject> pipes(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    std::array<double, 3> center{random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)};
+    std::array<double, 3> reach{0.01, 0.01, 0.01};
+    const auto along = static_cast<std::size_t>(i % 3);
+    center[along] = 0, reach[along] = half;
+    const Vec3 c{center[0], center[1], center[2]}, r{reach[0], reach[1], reach[2]};
+    scene::PlacedObject& pipe = pipes[static_cast<std::size_t>(i)];
+    pipe.mesh = &some_mesh;
+    pipe.box = {c - r, c + r};
+    pipe.sphere = {c, norm(r) * (1 + 1e-12)};
+  }
+  return pipes;
 }
 
 }  // namespace
 
 void register_broad_benchmarks(int objects) {
-  scenes::Random random(6);
-  const double side = 3 * std::cbrt(objects);  // of spheres of radius 1: a few neighbours each
-  add_crowd(std::to_string(objects) + " spheres in a cube",
-            scenes::scattered(random, scenes::uv_sphere(8, 6), objects, side));
-  add_crowd(std::to_string(objects) + " pipes along an axis", scenes::pipe_row(objects, 8));
+  for (const int n : {1000, 10000, objects}) add_frames(n);
+  add_first(std::to_string(objects) + " scattered spheres", DriftingCrowd(objects).objects());
+  add_first("30000 pipes along three axes", crossing_pipes(30000));
 }
 
 }  // namespace impinge::bench

@@ -3,11 +3,14 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <string>
 
 #include "bench/micro.hpp"
 #include "bench/support.hpp"
 #include "exact/orientation.hpp"
+#include "exact/settle.hpp"
 #include "exact/triangle_pair.hpp"
+#include "scenes/motion.hpp"
 #include "scenes/random.hpp"
 
 namespace impinge::bench {
@@ -91,15 +94,44 @@ Pair flush_and_turned(scenes::Random& random) {
   return {Triangle{p[0], p[1], p[2]}, Triangle{p[1], p[2], p[3]}};
 }
 
+/// In one plane but for what the rounding of a motion has left.
+Pair flush_in_motion(scenes::Random& random) {
+  static const Pose motion = scenes::random_motion(random, 10);
+  const auto point = [&] { return world_vertex(motion, {random.uniform(-1, 1), random.uniform(-1, 1), 0}); };
+  const Point a = point(), b = point(), c = point(), d = point(), e = point();
+  return {Triangle{a, b, c}, Triangle{d, e, point()}};
+}
+
 void add_orientation(const char* name, Four (*one)(scenes::Random&)) {
   benchmark::RegisterBenchmark(name, [inputs = make<Four>(one)](benchmark::State& state) {
     run(state, inputs, [](const Four& p) { return exact::orient3d(p[0], p[1], p[2], p[3]); });
   });
 }
 
-void add_pair(const char* name, Pair (*one)(scenes::Random&)) {
-  benchmark::RegisterBenchmark(name, [inputs = make<Pair>(one)](benchmark::State& state) {
+/// One at a time, and all of them settled together, which includes placing them.
+void add_pair(const std::string& name, Pair (*one)(scenes::Random&)) {
+  const std::vector<Pair> inputs = make<Pair>(one);
+  benchmark::RegisterBenchmark((name + "; alone").c_str(), [inputs](benchmark::State& state) {
     run(state, inputs, [](const Pair& pair) { return exact::classify(pair[0], pair[1]); });
+  });
+  std::array<MeshData, 2> meshes;
+  std::vector<TrianglePair> pairs;
+  for (const Pair& pair : inputs) {
+    for (std::size_t t = 0; t < 2; ++t) {
+      const auto first = static_cast<std::uint32_t>(meshes[t].vertices.size());
+      meshes[t].vertices.insert(meshes[t].vertices.end(), pair[t].begin(), pair[t].end());
+      meshes[t].triangles.push_back({first, first + 1, first + 2});
+    }
+    pairs.push_back({static_cast<std::uint32_t>(pairs.size()), static_cast<std::uint32_t>(pairs.size())});
+  }
+  benchmark::RegisterBenchmark((name + "; settled").c_str(), [meshes, pairs](benchmark::State& state) {
+    std::vector<exact::Contact> contacts;
+    for (auto _ : state) {
+      contacts.clear();
+      exact::settle(meshes[0], {}, meshes[1], {}, pairs, contacts);
+      benchmark::DoNotOptimize(contacts.data());
+    }
+    state.SetItemsProcessed(state.iterations() * kInputs);
   });
 }
 
@@ -116,6 +148,7 @@ void register_exact_benchmarks() {
   add_pair("triangle pair: sharing a vertex", sharing_a_vertex);
   add_pair("triangle pair: flush; axis-aligned", flush);
   add_pair("triangle pair: flush; turned", flush_and_turned);
+  add_pair("triangle pair: flush; in motion", flush_in_motion);
 }
 
 }  // namespace impinge::bench

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
 #
-# bench/run.sh [--quick] BUILD_DIR: runs every benchmark built there and puts its tables into a page.
-# The full run writes what the repository keeps: bench/baselines/*.csv and the tables of docs/benchmarks.md. --quick makes
-# the same tables of fewer repeats, too rough to keep: they and their page go to BUILD_DIR/bench-quick.
+# bench/run.sh [--quick] BUILD_DIR: runs every benchmark built there, draws the charts and writes the page.
+# The full run replaces what the repository keeps: bench/baselines/*.csv, docs/charts and the tables of
+# docs/benchmarks.md. --quick makes the same of fewer meshes, poses and repeats, too rough to keep: it goes to
+# BUILD_DIR/bench-quick.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -23,43 +24,37 @@ for argument in "$@"; do
   esac
 done
 [ -n "$build" ] || fail 'usage: bench/run.sh [--quick] BUILD_DIR'
-[ -x "$build/bin/bench_fcl" ] || fail "$build/bin/bench_fcl is missing; configure with -DIMPINGE_BUILD_BENCH=ON and build"
+[ -x "$build/bin/bench_pairs" ] ||
+  fail "$build/bin/bench_pairs is missing; configure with -DIMPINGE_BUILD_BENCH=ON and build"
 
-page=$root/docs/benchmarks.md
-tables=$root/bench/baselines
+# A run that ends half-way leaves the tables of the last whole one alone.
+new=$build/bench-new
+rm -rf "$new"
+mkdir -p "$new"
+for name in machine_table pairs paper touching cgal_ways batch bodies assemblies build growth one_shot threads cost \
+  ablation flush_boxes micro; do
+  start=$SECONDS
+  printf 'bench_%-14s' "$name"
+  "$build/bin/bench_$name" "${quick[@]}" "$new" >"$new/$name.log" ||
+    fail "bench_$name failed; its output is in $new/$name.log"
+  printf '%4d s\n' $((SECONDS - start))
+done
+if commit=$(git -C "$root" rev-parse --short HEAD 2>/dev/null); then
+  git -C "$root" diff --quiet HEAD -- src include bench scenes io 2>/dev/null || commit="$commit and changes"
+  printf 'commit,%s\n' "$commit" >>"$new/machine.csv"
+fi
+printf 'the whole run,%d min %d s\n' $((SECONDS / 60)) $((SECONDS % 60)) >>"$new/machine.csv"
+
 if [ ${#quick[@]} -gt 0 ]; then
   tables=$build/bench-quick
   page=$tables/benchmarks.md
   mkdir -p "$tables"
-  awk '{ print } NR == 1 { print "\n**Rough: made by --quick, with fewer poses, objects and repeats than the text says.**" }' \
-    "$root/docs/benchmarks.md" >"$page"
+  cp "$root/docs/benchmarks.md" "$page"
+else
+  tables=$root/bench/baselines
+  page=$root/docs/benchmarks.md
 fi
-
-for name in machine assemblies fcl ablation flush_boxes cost micro; do
-  printf '\n== bench_%s\n' "$name"
-  "$build/bin/bench_$name" "${quick[@]}" "$tables"
-done
-if commit=$(git -C "$root" rev-parse --short HEAD 2>/dev/null); then
-  git -C "$root" diff --quiet HEAD -- src include bench scenes io 2>/dev/null || commit="$commit and changes"
-  printf 'commit,%s\n' "$commit" >>"$tables/machine.csv"
-fi
-
-# What stands between <!-- table: NAME --> and <!-- end --> becomes NAME.csv as a table.
-awk -v tables="$tables" '
-  function row(line) { gsub(/,/, " | ", line); return "| " line " |" }
-  /^<!-- table: [a-z_]+ -->$/ {
-    print; print ""
-    file = tables "/" $3 ".csv"
-    first = 1
-    while ((status = (getline line < file)) > 0) {
-      print row(line)
-      if (first) { gsub(/[^,]+/, "---", line); print row(line); first = 0 }
-    }
-    if (status < 0) { print "bench/run.sh: cannot read " file > "/dev/stderr"; exit 2 }
-    close(file); print ""; skipping = 1
-  }
-  /^<!-- end -->$/ { skipping = 0 }
-  !skipping && !/^<!-- table:/ { print }
-' "$page" >"$page.new"
-mv "$page.new" "$page"
-printf '\ntables: %s\npage:   %s\n' "$tables" "$page"
+rm -f "$tables"/*.csv
+mv "$new"/*.csv "$tables"
+/usr/bin/python3 "$root/bench/report/page.py" "${quick[@]}" "$tables" "$page"
+printf 'tables: %s\npage:   %s\n' "$tables" "$page"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/support.hpp"
 
+#include <malloc.h>
 #include <sched.h>
 #include <time.h>
 
@@ -68,6 +69,11 @@ double thread_seconds() {
   timespec now{};
   if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) fail("cannot read the thread's clock");
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::size_t heap_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
 }
 
 Statistics median(const std::vector<Statistics>& repeats) {

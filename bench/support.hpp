@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Arguments {
 /// Ends the program with a sentence if they make no sense.
 Arguments parse_arguments(int argc, char** argv);
 
+/// What a program measures: each defines its own, and main.cpp calls it.
+void bench_main(const Arguments& arguments);
+
 /// Keeps this process, and the threads that it will make, on the last core that it may use. The same core serves
 /// whatever is compared.
 void pin_to_one_core();
@@ -37,7 +41,7 @@ void pin_to_one_core();
 template <class T>
 T must(Result<T> result) {
   if (!result) fail(result.error().message);
-  return std::move(result).value();
+  if constexpr (!std::is_void_v<T>) return std::move(result).value();
 }
 
 /// The calling thread's own processor time: what other processes take away does not show. For work on one thread.
@@ -58,6 +62,9 @@ double wall_seconds_of(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// What the C library's heap has given out.
+std::size_t heap_bytes();
+
 struct Spread {
   double low, median, high;
 };
@@ -74,7 +81,7 @@ class Table {
  public:
   explicit Table(std::vector<std::string> columns) : rows_{std::move(columns)} {}
   void add(std::vector<std::string> cells);
-  /// Writes FOLDER/NAME.csv, and the rows to standard output.
+  /// Writes FOLDER/NAME.csv, and the same to standard output.
   void write(const std::filesystem::path& folder, const std::string& name) const;
 
  private:

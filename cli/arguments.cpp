@@ -63,7 +63,9 @@ void add_check(CLI::App& command, Raw& raw) {
       ->type_name("N");
   command.add_option("--threads", raw.threads, "work on N threads, 0 for as many as the machine has (default: 0)")
       ->type_name("N");
-  command.add_option("--backend", to.backend, "what does the arithmetic: auto or scalar; the answer is the same")
+  command
+      .add_option("--backend", to.backend,
+                  "what does the arithmetic: auto (simd), simd, or scalar, the plain reference; the answer is the same")
       ->type_name("NAME");
   command
       .add_option("--ignore", raw.ignored,
@@ -216,8 +218,8 @@ Result<Command> finish_check(Raw& raw) {
       return bad(fmt::format("--threads takes a whole number from 0 to 1024, not '{}'", raw.threads));
     to.threads = static_cast<int>(*threads);
   }
-  if (to.backend != "auto" && to.backend != "scalar")
-    return bad(fmt::format("--backend is auto or scalar, not '{}'", to.backend));
+  if (to.backend != "auto" && to.backend != "simd" && to.backend != "scalar")
+    return bad(fmt::format("--backend is auto, simd or scalar, not '{}'", to.backend));
   for (std::size_t i = 0; i + 1 < raw.ignored.size(); i += 2)
     to.ignored.emplace_back(raw.ignored[i], raw.ignored[i + 1]);
   if (auto taken = take_scales(raw.scales, to); !taken) return taken.error();

@@ -36,9 +36,9 @@ void print_statistics(const Statistics& s, Sink& sink) {
   sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl (C measured on this machine)\n");
   print_rows(sink, {{"", text}, {"N", number}, {"C", number}, {"N C", number}},
              {cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
-              cost("p: tests of edge and triangle", s.element_tests, s.element_test_seconds),
+              cost("p: tests of two triangles, or of an edge and one", s.element_tests, s.element_test_seconds),
               cost("u: tree nodes built", s.nodes_built, s.node_seconds),
-              cost("l: grids laid over pairs of leaves", s.leaf_pairs, s.leaf_pair_seconds),
+              cost("l: pairs of leaves parted into triangles", s.leaf_pairs, s.leaf_pair_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
 }

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// Two triangles from bytes; impinge's predicates must agree with rational numbers, in either order.
+/// Two triangles from bytes; impinge's predicates, and its answers on two meshes of a triangle each, must agree with
+/// rational numbers, in either order.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
-#include "impinge/predicates.hpp"
+#include "impinge/impinge.hpp"
 #include "tests/oracle/points.hpp"
 
 namespace {
@@ -100,6 +102,17 @@ void demand(bool holds, const char* what, const Triangle& a, const Triangle& b) 
   std::abort();
 }
 
+impinge::Mesh mesh_of(const Triangle& t) {
+  const std::array<double, 9> xyz{t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z, t[2].x, t[2].y, t[2].z};
+  const std::array<std::uint32_t, 3> index{0, 1, 2};
+  return impinge::Mesh::create(std::span<const double>(xyz), index).value();
+}
+
+std::optional<impinge::Kind> found(const impinge::Mesh& a, const impinge::Mesh& b, const char* backend) {
+  const auto contacts = impinge::collide(a, {}, b, {}, {.threads = 1, .backend = backend}).value();
+  return contacts.kinds.empty() ? std::nullopt : std::optional(contacts.kinds[0]);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -125,6 +138,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demand(impinge::intersects(a, b) == expected, "intersects(a, b)", a, b);
   demand(impinge::intersects(b, a) == expected, "intersects(b, a)", a, b);
   demand(impinge::share_area(a, b) == oracle::common_area(exact_a, exact_b), "share_area(a, b)", a, b);
+  const impinge::Mesh mesh_a = mesh_of(a), mesh_b = mesh_of(b);
+  for (const char* backend : {"simd", "scalar"}) {
+    demand(found(mesh_a, mesh_b, backend) == expected, backend, a, b);
+    demand(found(mesh_b, mesh_a, backend) == expected, backend, b, a);
+  }
   const impinge::Segment edge{a[0], a[1]};
   const bool edge_meets = oracle::meeting(impinge::points::exact_corners(edge), exact_b).has_value();
   demand(impinge::intersects(edge, b) == edge_meets, "intersects(edge of a, b)", a, b);

@@ -57,6 +57,32 @@ Result<PosePair> near_first_touch(Random& random, const Mesh& a, const Mesh& b, 
   return PosePair{approach.a, moved_along(approach, apart - depth * 2 * a.sphere_radius())};
 }
 
+Result<PosePair> with_contacts(Random& random, const Mesh& a, const Mesh& b, std::size_t contacts) {
+  const Approach approach = random_approach(random, a, b);
+  const auto off = [contacts](std::size_t found) {
+    return std::fabs(static_cast<double>(found) / static_cast<double>(contacts) - 1);
+  };
+  double apart = 1.01 * (a.sphere_radius() + b.sphere_radius());
+  double touching = 0;
+  PosePair best{approach.a, moved_along(approach, apart)};
+  double best_off = off(0);
+  for (int step = 0; step < 40 && best_off > 0.1; ++step) {
+    const double middle = (apart + touching) / 2;
+    const PosePair poses{approach.a, moved_along(approach, middle)};
+    const auto found = collide(a, poses.a, b, poses.b);
+    if (!found) {
+      return found.error();
+    }
+    const std::size_t n = found->triangles.size();
+    if (off(n) < best_off) {
+      best = poses;
+      best_off = off(n);
+    }
+    (n < contacts ? apart : touching) = middle;
+  }
+  return best;
+}
+
 PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance) {
   const Approach approach = random_approach(random, a, b);
   return {approach.a, moved_along(approach, distance * 2 * a.sphere_radius())};

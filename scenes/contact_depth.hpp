@@ -19,6 +19,10 @@ struct PosePair {
 /// first.
 Result<PosePair> near_first_touch(Random& random, const Mesh& a, const Mesh& b, double depth);
 
+/// Both randomly turned, so far apart along a random line that about `contacts` pairs of triangles touch: to within a
+/// tenth where bisection finds such a place, and as near as it came otherwise.
+Result<PosePair> with_contacts(Random& random, const Mesh& a, const Mesh& b, std::size_t contacts);
+
 /// Both randomly turned, sphere centres `distance` bounding-sphere diameters of A apart.
 PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance);
 

@@ -114,12 +114,25 @@ Result<Mesh> Mesh::transformed(const Affine& map) const {
 }
 
 Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
-  if (config.leaf_size < 1 || config.leaf_size > 256)
-    return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) + "; choose 1 to 256"};
+  if (config.leaf_size > 256)
+    return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) +
+                                       "; choose 1 to 256, or 0 for what each backend does best with"};
   if (!numbers) return numbers.error();
   measure(*numbers);
   return Mesh(std::make_shared<const MeshState>(*std::move(numbers), config));
 }
+
+Result<void> Mesh::build_tree(int threads) const {
+  return guarded([&]() -> Result<void> {
+    if (threads < 0)
+      return Error{Code::bad_option,
+                   "threads is " + std::to_string(threads) + "; choose 0 for all, or a positive number"};
+    if (!state_->data.triangles.empty()) state_->wide_tree.build(threads);
+    return {};
+  });
+}
+
+std::size_t Mesh::memory_bytes() const { return sizeof(MeshState) + state_->tree.bytes() + state_->wide_tree.bytes(); }
 
 std::size_t Mesh::vertex_count() const noexcept { return state_->data.vertices.size(); }
 std::size_t Mesh::triangle_count() const noexcept { return state_->data.triangles.size(); }

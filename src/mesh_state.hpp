@@ -4,18 +4,27 @@
 
 #include "core/mesh_data.hpp"
 #include "hierarchy/obb_tree.hpp"
+#include "hierarchy/wide_tree.hpp"
 #include "impinge/mesh.hpp"
 
 namespace impinge {
 
-/// What a `Mesh` shares: its numbers, which never change, and its tree, which grows as walks need it.
+/// What a `Mesh` shares: its numbers, which never change, and its trees, which grow as walks need them.
 struct MeshState {
   MeshState(MeshData numbers, const TreeConfig& tree_config)
-      : data(std::move(numbers)), config(tree_config), tree(data, config.leaf_size) {}
+      : data(std::move(numbers)),
+        config(tree_config),
+        tree(data, config.leaf_size > 0 ? config.leaf_size : kPlainLeafSize),
+        wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize) {}
+
+  // What is fastest (docs/performance.md).
+  static constexpr std::uint32_t kPlainLeafSize = 8, kWideLeafSize = 16;
 
   const MeshData data;
   const TreeConfig config;
-  mutable hierarchy::ObbTree tree;  ///< safe from many threads
+  // Safe from many threads.
+  mutable hierarchy::ObbTree tree;
+  mutable hierarchy::WideTree wide_tree;
 };
 
 }  // namespace impinge

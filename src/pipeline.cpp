@@ -2,74 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline.hpp"
 
-#include <atomic>
-#include <chrono>
 #include <limits>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "broad/all_pairs.hpp"
 #include "calibration.hpp"
-#include "exact/decide.hpp"
-#include "hierarchy/dual_walk.hpp"
-#include "narrow/backend.hpp"
-#include "partition/partition.hpp"
-#include "results/assemble.hpp"
-#include "results/collector.hpp"
+#include "on_threads.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
+#include "stage_clock.hpp"
+#include "workspace_state.hpp"
 
 namespace impinge {
 namespace {
-
-// A slice of work: long enough that clocks and hand-overs do not show, short enough that threads share one large pair.
-constexpr std::size_t kLeafPairsPerSlice = 64;
-constexpr std::uint64_t kBoxTestsPerSlice = 8192;
-// A batch is closed when it has so many tests: it stays in cache, and memory stays bounded with large leaves.
-constexpr std::size_t kTestsPerBatch = 16384;
-
-/// Adds the time since it was last asked to a counter.
-class StageClock {
- public:
-  void charge(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// What one thread keeps while it works on a query.
-struct Worker {
-  explicit Worker(const Options& options)
-      : partitioner({.grid = options.grid}),
-        backend(narrow::make_scalar_backend()),
-        collector(options.kinds, options.limit) {}
-
-  hierarchy::LeafPairs leaf_pairs;
-  partition::Partitioner partitioner;
-  partition::Batch batch;
-  std::unique_ptr<narrow::Backend> backend;
-  std::vector<narrow::Verdict> verdicts;
-  std::vector<exact::Contact> contacts;
-  results::Collector collector;
-  Statistics statistics;
-};
-
-/// Part of the walk down the trees of one pair of objects.
-struct Task {
-  std::uint32_t object_pair;
-  std::vector<hierarchy::NodePair> stack;  ///< empty: from the roots
-};
-
-/// What is known of one pair of objects while its tasks run.
-struct PairState {
-  std::atomic<std::uint32_t> open_tasks{1};
-  std::atomic<bool> settled{false};  ///< `Find::first` has its witness
-};
 
 void add(Statistics& sum, const Statistics& s) {
   sum.box_tests += s.box_tests, sum.element_tests += s.element_tests, sum.nodes_built += s.nodes_built;
@@ -78,27 +24,34 @@ void add(Statistics& sum, const Statistics& s) {
   sum.narrow_seconds += s.narrow_seconds, sum.exact_seconds += s.exact_seconds;
 }
 
+/// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
+/// at a time, then the results.
+template <class Stages>
 class Pipeline {
  public:
-  explicit Pipeline(const Query& query)
+  Pipeline(const Query& query, Crew<Stages>& crew, Workspace::State& memory)
       : query_(query),
         options_(query.options),
-        workers_([this] { return Worker(options_); }),
+        crew_(crew),
+        memory_(memory),
         first_only_(options_.find == Options::Find::first) {}
+  ~Pipeline() { crew_.release(); }
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
 
   Result<Contacts> run() {
     StageClock total, stage;
-    pairs_ =
-        query_.borders != nullptr ? query_.borders->find(query_.view, options_.stop) : broad::all_pairs(query_.view);
-    states_ = std::make_unique<PairState[]>(pairs_.size());
-    if (pairs_.size() > std::numeric_limits<std::uint32_t>::max())
+    if (query_.near_pairs != nullptr)
+      query_.near_pairs->find(query_.view, memory_.pairs, options_.stop, on_threads(options_.threads));
+    if (pairs().size() > std::numeric_limits<std::uint32_t>::max())
       return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
+    prepare_states();
     report_total();
     Statistics statistics;
-    statistics.object_pairs = pairs_.size();
+    statistics.object_pairs = pairs().size();
     stage.charge(statistics.broad_seconds);
 
-    schedule::run_tasks(first_tasks(), options_.threads, [&](Task& task, const auto& spawn) { run_task(task, spawn); });
+    if (options_.threads == 1 || !work_on_first()) work_on_all();
     if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
 
     double threads_wall_clock = 0;
@@ -113,95 +66,106 @@ class Pipeline {
   }
 
  private:
-  /// One a pair of objects. A single pair has its first slice done here: small questions end before a thread would
-  /// wake.
-  std::vector<Task> first_tasks() {
-    std::vector<Task> tasks(pairs_.size());
+  /// Part of the work on one pair of objects.
+  struct Task {
+    std::uint32_t object_pair;
+    std::vector<typename Stages::Step> stack;  ///< empty: from the roots
+  };
+
+  [[nodiscard]] const broad::ObjectPairs& pairs() const {
+    return query_.near_pairs != nullptr ? memory_.pairs : *query_.pairs;
+  }
+
+  void prepare_states() {
+    if (memory_.pair_states_size < pairs().size()) {
+      memory_.pair_states_size = 0;
+      memory_.pair_states = std::make_unique<PairState[]>(pairs().size());
+      memory_.pair_states_size = pairs().size();
+    }
+    for (std::size_t i = 0; i < pairs().size(); ++i) {
+      memory_.pair_states[i].open_tasks.store(1, std::memory_order_relaxed);
+      memory_.pair_states[i].settled.store(false, std::memory_order_relaxed);
+    }
+  }
+
+  /// A lone pair has its first slice done by the caller's thread: small questions end before another would wake. False
+  /// if work remains.
+  bool work_on_first() {
+    if (pairs().size() != 1 || is_empty(pairs()[0].overlap)) return false;
+    Worker<Stages>& worker = crew_.take(options_);
+    run_slice(typename Stages::Pair(query_, pairs()[0]), 0, true, worker);
+    const bool done = worker.stack.empty() || settled(0);
+    if (done) report_done();
+    if (!done) first_stack_ = std::exchange(worker.stack, {});
+    worker.stack.clear();
+    crew_.give_back(worker);
+    return done;
+  }
+
+  void work_on_all() {
+    if (options_.threads == 1) {
+      Worker<Stages>& worker = crew_.take(options_);
+      for (std::uint32_t i = 0; i < pairs().size(); ++i) run(i, worker, [](std::uint32_t, Worker<Stages>&) {});
+      crew_.give_back(worker);
+      return;
+    }
+    std::vector<Task> tasks(pairs().size());
     for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].object_pair = static_cast<std::uint32_t>(i);
-    if (tasks.size() == 1) {
-      run_slice(make_walk(0), true, tasks[0], workers_.local());
-      if (tasks[0].stack.empty()) {
-        report_done();
-        tasks.clear();
+    if (!first_stack_.empty()) tasks[0].stack = std::move(first_stack_);
+    schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
+      Worker<Stages>& worker = crew_.take(options_);
+      worker.stack.assign(task.stack.begin(), task.stack.end());
+      run(task.object_pair, worker, [&](std::uint32_t object_pair, Worker<Stages>& w) {
+        if (w.stack.size() < 2) return;
+        memory_.pair_states[object_pair].open_tasks.fetch_add(1);
+        spawn(Task{object_pair, cut_off_half(w.stack)});
+      });
+      crew_.give_back(worker);
+    });
+  }
+
+  /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
+  template <class Share>
+  void run(std::uint32_t object_pair, Worker<Stages>& worker, const Share& share) {
+    if (!is_empty(pairs()[object_pair].overlap)) {
+      const typename Stages::Pair pair(query_, pairs()[object_pair]);
+      bool fresh = worker.stack.empty();
+      while ((fresh || !worker.stack.empty()) && !options_.stop.stop_requested() && !settled(object_pair)) {
+        run_slice(pair, object_pair, fresh, worker);
+        fresh = false;
+        share(object_pair, worker);
       }
+      worker.stack.clear();
     }
-    return tasks;
+    if (memory_.pair_states[object_pair].open_tasks.fetch_sub(1) == 1) report_done();
   }
 
-  /// Walks on until the task's stack is empty, a slice at a time; after each slice half of what is left goes to whoever
-  /// is idle.
-  template <class Spawn>
-  void run_task(Task& task, const Spawn& spawn) {
-    PairState& state = states_[task.object_pair];
-    Worker& worker = workers_.local();
-    const hierarchy::DualWalk walk = make_walk(task.object_pair);
-    bool fresh = task.stack.empty();
-    while ((fresh || !task.stack.empty()) && !options_.stop.stop_requested() && !state.settled) {
-      run_slice(walk, fresh, task, worker);
-      fresh = false;
-      if (options_.threads != 1 && task.stack.size() > 1) {
-        state.open_tasks.fetch_add(1);
-        spawn(cut_off_half(task));
-      }
-    }
-    if (state.open_tasks.fetch_sub(1) == 1) report_done();
-  }
-
-  /// The stages, in order, on part of one pair of objects.
-  void run_slice(const hierarchy::DualWalk& walk, bool fresh, Task& task, Worker& w) {
-    StageClock clock;
-    hierarchy::WalkCounts counts;
-    w.leaf_pairs.clear();
-    if (fresh) walk.start(task.stack, counts);
-    walk.advance(task.stack, w.leaf_pairs, kLeafPairsPerSlice, kBoxTestsPerSlice, counts);
-    clock.charge(w.statistics.hierarchy_seconds);
-    w.statistics.box_tests += counts.box_tests;
-    w.statistics.nodes_built += counts.nodes_made;
-    w.statistics.leaf_pairs += w.leaf_pairs.size();
-    if (w.leaf_pairs.empty()) return;
-
-    const partition::PlacedMeshes placed = placed_meshes(task.object_pair);
-    for (auto leaves = w.leaf_pairs.begin(); leaves != w.leaf_pairs.end();) {
-      w.batch.clear();
-      w.partitioner.restart();
-      for (; leaves != w.leaf_pairs.end() && w.batch.tests.size() < kTestsPerBatch; ++leaves)
-        w.partitioner.append(*leaves, placed, w.batch);
-      clock.charge(w.statistics.partition_seconds);
-      w.statistics.element_tests += w.batch.tests.size();
-      w.statistics.triangle_pairs += w.batch.pairs.size();
-
-      w.backend->submit(w.batch);
-      narrow::fold(w.batch, w.backend->wait(), w.verdicts);
-      clock.charge(w.statistics.narrow_seconds);
-
-      w.contacts.clear();
-      w.statistics.exact_calls += exact::decide(w.batch, w.verdicts, w.contacts);
-      clock.charge(w.statistics.exact_seconds);
-
-      collect(task.object_pair, w);
-    }
-  }
-
-  void collect(std::uint32_t object_pair, Worker& w) {
-    if (!first_only_) return w.collector.add(w.contacts);
-    for (const exact::Contact& contact : w.contacts) {
-      if (!w.collector.wants(contact.kind)) continue;
-      if (!states_[object_pair].settled.exchange(true)) w.collector.add({&contact, 1});
+  void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
+    w.stages.run_slice(pair, fresh, w.stack, w.statistics);
+    const std::span<const results::ContactKey> contacts = w.stages.contacts();
+    if (!first_only_) return w.collector.add(object_pair, contacts);
+    for (const results::ContactKey& contact : contacts) {
+      if (!w.collector.wants(results::kind_of(contact))) continue;
+      if (!memory_.pair_states[object_pair].settled.exchange(true)) w.collector.add(object_pair, {&contact, 1});
       return;
     }
   }
 
+  [[nodiscard]] bool settled(std::uint32_t object_pair) const {
+    return memory_.pair_states[object_pair].settled.load(std::memory_order_relaxed);
+  }
+
   Contacts gather(Statistics& statistics) {
-    std::vector<exact::Contact> contacts;
-    std::uint64_t seen = 0;
-    for (const Worker& worker : workers_) {
-      add(statistics, worker.statistics);
-      seen += worker.collector.seen();
-      contacts.insert(contacts.end(), worker.collector.kept().begin(), worker.collector.kept().end());
+    memory_.collectors.clear(), memory_.keys.clear();
+    for (const Worker<Stages>* worker : crew_.at_work()) {
+      add(statistics, worker->statistics);
+      memory_.collectors.push_back(&worker->collector);
     }
-    std::vector<std::uint64_t> keys;
-    for (const scene::PlacedObject& object : query_.view.objects) keys.push_back(object.key);
-    return results::assemble(std::move(contacts), pairs_, keys, {options_.limit, seen, !first_only_});
+    for (const scene::PlacedObject& object : query_.view.objects) memory_.keys.push_back(object.key);
+    Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
+    results::assemble(memory_.collectors, pairs(), memory_.keys, {options_.limit, !first_only_, query_.all_rows},
+                      memory_.assembly, contacts);
+    return contacts;
   }
 
   static void predict(Statistics& s) {
@@ -213,31 +177,16 @@ class Pipeline {
     s.predicted_seconds = schedule::predict_seconds(s, constants);
   }
 
-  [[nodiscard]] hierarchy::DualWalk make_walk(std::uint32_t object_pair) const {
-    const broad::ObjectPair& pair = pairs_[object_pair];
-    const auto placed_tree = [&](std::uint32_t i) {
-      const scene::PlacedObject& object = query_.view.objects[i];
-      return hierarchy::PlacedTree{*query_.trees[i], *object.mesh, object.pose};
-    };
-    return {placed_tree(pair.a), placed_tree(pair.b), pair, object_pair};
-  }
-
-  [[nodiscard]] partition::PlacedMeshes placed_meshes(std::uint32_t object_pair) const {
-    const scene::PlacedObject &a = query_.view.objects[pairs_[object_pair].a],
-                              &b = query_.view.objects[pairs_[object_pair].b];
-    return {*a.mesh, a.pose, *b.mesh, b.pose};
-  }
-
   /// The older half of the stack: the larger subtrees.
-  static Task cut_off_half(Task& task) {
-    const auto middle = task.stack.begin() + static_cast<std::ptrdiff_t>(task.stack.size() / 2);
-    Task half{task.object_pair, {task.stack.begin(), middle}};
-    task.stack.erase(task.stack.begin(), middle);
+  static std::vector<typename Stages::Step> cut_off_half(std::vector<typename Stages::Step>& stack) {
+    const auto middle = stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2);
+    std::vector<typename Stages::Step> half(stack.begin(), middle);
+    stack.erase(stack.begin(), middle);
     return half;
   }
 
   void report_total() const {
-    if (options_.progress != nullptr) options_.progress->done = 0, options_.progress->total = pairs_.size();
+    if (options_.progress != nullptr) options_.progress->done = 0, options_.progress->total = pairs().size();
   }
   void report_done() const {
     if (options_.progress != nullptr) options_.progress->done.fetch_add(1, std::memory_order_relaxed);
@@ -245,9 +194,9 @@ class Pipeline {
 
   const Query& query_;
   const Options& options_;
-  broad::ObjectPairs pairs_;
-  std::unique_ptr<PairState[]> states_;
-  schedule::PerWorker<Worker> workers_;
+  Crew<Stages>& crew_;
+  Workspace::State& memory_;
+  std::vector<typename Stages::Step> first_stack_;
   bool first_only_;
 };
 
@@ -260,12 +209,13 @@ Result<void> validate(const Options& options) {
   if (options.find != Options::Find::all && options.find != Options::Find::first)
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
-  if (options.backend != "auto" && options.backend != "scalar")
-    return bad("there is no backend '" + std::string(options.backend) + "'; choose auto or scalar");
+  if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
+  if (options.backend != "auto" && options.backend != "simd" && options.backend != "scalar")
+    return bad("there is no backend '" + std::string(options.backend) + "'; choose auto, simd or scalar");
   return {};
 }
 
-Result<Contacts> run_pipeline(const Query& query) {
+Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
   for (std::size_t i = 0; i < query.view.objects.size(); ++i) {
     if (query.view.objects[i].in_domain) continue;
     return Error{Code::out_of_range,
@@ -273,7 +223,8 @@ Result<Contacts> run_pipeline(const Query& query) {
                      " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
                      "not be exact; scale the scene, or move it nearer to the origin"};
   }
-  return Pipeline(query).run();
+  if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
+  return Pipeline<FastStages>(query, memory.fast, memory).run();
 }
 
 }  // namespace impinge

@@ -53,9 +53,9 @@ Result<PlanePair> classify_planes(const Triangle& a, const Triangle& b) {
     return Error{Code::bad_mesh,
                  std::string(t == &a ? "the first" : "the second") + " triangle is degenerate and has no plane"};
   }
-  exact::Plane plane(a[0], a[1], a[2]);
-  if (plane.sign_along(b[0], b[1]) != 0 || plane.sign_along(b[0], b[2]) != 0) return PlanePair::crossing;
-  return plane.side(b[0]) == 0 ? PlanePair::same : PlanePair::parallel;
+  for (const Point& corner : {b[1], b[2]})
+    if (exact::side_of_step(a[0], a[1], a[2], b[0], corner) != 0) return PlanePair::crossing;
+  return exact::orient3d(a[0], a[1], a[2], b[0]) == 0 ? PlanePair::same : PlanePair::parallel;
 }
 
 std::optional<Kind> intersects(const Triangle& a, const Triangle& b) {

@@ -5,15 +5,16 @@
 #include <bit>
 #include <optional>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
-#include "broad/sweep_and_prune.hpp"
+#include "broad/near_pairs.hpp"
 #include "core/guarded.hpp"
 #include "mesh_state.hpp"
+#include "on_threads.hpp"
 #include "pipeline.hpp"
 #include "scene/scene_view.hpp"
 #include "scene/validate_pose.hpp"
+#include "workspace_state.hpp"
 
 namespace impinge {
 namespace {
@@ -30,12 +31,11 @@ struct Scene::State {
   // All by the object's index.
   std::vector<Slot> slots;
   std::vector<scene::PlacedObject> objects;
-  std::vector<hierarchy::ObbTree*> trees;
+  std::vector<const MeshState*> meshes;
 
   std::vector<std::uint32_t> free_slots;
-  std::unordered_set<std::uint64_t> ignored;
-  broad::SweepAndPrune borders;
-  bool borders_are_stale = false;
+  scene::IgnoredPairs ignored;
+  broad::NearPairs near_pairs;
 
   [[nodiscard]] Result<void> check(ObjectId id) const {
     if (id.index < slots.size() && slots[id.index].mesh && slots[id.index].generation == id.generation) return {};
@@ -48,8 +48,9 @@ struct Scene::State {
   void grow() {
     const std::size_t n = slots.size() + 1;
     const std::size_t room = std::bit_ceil(n);
-    objects.reserve(room), trees.reserve(room), slots.reserve(room), free_slots.reserve(room);
-    objects.emplace_back(), trees.push_back(nullptr), slots.emplace_back();
+    objects.reserve(room), meshes.reserve(room), slots.reserve(room), free_slots.reserve(room);
+    near_pairs.reserve(room);
+    objects.emplace_back(), meshes.push_back(nullptr), slots.emplace_back();
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
 
@@ -70,9 +71,9 @@ Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
     s.free_slots.pop_back();
     const MeshState& mesh_state = mesh.state();
     s.objects[index] = scene::place(mesh_state.data, pose, group);
-    s.trees[index] = &mesh_state.tree;
+    s.meshes[index] = &mesh_state;
     s.slots[index].mesh = std::move(mesh);
-    s.borders_are_stale = true;
+    s.near_pairs.place(index, s.objects[index]);
     return ObjectId{index, s.slots[index].generation};
   });
 }
@@ -84,7 +85,7 @@ Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
   if (auto valid = scene::validate(pose); !valid) return valid;
   scene::PlacedObject& object = s.objects[id.index];
   object = scene::place(s.slots[id.index].mesh->state().data, pose, object.group);
-  s.borders_are_stale = true;
+  s.near_pairs.place(id.index, object);
   return {};
 }
 
@@ -94,11 +95,10 @@ Result<void> Scene::remove(ObjectId id) {
   s.slots[id.index].mesh.reset();
   ++s.slots[id.index].generation;
   s.objects[id.index] = {};
-  s.trees[id.index] = nullptr;
-  std::erase_if(s.ignored,
-                [&](std::uint64_t pair) { return pair >> 32 == id.index || (pair & 0xFFFFFFFF) == id.index; });
+  s.meshes[id.index] = nullptr;
+  s.ignored.erase_all_of(id.index);
+  s.near_pairs.place(id.index, s.objects[id.index]);
   s.free_slots.push_back(id.index);
-  s.borders_are_stale = true;
   return {};
 }
 
@@ -107,7 +107,7 @@ Result<void> Scene::ignore(ObjectId a, ObjectId b) {
     for (const ObjectId id : {a, b})
       if (auto known = state_->check(id); !known) return known;
     if (a == b) return Error{Code::bad_option, "an object is never tested against itself; name two objects"};
-    state_->ignored.insert(scene::pair_key(a.index, b.index));
+    state_->ignored.insert(a.index, b.index);
     return {};
   });
 }
@@ -115,7 +115,7 @@ Result<void> Scene::ignore(ObjectId a, ObjectId b) {
 Result<void> Scene::unignore(ObjectId a, ObjectId b) {
   for (const ObjectId id : {a, b})
     if (auto known = state_->check(id); !known) return known;
-  state_->ignored.erase(scene::pair_key(a.index, b.index));
+  state_->ignored.erase(a.index, b.index);
   return {};
 }
 
@@ -126,23 +126,22 @@ Result<Pose> Scene::pose(ObjectId id) const {
   return state_->objects[id.index].pose;
 }
 
-Result<void> Scene::update() {
+Result<void> Scene::update(int threads) {
   return guarded([&]() -> Result<void> {
-    state_->borders_are_stale = true;
-    state_->borders.update(state_->view());
-    state_->borders_are_stale = false;
+    if (auto valid = validate(Options{.threads = threads}); !valid) return valid;
+    state_->near_pairs.update(on_threads(threads));
     return {};
   });
 }
 
-Result<Contacts> Scene::collide(const Options& options) const {
+Result<Contacts> Scene::collide(const Options& options, Workspace* workspace) const {
   return guarded([&]() -> Result<Contacts> {
     if (auto valid = validate(options); !valid) return valid.error();
     const State& s = *state_;
-    if (!s.borders_are_stale) return run_pipeline({s.view(), s.trees, &s.borders, options});
-    broad::SweepAndPrune repaired = s.borders;
-    repaired.update(s.view());
-    return run_pipeline({s.view(), s.trees, &repaired, options});
+    std::optional<broad::NearPairs> updated;
+    if (!s.near_pairs.is_current()) updated.emplace(s.near_pairs).update(on_threads(options.threads));
+    const broad::NearPairs& near_pairs = updated ? *updated : s.near_pairs;
+    return run_pipeline({s.view(), s.meshes, &near_pairs, nullptr, false, options}, *QueryMemory(workspace));
   });
 }
 

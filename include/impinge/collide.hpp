@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "impinge/contacts.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/result.hpp"
+#include "impinge/workspace.hpp"
 
 namespace impinge {
 
@@ -14,6 +17,14 @@ namespace impinge {
 /// Errors: `bad_pose`, `out_of_range` (a world coordinate is not below 2^300 or not a multiple of 2^-358),
 /// `bad_option`, `cancelled`.
 Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
-                         const Options& options = {});
+                         const Options& options = {}, Workspace* workspace = nullptr);
+
+/// The same for many poses in one call: row k is about pose k of either mesh, where one pose alone goes with all of the
+/// other mesh's. Every pose has its row, touching or not, so that `offsets` may be indexed by pose; `objects[k]` holds
+/// the indices of its two poses. `Find::first`, `limit` and `threads` go for the call as a whole. Errors: as `collide`,
+/// and `bad_option` if the numbers of poses do not match.
+Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a, const Mesh& mesh_b,
+                               std::span<const Pose> poses_b, const Options& options = {},
+                               Workspace* workspace = nullptr);
 
 }  // namespace impinge

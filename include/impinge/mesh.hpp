@@ -36,7 +36,7 @@ struct Pose {
 
 /// Settings of a mesh's bounding-volume tree. They change the speed of a query, never its answer.
 struct TreeConfig {
-  std::uint32_t leaf_size = 8;  ///< most triangles in a leaf, 1 to 256
+  std::uint32_t leaf_size = 0;  ///< most triangles in a leaf, 1 to 256; 0: what each backend does best with
 };
 
 struct MeshData;   // internal
@@ -68,6 +68,12 @@ class Mesh {
   /// use.
   [[nodiscard]] Point sphere_center() const noexcept;
   [[nodiscard]] double sphere_radius() const noexcept;
+
+  /// Makes the whole tree now, on up to so many threads (0: all). Without it queries make what they need of it. Errors:
+  /// `bad_option` (a negative number).
+  [[nodiscard]] Result<void> build_tree(int threads = 0) const;
+  /// What the mesh holds in memory now, beyond its vertices and triangles: above all the part of its tree that is made.
+  [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Internal: what the stages work on.
   [[nodiscard]] const MeshState& state() const noexcept { return *state_; }

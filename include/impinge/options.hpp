@@ -23,6 +23,14 @@ inline constexpr std::uint8_t kTouching = 1 << static_cast<int>(Kind::touching);
 inline constexpr std::uint8_t kCoplanar = 1 << static_cast<int>(Kind::coplanar);
 inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
+/// How the triangles of two leaves are parted before they are tested against each other.
+enum class Partition : std::uint8_t {
+  automatic,  ///< `sweep` with the backend "simd", `grid` with "scalar": what is fastest there
+  grid,       ///< the paper's uniform grid over the overlap: those that share a cell, and whose boxes meet
+  sweep,      ///< those whose boxes meet
+  all,        ///< not at all
+};
+
 /// Work done so far, for a progress display: read it from another thread while a query runs.
 struct Progress {
   std::atomic<std::uint64_t> done{0};   ///< object pairs finished
@@ -40,9 +48,9 @@ struct Options {
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many in canonical order
   std::uint8_t kinds = kAllKinds;                                   ///< the kinds wanted, or-ed
   int threads = 0;                    ///< at most so many; 0: as many as oneTBB offers, a machine's all by default
-  std::string_view backend = "auto";  ///< "auto" or "scalar"
-  bool grid = true;                   ///< partition leaf pairs by the uniform grid
-  bool predict_cost = false;          ///< calibrate once, and fill the predicted time
+  std::string_view backend = "auto";  ///< "auto", "simd" (what auto takes) or "scalar", the plain reference
+  Partition partition = Partition::automatic;
+  bool predict_cost = false;  ///< calibrate once, and fill the predicted time
   Progress* progress = nullptr;
   std::stop_token stop{};
 };

@@ -9,6 +9,7 @@
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/result.hpp"
+#include "impinge/workspace.hpp"
 
 namespace impinge {
 
@@ -19,7 +20,7 @@ struct ObjectId {
   friend bool operator==(const ObjectId&, const ObjectId&) = default;
 };
 
-/// Placed meshes that are asked about again and again. Keeps the sorted borders of the bounding spheres between frames.
+/// Placed meshes that are asked about again and again. Keeps which objects are near each other between frames.
 /// A scene that was moved from may only be destroyed or assigned to. Const calls are safe from many threads at once;
 /// the others need the scene to themselves.
 class Scene {
@@ -46,12 +47,13 @@ class Scene {
   /// Errors: `unknown_id`.
   Result<Pose> pose(ObjectId id) const;
 
-  /// Repairs the sorted borders after objects were added, moved or removed. Without it `collide` repairs a copy each
-  /// time: the answer is the same, only slower.
-  Result<void> update();
+  /// Finds out anew which objects are near each other, after some were added, moved or removed, on up to `threads`
+  /// threads (0: all there are). Without it `collide` does so in a copy each time: the answer is the same, only slower.
+  /// Errors: `bad_option`.
+  Result<void> update(int threads = 0);
 
   /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
-  Result<Contacts> collide(const Options& options = {}) const;
+  Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
 
  private:
   struct State;

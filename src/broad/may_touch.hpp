@@ -6,6 +6,14 @@
 
 namespace impinge::broad {
 
+/// Whether two spheres may share a point. Radii and centres are certain; the two sides of the comparison are off by
+/// less than 8 eps.
+inline bool spheres_meet(const Sphere& a, const Sphere& b) {
+  const Vec3 d = a.center - b.center;
+  const double reach = a.radius + b.radius;
+  return !(dot(d, d) > reach * reach * (1 + 0x1p-49));
+}
+
 /// Whether two objects are to be tested, and their bounds meet: boxes, then spheres (section 3.2 of the paper).
 bool may_touch(const scene::SceneView& view, std::uint32_t a, std::uint32_t b);
 

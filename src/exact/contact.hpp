@@ -10,7 +10,6 @@ namespace impinge::exact {
 
 /// Two triangles that share a point.
 struct Contact {
-  std::uint32_t object_pair;
   std::uint32_t a, b;
   Kind kind;
 };

@@ -17,7 +17,7 @@ std::uint64_t decide(const partition::Batch& batch, std::span<const narrow::Verd
       ++unsure;
       kind = classify(batch.triangle(pair.triangle_a), batch.triangle(pair.triangle_b));
     }
-    if (kind) contacts.push_back({pair.object_pair, pair.id_a, pair.id_b, *kind});
+    if (kind) contacts.push_back({pair.id_a, pair.id_b, *kind});
   }
   return unsure;
 }

@@ -5,12 +5,22 @@
 #include <optional>
 
 #include "core/vec3.hpp"
+#include "exact/integers.hpp"
+#include "exact/pair_signs.hpp"
 #include "impinge/options.hpp"
 
 namespace impinge::exact {
 
 /// How two closed triangles meet (CONTRACT 5, 6), degenerate ones taken as the segment or point that they are.
 std::optional<Kind> classify(const Triangle& a, const Triangle& b);
+
+/// The same for two triangles whose boxes and equal vertices have been compared, and perhaps more: what is left of
+/// them. Points are numbered as in PairSigns. `open` are triangles without area.
+Outcome decide(PairSigns signs, const std::array<IntVec, 6>& points);
+/// Where the points do not fit into integers.
+Outcome decide(PairSigns signs, const std::array<Vec3, 6>& points);
+/// For those.
+Outcome decide_degenerate(const std::array<Vec3, 6>& points);
 
 /// Whether two triangles are proper, coplanar, and their interiors meet.
 bool share_area(const Triangle& a, const Triangle& b);

@@ -4,15 +4,13 @@
 
 namespace impinge::hierarchy {
 
-DualWalk::DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects,
-                   std::uint32_t object_pair)
+DualWalk::DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects)
     : a_(a),
       b_(b),
       relative_(a.pose, a.mesh, b.pose, b.mesh),
       rounding_a_(rounding_radius(a.pose, a.mesh)),
       rounding_b_(rounding_radius(b.pose, b.mesh)),
-      overlap_(objects.overlap),
-      object_pair_(object_pair) {}
+      overlap_(objects.overlap) {}
 
 void DualWalk::start(std::vector<NodePair>& stack, WalkCounts& counts) const {
   counts.nodes_made += a_.tree.prepare() + b_.tree.prepare();
@@ -46,7 +44,7 @@ void DualWalk::advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std:
 
     const bool a_leaf = ObbTree::is_leaf(a), b_leaf = ObbTree::is_leaf(b);
     if (a_leaf && b_leaf) {
-      leaf_pairs.push_back({&a_.tree.block(a), &b_.tree.block(b), object_pair_});
+      leaf_pairs.push_back({&a_.tree.block(a), &b_.tree.block(b)});
     } else if (b_leaf || (!a_leaf && dot(a.box.half, a.box.half) >= dot(b.box.half, b.box.half))) {
       if (!worth_splitting(a_, a, rounding_a_)) continue;
       const std::uint32_t child = a_.tree.children(pair.a, counts.nodes_made);

@@ -10,6 +10,7 @@
 #include "hierarchy/leaf_pairs.hpp"
 #include "hierarchy/obb_overlap.hpp"
 #include "hierarchy/obb_tree.hpp"
+#include "hierarchy/walk_counts.hpp"
 
 namespace impinge::hierarchy {
 
@@ -24,17 +25,11 @@ struct NodePair {
   std::uint32_t a, b;
 };
 
-/// N_v and N_u of the cost function.
-struct WalkCounts {
-  std::uint64_t box_tests = 0;
-  std::uint64_t nodes_made = 0;
-};
-
 /// The walk down two trees together (figure 3 of the paper), without recursion. `stack` is what remains to be walked:
 /// it may be cut up and walked in several threads.
 class DualWalk {
  public:
-  DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects, std::uint32_t object_pair);
+  DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects);
 
   /// Prepares both roots and puts them on the stack.
   void start(std::vector<NodePair>& stack, WalkCounts& counts) const;
@@ -50,7 +45,6 @@ class DualWalk {
   RelativePose relative_;
   Vec3 rounding_a_, rounding_b_;
   Box overlap_;
-  std::uint32_t object_pair_;
 };
 
 }  // namespace impinge::hierarchy

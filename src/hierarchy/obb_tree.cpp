@@ -19,6 +19,16 @@ Vec3 triple_centroid(const MeshData& mesh, std::uint32_t triangle) {
 
 }  // namespace
 
+std::size_t ObbTree::bytes() const {
+  std::size_t bytes = nodes_.capacity() * sizeof(Node) + blocks_.capacity() * sizeof(LeafBlock);
+  for (const LeafBlock& block : blocks_) {
+    bytes += block.triangles.capacity() * sizeof(block.triangles[0]);
+    bytes += block.vertices.capacity() * sizeof(block.vertices[0]);
+    bytes += block.corners.capacity() * sizeof(block.corners[0]) + block.edges.capacity() * sizeof(block.edges[0]);
+  }
+  return bytes + order_.capacity() * sizeof(order_[0]);
+}
+
 std::uint32_t ObbTree::prepare() {
   std::uint32_t made = 0;
   std::call_once(root_made_, [&] {

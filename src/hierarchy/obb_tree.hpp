@@ -50,6 +50,8 @@ class ObbTree {
   std::uint32_t children(std::uint32_t index, std::uint64_t& nodes_made);
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
+  /// What the tree holds in memory now.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   /// What a node is made of, before it is one: all that may run out of memory happens first.

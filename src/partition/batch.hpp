@@ -12,7 +12,6 @@ namespace impinge::partition {
 
 /// Two triangles that one of the tests may prove to touch.
 struct CandidatePair {
-  std::uint32_t object_pair;
   std::uint32_t id_a, id_b;              ///< mesh triangle ids
   std::uint32_t triangle_a, triangle_b;  ///< in the batch
 };

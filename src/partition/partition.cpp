@@ -26,11 +26,10 @@ void select_all(const std::vector<Box>& boxes, Elements& elements) {
 
 }  // namespace
 
-void Partitioner::pose(const hierarchy::LeafBlock& leaf, std::uint32_t object_pair, const MeshData& mesh,
-                       const Pose& pose, PosedLeaf& posed, Batch& batch) {
-  if (posed.leaf == &leaf && posed.object_pair == object_pair) return;
+void Partitioner::pose(const hierarchy::LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed,
+                       Batch& batch) {
+  if (posed.leaf == &leaf) return;
   posed.leaf = &leaf;
-  posed.object_pair = object_pair;
   const auto first_vertex = static_cast<std::uint32_t>(batch.vertices.size());
   posed.first_edge = static_cast<std::uint32_t>(batch.edges.size());
   posed.first_triangle = static_cast<std::uint32_t>(batch.triangles.size());
@@ -73,8 +72,7 @@ std::uint32_t Partitioner::candidate(std::uint32_t a, std::uint32_t b, Batch& ba
   std::uint32_t& slot = candidates_[a * b_.leaf->triangles.size() + b];
   if (slot == ElementTest::kNone) {
     slot = static_cast<std::uint32_t>(batch.pairs.size());
-    batch.pairs.push_back(
-        {a_.object_pair, a_.leaf->triangles[a], b_.leaf->triangles[b], a_.first_triangle + a, b_.first_triangle + b});
+    batch.pairs.push_back({a_.leaf->triangles[a], b_.leaf->triangles[b], a_.first_triangle + a, b_.first_triangle + b});
   }
   return slot;
 }
@@ -91,7 +89,7 @@ void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, boo
     for (const Element& element : edges.edges) {
       if ((element.cells & triangle.cells) == 0) continue;
       const std::uint32_t e = element.index;
-      if (config_.grid && !overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
+      if (partition_ != Partition::all && !overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
       const hierarchy::LeafEdge& edge = edges.leaf->edges[e];
       batch.tests.push_back(
           {edges.first_edge + e, triangles.first_triangle + t, pair_of(edge.left, t), pair_of(edge.right, t)});
@@ -100,11 +98,11 @@ void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, boo
 }
 
 void Partitioner::append(const hierarchy::LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
-  pose(*pair.a, pair.object_pair, placed.mesh_a, placed.pose_a, a_, batch);
-  pose(*pair.b, pair.object_pair, placed.mesh_b, placed.pose_b, b_, batch);
-  if (config_.grid) {
-    const Box region = intersection(a_.box, b_.box);
-    if (is_empty(region)) return;
+  pose(*pair.a, placed.mesh_a, placed.pose_a, a_, batch);
+  pose(*pair.b, placed.mesh_b, placed.pose_b, b_, batch);
+  const Box region = intersection(a_.box, b_.box);
+  if (partition_ != Partition::all && is_empty(region)) return;
+  if (partition_ == Partition::grid || partition_ == Partition::automatic) {
     map_to_cells(region);
   } else {
     for (PosedLeaf* leaf : {&a_, &b_}) {

@@ -4,14 +4,11 @@
 
 #include "core/pose.hpp"
 #include "hierarchy/leaf_pairs.hpp"
+#include "impinge/options.hpp"
 #include "partition/batch.hpp"
 #include "partition/grid.hpp"
 
 namespace impinge::partition {
-
-struct Config {
-  bool grid = true;  ///< off: every edge of a leaf goes on against every triangle of the other
-};
 
 /// The two objects of a leaf pair.
 struct PlacedMeshes {
@@ -26,12 +23,12 @@ struct PlacedMeshes {
 /// long as the same leaf comes again.
 class Partitioner {
  public:
-  explicit Partitioner(Config config) : config_(config) {}
+  explicit Partitioner(Partition partition) : partition_(partition) {}
 
   /// Appends the tests of one leaf pair to the batch.
   void append(const hierarchy::LeafPair& pair, const PlacedMeshes& placed, Batch& batch);
 
-  /// To be called when the batch has been cleared.
+  /// To be called when the batch has been cleared, or the objects change.
   void restart() { a_.leaf = b_.leaf = nullptr; }
 
  private:
@@ -44,20 +41,19 @@ class Partitioner {
   /// A leaf's elements in the batch, with their world boxes.
   struct PosedLeaf {
     const hierarchy::LeafBlock* leaf = nullptr;
-    std::uint32_t object_pair = 0;
     std::uint32_t first_edge = 0, first_triangle = 0;
     std::vector<Box> edge_boxes, triangle_boxes;
     Box box{};
     std::vector<Element> edges, triangles;  ///< of the leaf pair at hand
   };
 
-  static void pose(const hierarchy::LeafBlock& leaf, std::uint32_t object_pair, const MeshData& mesh, const Pose& pose,
-                   PosedLeaf& posed, Batch& batch);
+  static void pose(const hierarchy::LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed,
+                   Batch& batch);
   void map_to_cells(const Box& region);
   void stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch);
   std::uint32_t candidate(std::uint32_t a, std::uint32_t b, Batch& batch);
 
-  Config config_;
+  Partition partition_;
   PosedLeaf a_, b_;
   std::vector<std::uint32_t> candidates_;  ///< of the leaf pair at hand, by (triangle of a, triangle of b)
 };

@@ -2,25 +2,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <hwy/contrib/sort/vqsort.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "broad/object_pairs.hpp"
-#include "exact/contact.hpp"
 #include "impinge/contacts.hpp"
+#include "results/collector.hpp"
 
 namespace impinge::results {
 
 struct AssembleConfig {
   std::uint64_t limit;
-  std::uint64_t found;  ///< contacts in all, with those that collectors dropped beyond the limit
   bool with_hash;
+  bool all_rows;  ///< a row for every pair of objects, touching or not
+};
+
+/// Memory that may be kept between calls.
+struct AssembleScratch {
+  std::vector<std::size_t> row_ends;
+  std::vector<ContactKey> keys;
+  hwy::Sorter sorter;
 };
 
 /// Contacts in any order become rows in canonical order, cut at the limit, and their hash. `keys` are the objects' hash
-/// keys. Leaves `statistics` alone.
-Contacts assemble(std::vector<exact::Contact> contacts, const broad::ObjectPairs& pairs,
-                  std::span<const std::uint64_t> keys, const AssembleConfig& config);
+/// keys. `result` is written over, but for its statistics; its memory is used again.
+void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs,
+              std::span<const std::uint64_t> keys, const AssembleConfig& config, AssembleScratch& scratch,
+              Contacts& result);
 
 }  // namespace impinge::results

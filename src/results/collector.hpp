@@ -6,29 +6,37 @@
 #include <span>
 #include <vector>
 
-#include "exact/contact.hpp"
+#include "results/contact_key.hpp"
 
 namespace impinge::results {
 
-/// Keeps the wanted contacts, and with a limit no more than about twice as many as may be in the answer.
+/// Contacts of one pair of objects that follow each other in a collector.
+struct Run {
+  std::uint32_t object_pair;
+  std::size_t count;
+};
+
+/// Keeps the wanted contacts of one thread, and with a limit no more than about twice as many as may be in the answer.
 class Collector {
  public:
-  Collector(std::uint8_t kinds, std::uint64_t limit) : kinds_(kinds), limit_(limit) {}
+  /// Forgets everything but the memory.
+  void restart(std::uint8_t kinds, std::uint64_t limit);
 
-  void add(std::span<const exact::Contact> contacts);
+  void add(std::uint32_t object_pair, std::span<const ContactKey> contacts);
   [[nodiscard]] bool wants(Kind kind) const { return (kinds_ >> static_cast<int>(kind) & 1) != 0; }
 
-  [[nodiscard]] const std::vector<exact::Contact>& kept() const { return kept_; }
+  [[nodiscard]] std::span<const ContactKey> kept() const { return kept_; }
+  [[nodiscard]] std::span<const Run> runs() const { return runs_; }
   [[nodiscard]] std::uint64_t seen() const { return seen_; }
 
  private:
-  std::uint8_t kinds_;
-  std::uint64_t limit_;
-  std::uint64_t seen_ = 0;  ///< wanted contacts, kept or not
-  std::vector<exact::Contact> kept_;
-};
+  void drop_beyond_limit();
 
-/// Canonical order (CONTRACT 7).
-bool precedes(const exact::Contact& p, const exact::Contact& q);
+  std::uint8_t kinds_ = kAllKinds;
+  std::uint64_t limit_ = 0;
+  std::uint64_t seen_ = 0;  ///< wanted contacts, kept or not
+  std::vector<ContactKey> kept_;
+  std::vector<Run> runs_;
+};
 
 }  // namespace impinge::results

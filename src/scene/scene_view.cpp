@@ -2,10 +2,33 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_view.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include "core/hash.hpp"
 #include "core/pose.hpp"
 
 namespace impinge::scene {
+namespace {
+
+/// The exponent of a number's last place, of which it is a multiple; large for 0.
+int last_place(double x) {
+  const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7FF);
+  return x == 0 ? 10000 : std::max(biased, 1) - 1075;
+}
+
+/// Whether a glance at the exponents shows that every world vertex is in the exact domain, as it nearly always does. No
+/// entry of a valid R is above 1 + 1e-6, so no world coordinate is above 4 max|x| + |t|. Each product is a multiple of
+/// its factors' last places, and so, for sums keep the lowest bit of their terms, is the coordinate.
+bool is_clearly_in_domain(const Pose& pose, const MeshData& mesh) {
+  double largest = 4 * max_component(mesh.max_abs);
+  int lowest = 10000;
+  for (const double r : pose.R) lowest = std::min(lowest, last_place(r) + mesh.min_bit);
+  for (const double t : pose.t) largest = std::max(largest, std::abs(t)), lowest = std::min(lowest, last_place(t));
+  return largest < 0x1p298 && lowest >= -358;
+}
+
+}  // namespace
 
 PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) {
   PlacedObject object;
@@ -16,7 +39,7 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
   for (const double t : pose.t) object.key = mix(object.key, number_bits(t));
   if (mesh.triangles.empty()) return object;
   object.mesh = &mesh;
-  object.in_domain = in_exact_domain(pose, mesh);
+  object.in_domain = is_clearly_in_domain(pose, mesh) || in_exact_domain(pose, mesh);
   if (!object.in_domain) return object;  // queries refuse it, and its bounds might not be numbers
 
   // rounding_radius covers the world vertices' rounding and, with 12 u S to spare, that of the lines below.

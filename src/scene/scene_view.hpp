@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <span>
-#include <unordered_set>
 
 #include "core/mesh_data.hpp"
 #include "core/shapes.hpp"
+#include "scene/ignored_pairs.hpp"
 
 namespace impinge::scene {
 
@@ -30,7 +30,7 @@ inline std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
 /// What a query is about.
 struct SceneView {
   std::span<const PlacedObject> objects;
-  const std::unordered_set<std::uint64_t>* ignored = nullptr;  ///< pair keys
+  const IgnoredPairs* ignored = nullptr;
 };
 
 /// Bounds, key and domain of a mesh at a valid pose.

@@ -26,11 +26,11 @@ struct Seeded {
   testing::ScopedTrace trace;
 };
 
-Mesh mesh_of(const scenes::MeshData& mesh, std::uint32_t leaf_size = 8);
+Mesh mesh_of(const scenes::MeshData& mesh, std::uint32_t leaf_size = 0);
 /// What the stages work on, kept alive by the handle.
 const MeshData& numbers_of(const Mesh& mesh);
-std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 8);
-Scene scene_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 8);
+std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0);
+Scene scene_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0);
 std::vector<Triangle> world_triangles(const Mesh& mesh, const Pose& pose);
 
 /// Object a, object b, triangle a, triangle b, kind.

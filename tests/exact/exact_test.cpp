@@ -164,17 +164,17 @@ TEST(Decide, TrustsTheCertainAndDecidesTheUnsure) {
   partition::Batch batch;
   batch.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, 1}, {9, 9, 1}, {1, 1, 2}, {2, 2, 2}, {1, 2, 2}};
   batch.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
-  batch.pairs = {{5, 10, 20, 0, 1}, {5, 11, 21, 0, 2}, {6, 12, 22, 0, 1}, {6, 13, 23, 0, 2}, {7, 14, 24, 0, 1}};
+  batch.pairs = {{10, 20, 0, 1}, {11, 21, 0, 2}, {12, 22, 0, 1}, {13, 23, 0, 2}, {14, 24, 0, 1}};
   const std::array verdicts{Verdict::unsure, Verdict::unsure, Verdict::crossing, Verdict::no, Verdict::no};
-  std::vector<exact::Contact> contacts{{1, 2, 3, Kind::coplanar}};
+  std::vector<exact::Contact> contacts{{2, 3, Kind::coplanar}};
   EXPECT_EQ(exact::decide(batch, verdicts, contacts), 2u);
   ASSERT_EQ(contacts.size(), 3u);
-  EXPECT_EQ(contacts[0].object_pair, 1u);  // appended to
-  const auto is = [](const exact::Contact& c, std::uint32_t pair, std::uint32_t a, std::uint32_t b, Kind kind) {
-    return c.object_pair == pair && c.a == a && c.b == b && c.kind == kind;
+  EXPECT_EQ(contacts[0].a, 2u);  // appended to
+  const auto is = [](const exact::Contact& c, std::uint32_t a, std::uint32_t b, Kind kind) {
+    return c.a == a && c.b == b && c.kind == kind;
   };
-  EXPECT_TRUE(is(contacts[1], 5, 10, 20, Kind::touching));
-  EXPECT_TRUE(is(contacts[2], 6, 12, 22, Kind::crossing));
+  EXPECT_TRUE(is(contacts[1], 10, 20, Kind::touching));
+  EXPECT_TRUE(is(contacts[2], 12, 22, Kind::crossing));
 }
 
 }  // namespace

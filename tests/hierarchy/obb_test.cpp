@@ -13,6 +13,7 @@
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
+#include "tests/hierarchy/pinned.hpp"
 
 namespace impinge {
 namespace {
@@ -106,29 +107,12 @@ struct Placed {
 /// A mesh of one triangle that `pose` brings to `corner` bit for bit, the other corners near `u` and `v`; nothing where
 /// rounding leaves no such vertex.
 std::optional<Placed> triangle_through(const Point& corner, const Point& u, const Point& v, const Pose& pose) {
-  // R is nearly orthogonal: solve by transposition, then let Newton repair what R is off.
-  const auto unposed = [&](const Point& world) {
-    const Mat3 R = to_mat3(pose.R), inverse = transpose(R);
-    const Vec3 t{pose.t[0], pose.t[1], pose.t[2]};
-    Vec3 x = inverse * (world - t);
-    for (int i = 0; i < 4; ++i) x = x + inverse * (world - world_vertex(pose, x));
-    return x;
-  };
-  Vec3 x = unposed(corner);
-  const auto nudged = [](double a, int ulps) {
-    for (; ulps > 0; --ulps) a = std::nextafter(a, 1e300);
-    for (; ulps < 0; ++ulps) a = std::nextafter(a, -1e300);
-    return a;
-  };
-  for (int i = 0; i < 125; ++i) {
-    const Vec3 y{nudged(x.x, i % 5 - 2), nudged(x.y, i / 5 % 5 - 2), nudged(x.z, i / 25 - 2)};
-    if (world_vertex(pose, y) != corner) continue;
-    scenes::MeshData numbers;
-    const Vec3 p = unposed(u), q = unposed(v);
-    numbers.add_triangle({y.x, y.y, y.z, p.x, p.y, p.z, q.x, q.y, q.z});
-    return Placed{test::mesh_of(numbers, 1), pose};
-  }
-  return std::nullopt;
+  const std::optional<Vec3> y = test::pinned(corner, pose);
+  if (!y) return std::nullopt;
+  const Vec3 p = test::unposed(u, pose), q = test::unposed(v, pose);
+  scenes::MeshData numbers;
+  numbers.add_triangle({y->x, y->y, y->z, p.x, p.y, p.z, q.x, q.y, q.z});
+  return Placed{test::mesh_of(numbers, 1), pose};
 }
 
 /// Two large flat triangles that share just a corner, one lying on the other's plane or hanging off its edge: along the
@@ -157,11 +141,13 @@ TEST(MayOverlap, NeverPartsTrianglesThatShareAPoint) {
     const auto other = triangle_through(corner, at(-1, -random.unit(), lift),
                                         at(-random.unit(), random.uniform(-1, 1), lift), poses[1]);
     if (!flat || !other) continue;
-    const auto touch = collide(flat->mesh, poses[0], other->mesh, poses[1]);
-    ASSERT_TRUE(touch);
+    for (const char* backend : {"simd", "scalar"}) {
+      const auto touch = collide(flat->mesh, poses[0], other->mesh, poses[1], {.backend = backend});
+      ASSERT_TRUE(touch);
+      EXPECT_EQ(touch->triangles.size(), 1u) << backend;
+    }
     ASSERT_TRUE(
         intersects(test::world_triangles(flat->mesh, poses[0])[0], test::world_triangles(other->mesh, poses[1])[0]));
-    EXPECT_EQ(touch->triangles.size(), 1u);
     const std::array<std::uint32_t, 1> first{0};
     const MeshData &a = test::numbers_of(flat->mesh), &b = test::numbers_of(other->mesh);
     const Obb box_a = hierarchy::fit_obb(a, first), box_b = hierarchy::fit_obb(b, first);
@@ -201,7 +187,8 @@ TEST(MayOverlap, NeverPartsPointsThatRoundToOneWorldVertex) {
     EXPECT_TRUE(may_overlap(box_a, poses[0], a, box_b, poses[1], b));
     EXPECT_TRUE(hierarchy::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {p, p}));
     EXPECT_TRUE(hierarchy::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {p, p}));
-    EXPECT_EQ(collide(mesh_a, poses[0], mesh_b, poses[1])->triangles.size(), 1u);
+    for (const char* backend : {"simd", "scalar"})
+      EXPECT_EQ(collide(mesh_a, poses[0], mesh_b, poses[1], {.backend = backend})->triangles.size(), 1u) << backend;
     ++attacks;
   }
   EXPECT_GT(attacks, 200);

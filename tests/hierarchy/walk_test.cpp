@@ -37,7 +37,7 @@ struct Walked {
         objects{0, 1, intersection(placed[0].box, placed[1].box)} {}
 
   [[nodiscard]] bool reached() const { return broad::may_touch({placed, nullptr}, 0, 1); }
-  hierarchy::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, objects, 7}; }
+  hierarchy::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, objects}; }
 
   std::vector<Mesh> meshes;
   Pose pose_a, pose_b;
@@ -51,7 +51,6 @@ struct Walked {
 TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
   TrianglePairs pairs;
   for (const hierarchy::LeafPair& leaves : leaf_pairs) {
-    EXPECT_EQ(leaves.object_pair, 7u);
     for (const std::uint32_t a : leaves.a->triangles)
       for (const std::uint32_t b : leaves.b->triangles) EXPECT_TRUE(pairs.emplace(a, b).second);
   }

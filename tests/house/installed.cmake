@@ -53,7 +53,7 @@ expect("the consumer" ${expected})
 set(plain ${COMPILER} -std=c++20 -O2 -Wall -Wextra -Wpedantic -Wconversion -Werror ${example} -I${prefix}/include
   -L${prefix}/${LIBDIR} -limpinge)
 if(NOT SHARED)
-  list(APPEND plain -ltbb)
+  list(APPEND plain -lhwy_contrib -lhwy -ltbb)
 endif()
 run("the plain compiler line" ${plain} -o ${SCRATCH}/plain)
 run("running the plain program" ${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${prefix}/${LIBDIR} ${SCRATCH}/plain)

@@ -21,10 +21,12 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
     {"scene", {}},
     {"broad", {"scene/scene_view.hpp"}},
     {"hierarchy", {"broad/object_pairs.hpp"}},
-    {"partition", {"hierarchy/leaf_pairs.hpp"}},
-    {"narrow", {"partition/batch.hpp"}},
+    {"partition",
+     {"hierarchy/leaf_pairs.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/frame.hpp", "hierarchy/tree_relation.hpp",
+      "hierarchy/frame_relation-inl.hpp"}},
+    {"narrow", {"partition/batch.hpp", "partition/pair_stream.hpp"}},
     {"exact", {"partition/batch.hpp", "narrow/verdict.hpp"}},
-    {"results", {"broad/object_pairs.hpp", "exact/"}},
+    {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
 };
 /// What no stage may know of: files, and (schedule apart) threads.

@@ -157,11 +157,14 @@ TEST_P(RealAssembly, EveryTrianglePair) {
     const auto id = scene.add(object.mesh, object.pose);
     ASSERT_TRUE(id) << id.error().message;
   }
-  const auto contacts = scene.collide();
-  ASSERT_TRUE(contacts) << contacts.error().message;
   const expected::Set set = expected::of_model(file);
   EXPECT_FALSE(set.empty());
-  expected::expect_same(set, expected::listed(*contacts));
+  for (const char* backend : {"simd", "scalar"}) {
+    SCOPED_TRACE(backend);
+    const auto contacts = scene.collide({.backend = backend});
+    ASSERT_TRUE(contacts) << contacts.error().message;
+    expected::expect_same(set, expected::listed(*contacts));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(AssimpModels, RealAssembly,

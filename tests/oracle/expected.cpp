@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -20,7 +21,9 @@
 
 #include "impinge/collide.hpp"
 #include "impinge/scene.hpp"
+#include "scenes/random.hpp"
 #include "scenes/scene_file.hpp"
+#include "tests/core/instruction_sets.hpp"
 
 extern char** environ;
 
@@ -120,10 +123,10 @@ Set of_scene(const scenes::PlacedScene& scene, bool rationals) {
   return set;
 }
 
-std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene) {
+std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0) {
   std::vector<Mesh> meshes;
   for (const scenes::MeshData& data : scene.meshes) {
-    auto mesh = Mesh::create(data.xyz, data.triangles);
+    auto mesh = Mesh::create(data.xyz, data.triangles, {leaf_size});
     if (!mesh) {
       ADD_FAILURE() << "Mesh " << meshes.size() << " of the scene: " << mesh.error().message;
       return {};
@@ -131,6 +134,23 @@ std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene) {
     meshes.push_back(*std::move(mesh));
   }
   return meshes;
+}
+
+/// Nothing, and a failed test, if the scene is refused.
+std::optional<Scene> scene_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0) {
+  const std::vector<Mesh> meshes = meshes_of(scene, leaf_size);
+  if (meshes.size() != scene.meshes.size()) {
+    return std::nullopt;
+  }
+  Scene placed;
+  for (const scenes::PlacedObject& object : scene.objects) {
+    const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
+    if (!id) {
+      ADD_FAILURE() << "The scene refuses an object: " << id.error().message;
+      return std::nullopt;
+    }
+  }
+  return placed;
 }
 
 Set listed_or_failed(const Result<Contacts>& contacts) {
@@ -189,19 +209,63 @@ Set listed(const Contacts& contacts) {
 }
 
 Set by_scene(const scenes::PlacedScene& scene, const Options& options) {
-  const std::vector<Mesh> meshes = meshes_of(scene);
-  if (meshes.size() != scene.meshes.size()) {
-    return {};
+  const std::optional<Scene> placed = scene_of(scene);
+  return placed ? listed_or_failed(placed->collide(options)) : Set{};
+}
+
+std::uint64_t hash_by_scene(const scenes::PlacedScene& scene, const Options& options) {
+  const std::optional<Scene> placed = scene_of(scene);
+  const Result<Contacts> contacts = placed ? placed->collide(options) : Error{Code::bad_mesh, "refused"};
+  EXPECT_TRUE(contacts);
+  return contacts ? contacts->hash : 0;
+}
+
+void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedScene& scene, const test::Way& way) {
+  const testing::ScopedTrace trace(__FILE__, __LINE__, way.name());
+  const test::OnInstructionSet on(way.instruction_set);
+  const std::optional<Scene> placed = scene_of(scene, way.leaf_size);
+  if (!placed) {
+    return;
   }
-  Scene placed;
-  for (const scenes::PlacedObject& object : scene.objects) {
-    const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
-    if (!id) {
-      ADD_FAILURE() << "The scene refuses an object: " << id.error().message;
-      return {};
+  const Result<Contacts> all = placed->collide(way.options());
+  expect_same(expected, listed_or_failed(all));
+  if (testing::Test::HasFailure()) {
+    return;
+  }
+  EXPECT_EQ(all->hash, hash);
+
+  const auto kinds = static_cast<std::uint8_t>(1 + hash % kAllKinds);
+  Set wanted;
+  std::copy_if(expected.begin(), expected.end(), std::back_inserter(wanted),
+               [&](const Contact& c) { return (kinds >> c[4] & 1) != 0; });
+  Options options = way.options();
+  options.kinds = kinds;
+  options.limit = hash / 8 % (wanted.size() + 2);
+  const Result<Contacts> cut = placed->collide(options);
+  if (!cut) {
+    ADD_FAILURE() << "The query with a limit failed: " << cut.error().message;
+    return;
+  }
+  const std::size_t kept = std::min<std::size_t>(options.limit, wanted.size());
+  expect_same(Set(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(kept)), listed(*cut));
+  EXPECT_EQ(cut->truncated, kept < wanted.size());
+
+  options.limit = Options{}.limit;
+  options.find = Options::Find::first;
+  const Set witnesses = listed_or_failed(placed->collide(options));
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (i > 0 && wanted[i][0] == wanted[i - 1][0] && wanted[i][1] == wanted[i - 1][1]) {
+      continue;
     }
+    if (next >= witnesses.size() || witnesses[next][0] != wanted[i][0] || witnesses[next][1] != wanted[i][1]) {
+      ADD_FAILURE() << "No witness for " << written(wanted[i]);
+      return;
+    }
+    EXPECT_TRUE(std::binary_search(wanted.begin(), wanted.end(), witnesses[next])) << written(witnesses[next]);
+    ++next;
   }
-  return listed_or_failed(placed.collide(options));
+  EXPECT_EQ(next, witnesses.size()) << "Witnesses of what does not touch.";
 }
 
 Set by_collide(const scenes::PlacedScene& scene, bool swapped) {
@@ -260,9 +324,19 @@ void expect_same(const Set& expected, const Set& found) {
 }
 
 void expect_finds(const Set& expected, const scenes::PlacedScene& scene) {
+  const std::size_t count = scene.objects.size() < 1000 ? 4 : 1;
   {
     SCOPED_TRACE("by Scene");
     expect_same(expected, by_scene(scene));
+  }
+  if (testing::Test::HasFailure()) {
+    return;
+  }
+  const std::vector<test::Way>& ways = test::all_ways();
+  scenes::Random random(std::hash<std::string>()(scenes::scene_bytes(scene)));
+  const std::uint64_t hash = hash_by_scene(scene);
+  for (std::size_t i = 0; i < count; ++i) {
+    expect_way(expected, hash, scene, ways[random.bits() % ways.size()]);
   }
   if (scene.objects.size() != 2) {
     return;

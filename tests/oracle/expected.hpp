@@ -11,6 +11,7 @@
 #include "impinge/contacts.hpp"
 #include "impinge/options.hpp"
 #include "scenes/scene.hpp"
+#include "tests/core/ways.hpp"
 
 /// Expected sets, computed by the oracle's own programs and kept in IMPINGE_ORACLE_DIR under the scene's hash, so that
 /// each is computed once for all presets. What goes wrong fails the running test with a sentence.
@@ -32,6 +33,10 @@ Set listed(const Contacts& contacts);
 
 /// What impinge finds with a `Scene`, and fails the test if it finds an error.
 Set by_scene(const scenes::PlacedScene& scene, const Options& options = {});
+std::uint64_t hash_by_scene(const scenes::PlacedScene& scene, const Options& options = {});
+/// Fails unless a `Scene` finds `expected` in this way, with this hash; and of it the wanted kinds, the first few, and
+/// a witness for each pair of objects.
+void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedScene& scene, const test::Way& way);
 /// What it finds with the function `collide` on a scene's two objects, in this order or swapped.
 Set by_collide(const scenes::PlacedScene& scene, bool swapped = false);
 
@@ -41,7 +46,8 @@ Set transposed(const Set& set);
 /// Fails with the counts and first examples of missed, added and misnamed pairs.
 void expect_same(const Set& expected, const Set& found);
 
-/// `Scene`, and for two objects `collide` both ways, find `expected` in `scene`.
+/// `Scene`, and for two objects `collide` both ways, find `expected` in `scene`, and a few of all ways, drawn by the
+/// scene, do so too.
 void expect_finds(const Set& expected, const scenes::PlacedScene& scene);
 /// .. what the oracle finds. Returns it.
 Set expect_exact(const scenes::PlacedScene& scene);

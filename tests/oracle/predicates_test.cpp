@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <string>
 
@@ -43,6 +44,28 @@ std::string written(const Shape& shape) {
     text += written(p);
   }
   return text;
+}
+
+/// In one plane but for rounding, from near its origin and from far, so that differences are rounded too.
+points::Source nearly_degenerate_of_all_sizes() {
+  return [](Random& random) {
+    const double s = std::ldexp(random.integer(-3, 3), random.integer(-30, 30));
+    const double t = random.integer(0, 1) == 0 ? 0 : std::ldexp(random.integer(-3, 3), random.integer(-30, 30));
+    return Point{0.1 + 0.7 * s + 0.3 * t, 12.3 - 0.2 * s + 0.9 * t, -7.7 + 0.6 * s + 0.1 * t};
+  };
+}
+
+/// Integers with what is left of zeros and ones when they were computed: more bits than a word holds.
+points::Source dusty_integers() {
+  return [](Random& random) {
+    const auto number = [&] {
+      const double dust = random.integer(0, 2) == 0 ? std::ldexp(random.integer(-3, 3), random.integer(-62, -52)) : 0;
+      return random.integer(-1, 2) + dust;
+    };
+    const double x = number();
+    const double y = number();
+    return Point{x, y, number()};
+  };
 }
 
 class Predicates : public testing::TestWithParam<Input> {
@@ -169,7 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Input{"Integers0To1", points::integers(0, 1)}, Input{"IntegersMinus1To1", points::integers(-1, 1)},
                     Input{"Integers0To3", points::integers(0, 3)},
                     Input{"NearlyDegenerate", points::nearly_degenerate()}, Input{"Uniform", points::anything()},
-                    Input{"WholeDomain", points::whole_domain()},
+                    Input{"NearlyDegenerateOfAllSizes", nearly_degenerate_of_all_sizes()},
+                    Input{"DustyIntegers", dusty_integers()}, Input{"WholeDomain", points::whole_domain()},
                     Input{"LatticeOfSmallest", points::stretched_integers(0x1p-358, 0x1p-358, 0x1p-358)},
                     Input{"LatticeOfLargest", points::stretched_integers(0x1p299, 0x1p299, 0x1p299)},
                     Input{"LatticeOfBoth", points::stretched_integers(0x1p299, 1, 0x1p-358)}),

@@ -20,15 +20,15 @@ class LeavesOf {
         leaves_a_(cut(mesh_a_, leaf_size)),
         leaves_b_(cut(mesh_b_, leaf_size)) {
     for (const auto& a : leaves_a_)
-      for (const auto& b : leaves_b_) pairs_.push_back({&a, &b, 3});
+      for (const auto& b : leaves_b_) pairs_.push_back({&a, &b});
   }
 
   [[nodiscard]] const hierarchy::LeafPairs& pairs() const { return pairs_; }
   [[nodiscard]] partition::PlacedMeshes placed() const {
     return {numbers_of(mesh_a_), pose_a_, numbers_of(mesh_b_), pose_b_};
   }
-  [[nodiscard]] partition::Batch batch(bool grid) const {
-    partition::Partitioner partitioner({.grid = grid});
+  [[nodiscard]] partition::Batch batch(Partition how) const {
+    partition::Partitioner partitioner(how);
     partition::Batch batch;
     for (const hierarchy::LeafPair& pair : pairs_) partitioner.append(pair, placed(), batch);
     return batch;

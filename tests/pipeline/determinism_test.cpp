@@ -1,35 +1,47 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cfenv>
+#include <map>
 #include <numeric>
 
+#include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/ways.hpp"
 #include "tests/pipeline/crowd.hpp"
 
 /// CONTRACT 9: one answer. Pairs, kinds, order and hash are the same however they were come by.
 namespace impinge {
 namespace {
 
-TEST(Answer, IsTheSameForEveryLeafSizeWithAndWithoutGrid) {
+/// With trees that grow for the first time, and ones kept from before, perhaps made for another instruction set.
+TEST(Answer, IsTheSameInEveryWay) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   const scenes::PlacedScene placed = test::crowd(2);
-  const Contacts expected = test::scene_of(placed).collide().value();
-  for (const std::uint32_t leaf_size : {1u, 2u, 3u, 8u, 31u, 256u}) {
-    for (const bool grid : {true, false}) {
-      SCOPED_TRACE("leaf size " + std::to_string(leaf_size) + (grid ? " with" : " without") + " grid");
-      const Scene scene = test::scene_of(placed, leaf_size);
-      test::expect_same(expected, scene.collide({.grid = grid}).value());
-      test::expect_same(expected, scene.collide({.grid = grid}).value());  // trees kept from before
-    }
+  const Contacts expected = test::scene_of(placed).collide({.backend = "scalar"}).value();
+  EXPECT_GT(expected.triangles.size(), 3000u);
+  std::map<std::uint32_t, Scene> kept;
+  std::size_t number = 0;
+  for (const test::Way& way : test::all_ways()) {
+    SCOPED_TRACE(way.name());
+    const test::OnInstructionSet on(way.instruction_set);
+    const auto [scene, is_new] = kept.try_emplace(way.leaf_size);
+    if (is_new) scene->second = test::scene_of(placed, way.leaf_size);
+    test::expect_same(expected, scene->second.collide(way.options()).value());
+    if (++number % 5 == 0)
+      test::expect_same(expected, test::scene_of(placed, way.leaf_size).collide(way.options()).value());
+    if (testing::Test::HasFailure()) return;
   }
 }
 
 TEST(Answer, IsThatOfBruteForceOnACrowd) {
   scenes::PlacedScene placed = test::crowd(3);
   std::erase_if(placed.objects, [&](const auto& o) { return placed.meshes[o.mesh].triangle_count() > 1000; });
-  EXPECT_EQ(test::listed(test::scene_of(placed).collide().value()), test::brute_force(placed));
+  for (const char* backend : {"simd", "scalar"})
+    EXPECT_EQ(test::listed(test::scene_of(placed).collide({.backend = backend}).value()), test::brute_force(placed));
 }
 
 /// Renumbered objects give renumbered rows, triangles exchanged where the order of two objects turned, and the same
@@ -84,10 +96,12 @@ TEST(Answer, IsTheSameInEveryFloatingPointModeOfTheCaller) {
         const test::CallersMode mode(rounding, flush);
         Scene scene = test::scene_of(named.scene);  // spheres and hashes of meshes as well
         ASSERT_TRUE(scene.update());
-        const auto found = scene.collide({.threads = flush ? 2 : 1});
-        EXPECT_TRUE(mode.is_untouched());
-        ASSERT_TRUE(found);
-        test::expect_same(expected, *found);
+        for (const char* backend : {"simd", "scalar"}) {
+          const auto found = scene.collide({.threads = flush ? 2 : 1, .backend = backend});
+          EXPECT_TRUE(mode.is_untouched());
+          ASSERT_TRUE(found);
+          test::expect_same(expected, *found);
+        }
       }
     }
   }

@@ -50,9 +50,42 @@ TEST(MeshCreate, NamesThePlaceOfWhatIsWrong) {
       expect_error(Mesh::create(std::span<const float>(floats), none), Code::bad_mesh, {vertex.c_str(), "finite"});
     }
   }
-  for (const std::uint32_t size : {0u, 257u, 0xFFFFFFFFu})
+  for (const std::uint32_t size : {257u, 0xFFFFFFFFu})
     expect_error(create(three, {0, 1, 2}, {size}), Code::bad_option, {"leaf_size", std::to_string(size).c_str()});
-  for (const std::uint32_t size : {1u, 256u}) EXPECT_TRUE(create(three, {0, 1, 2}, {size}));
+  for (const std::uint32_t size : {0u, 1u, 256u}) EXPECT_TRUE(create(three, {0, 1, 2}, {size}));
+}
+
+TEST(MeshTree, IsMadeAtOnceOrBitByBitWithTheSameAnswers) {
+  const scenes::MeshData knot = scenes::torus_knot_of(968);
+  const Pose pose{.t = {0.3, 0.2, 0.1}};
+  const Mesh lazy = test::mesh_of(knot);
+  const std::size_t empty = lazy.memory_bytes();
+  EXPECT_GT(empty, 0u);
+  const Contacts expected = collide(lazy, {}, lazy, pose, {.threads = 1}).value();
+  EXPECT_GT(expected.statistics.nodes_built, 0u);
+  EXPECT_GT(lazy.memory_bytes(), empty);
+  for (const int threads : {0, 1, 2, 8}) {
+    const Mesh built = test::mesh_of(knot);
+    ASSERT_TRUE(built.build_tree(threads));
+    const std::size_t whole = built.memory_bytes();
+    EXPECT_GT(whole, empty);
+    const Contacts found = collide(built, {}, built, pose, {.threads = 1}).value();
+    test::expect_same(expected, found);
+    EXPECT_EQ(found.statistics.nodes_built, 0u);
+    EXPECT_EQ(built.memory_bytes(), whole);
+    ASSERT_TRUE(built.build_tree(threads));  // again
+    ASSERT_TRUE(lazy.build_tree(threads));   // what is left
+    test::expect_same(expected, collide(lazy, {}, lazy, pose).value());
+  }
+  EXPECT_EQ(collide(lazy, {}, lazy, {}, {.threads = 1})->statistics.nodes_built, 0u);
+}
+
+TEST(MeshTree, OfWhatHasNoTriangles) {
+  const Mesh empty = test::mesh_of({});
+  EXPECT_TRUE(empty.build_tree());
+  EXPECT_TRUE(empty.build_tree(2));
+  expect_error(empty.build_tree(-1), Code::bad_option, {"threads", "-1"});
+  expect_error(test::mesh_of(scenes::cube()).build_tree(-3), Code::bad_option, {"threads", "-3"});
 }
 
 TEST(MeshCreate, KeepsWhatItIsGiven) {

@@ -47,18 +47,30 @@ TEST(Options, ThatCannotBeAreRefused) {
   expect_refused({.find = static_cast<Options::Find>(2)}, "find");
   expect_refused({.backend = "vulkan"}, "'vulkan'");
   expect_refused({.backend = ""}, "auto");
-  for (const char* backend : {"auto", "scalar"}) EXPECT_TRUE(scene.collide({.backend = backend}));
+  expect_refused({.partition = static_cast<Partition>(4)}, "partition");
+  for (const char* backend : {"auto", "simd", "scalar"}) EXPECT_TRUE(scene.collide({.backend = backend}));
 }
 
-TEST(Options, KindsFilterTheAnswer) {
+/// Each backend honours them by code of its own.
+class WithBackend : public testing::TestWithParam<const char*> {
+ protected:
+  static Options with(Options options) {
+    options.backend = GetParam();
+    return options;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Options, WithBackend, testing::Values("simd", "scalar"),
+                         [](const auto& backend) { return backend.param; });
+
+TEST_P(WithBackend, KindsFilterTheAnswer) {
   const Scene scene = test::scene_of(mixed_scene());
-  const std::vector<test::Contact> all = test::listed(scene.collide().value());
+  const std::vector<test::Contact> all = test::listed(scene.collide(with({})).value());
   EXPECT_EQ(all, test::brute_force(mixed_scene()));
   for (std::uint8_t kinds = 0; kinds <= kAllKinds; ++kinds) {
     std::vector<test::Contact> expected;
     for (const test::Contact& contact : all)
       if (kinds >> contact[4] & 1) expected.push_back(contact);
-    const Contacts found = scene.collide({.kinds = kinds}).value();
+    const Contacts found = scene.collide(with({.kinds = kinds})).value();
     EXPECT_EQ(test::listed(found), expected);
     EXPECT_FALSE(found.truncated);
     if (kinds == kCrossing || kinds == kTouching || kinds == kCoplanar) {
@@ -67,14 +79,14 @@ TEST(Options, KindsFilterTheAnswer) {
   }
 }
 
-TEST(Options, LimitKeepsThePrefixOfTheFullAnswer) {
+TEST_P(WithBackend, LimitKeepsThePrefixOfTheFullAnswer) {
   const Scene scene = test::scene_of(mixed_scene());
   for (const std::uint8_t kinds : {kAllKinds, kTouching}) {
-    const std::vector<test::Contact> all = test::listed(scene.collide({.kinds = kinds}).value());
+    const std::vector<test::Contact> all = test::listed(scene.collide(with({.kinds = kinds})).value());
     for (const std::size_t limit :
          {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size() - 1, all.size(), all.size() + 1}) {
       for (const int threads : {1, 0}) {
-        const Contacts found = scene.collide({.limit = limit, .kinds = kinds, .threads = threads}).value();
+        const Contacts found = scene.collide(with({.limit = limit, .kinds = kinds, .threads = threads})).value();
         const std::size_t kept = std::min(limit, all.size());
         EXPECT_EQ(test::listed(found),
                   std::vector<test::Contact>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept)));
@@ -84,12 +96,12 @@ TEST(Options, LimitKeepsThePrefixOfTheFullAnswer) {
   }
 }
 
-TEST(Options, LimitCutsLargeAnswersToo) {
+TEST_P(WithBackend, LimitCutsLargeAnswersToo) {
   const Mesh plane = test::mesh_of(scenes::flat_grid(40, 40));
-  const std::vector<test::Contact> all = test::listed(collide(plane, {}, plane, {}).value());
+  const std::vector<test::Contact> all = test::listed(collide(plane, {}, plane, {}, with({})).value());
   EXPECT_GT(all.size(), 30000u);
   for (const std::size_t limit : {100, 5000, 20000}) {
-    const Contacts found = collide(plane, {}, plane, {}, {.limit = limit}).value();
+    const Contacts found = collide(plane, {}, plane, {}, with({.limit = limit})).value();
     EXPECT_EQ(test::listed(found),
               std::vector<test::Contact>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(limit)));
     EXPECT_TRUE(found.truncated);
@@ -97,10 +109,10 @@ TEST(Options, LimitCutsLargeAnswersToo) {
 }
 
 /// Every pair of objects with a contact of a wanted kind, and one true witness each.
-TEST(FindFirst, FindsEachTouchingPairWithATrueWitness) {
+TEST_P(WithBackend, FirstContactFindsEachTouchingPairWithATrueWitness) {
   const scenes::PlacedScene placed = mixed_scene();
   const Scene scene = test::scene_of(placed);
-  const std::vector<test::Contact> all = test::listed(scene.collide().value());
+  const std::vector<test::Contact> all = test::listed(scene.collide(with({})).value());
   const std::set<test::Contact> truths(all.begin(), all.end());
   for (std::uint8_t kinds = 0; kinds <= kAllKinds; ++kinds) {
     std::vector<std::array<std::uint32_t, 2>> expected;
@@ -110,7 +122,8 @@ TEST(FindFirst, FindsEachTouchingPairWithATrueWitness) {
         expected.push_back({contact[0], contact[1]});
     }
     for (const int threads : {1, 0}) {
-      const Contacts found = scene.collide({.find = Options::Find::first, .kinds = kinds, .threads = threads}).value();
+      const Contacts found =
+          scene.collide(with({.find = Options::Find::first, .kinds = kinds, .threads = threads})).value();
       EXPECT_EQ(found.objects, expected);
       EXPECT_EQ(found.triangles.size(), expected.size());
       EXPECT_EQ(found.hash, 0u);
@@ -123,29 +136,30 @@ TEST(FindFirst, FindsEachTouchingPairWithATrueWitness) {
   }
 }
 
-TEST(FindFirst, HonoursALimit) {
+TEST_P(WithBackend, FirstContactHonoursALimit) {
   const Scene scene = test::scene_of(mixed_scene());
-  const auto all = scene.collide({.find = Options::Find::first})->objects;
+  const auto all = scene.collide(with({.find = Options::Find::first}))->objects;
   for (const std::size_t limit : {std::size_t{0}, std::size_t{3}, all.size()}) {
-    const Contacts found = scene.collide({.find = Options::Find::first, .limit = limit}).value();
+    const Contacts found = scene.collide(with({.find = Options::Find::first, .limit = limit})).value();
     EXPECT_EQ(found.objects, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(limit)));
     EXPECT_EQ(found.truncated, limit < all.size());
   }
 }
 
-TEST(FindFirst, IsCheaperThanAll) {
+TEST_P(WithBackend, FirstContactIsCheaperThanAll) {
   const Mesh plane = test::mesh_of(scenes::flat_grid(100, 100));
-  const Statistics all = collide(plane, {}, plane, {}, {.threads = 1})->statistics;
-  const Statistics first = collide(plane, {}, plane, {}, {.find = Options::Find::first, .threads = 1})->statistics;
+  const Statistics all = collide(plane, {}, plane, {}, with({.threads = 1}))->statistics;
+  const Statistics first =
+      collide(plane, {}, plane, {}, with({.find = Options::Find::first, .threads = 1}))->statistics;
   EXPECT_LT(first.element_tests, all.element_tests / 20);
 }
 
-TEST(Stop, EndsAQueryWithoutAnAnswer) {
+TEST_P(WithBackend, StopEndsAQueryWithoutAnAnswer) {
   std::stop_source source;
   source.request_stop();
   const Mesh cube = test::mesh_of(scenes::cube());
   for (const int threads : {1, 0}) {
-    Options options;
+    Options options = with({});
     options.threads = threads;
     options.stop = source.get_token();
     const auto result = collide(cube, {}, cube, {}, options);
@@ -155,22 +169,22 @@ TEST(Stop, EndsAQueryWithoutAnAnswer) {
   }
 }
 
-TEST(Progress, CountsEachPairOfObjectsOnce) {
+TEST_P(WithBackend, ProgressCountsEachPairOfObjectsOnce) {
   const Scene scene = test::scene_of(mixed_scene());
   for (const int threads : {1, 0}) {
     Progress progress;
-    const Contacts found = scene.collide({.threads = threads, .progress = &progress}).value();
+    const Contacts found = scene.collide(with({.threads = threads, .progress = &progress})).value();
     EXPECT_EQ(progress.total, found.statistics.object_pairs);
     EXPECT_EQ(progress.done, found.statistics.object_pairs);
     EXPECT_GE(found.statistics.object_pairs, found.objects.size());
   }
 }
 
-TEST(Statistics, AddUp) {
+TEST_P(WithBackend, StatisticsAddUp) {
   const Mesh plane = test::mesh_of(scenes::bumpy_grid(30, 30));
   Pose pose;
   pose.t = {0.5, 0.5, 0};
-  const Contacts found = collide(plane, {}, plane, pose, {.threads = 1}).value();
+  const Contacts found = collide(plane, {}, plane, pose, with({.threads = 1})).value();
   const Statistics& s = found.statistics;
   EXPECT_EQ(s.object_pairs, 1u);
   EXPECT_GE(s.box_tests, s.leaf_pairs);

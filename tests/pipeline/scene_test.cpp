@@ -104,6 +104,43 @@ TEST(Scene, MovesAndAnswersTheSameWithAndWithoutUpdate) {
   test::expect_same(expected, assigned.collide().value());
 }
 
+/// So small a step changes no candidates; the answer is of the new place all the same.
+TEST(Scene, AnswersForTheSmallestStepWithoutUpdate) {
+  Scene scene;
+  ASSERT_TRUE(scene.add(cube()));
+  const ObjectId id = scene.add(cube(), at(1)).value();
+  ASSERT_TRUE(scene.update());
+  EXPECT_EQ(scene.collide()->objects, std::vector<Pair>({{0, 1}}));
+  ASSERT_TRUE(scene.set_pose(id, at(1 + 0x1p-50)));
+  EXPECT_TRUE(scene.collide()->objects.empty());
+  ASSERT_TRUE(scene.set_pose(id, at(1)));
+  EXPECT_EQ(scene.collide()->objects, std::vector<Pair>({{0, 1}}));
+}
+
+/// Everything a frame may bring, with the broad phase's room for motion outgrown and not: against a scene made anew.
+TEST(Scene, MovesAsAFreshSceneWouldStand) {
+  test::Seeded seeded(4);
+  scenes::Random& random = seeded.random;
+  scenes::PlacedScene placed = scenes::scattered(random, scenes::cube(), 60, 6);
+  Scene scene = test::scene_of(placed);
+  std::size_t contacts = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    for (std::uint32_t i = 0; i < placed.objects.size(); ++i) {
+      Pose& pose = placed.objects[i].pose;
+      for (double& t : pose.t) t += random.uniform(-0.01, 0.01);
+      if (random.integer(0, 30) == 0) pose = scenes::random_motion(random, 3);
+      ASSERT_TRUE(scene.set_pose({i, 0}, pose));
+    }
+    if (frame % 3 != 0) {
+      ASSERT_TRUE(scene.update());
+    }
+    const Contacts expected = test::scene_of(placed).collide().value();
+    test::expect_same(expected, scene.collide().value());
+    contacts += expected.objects.size();
+  }
+  EXPECT_GT(contacts, 600u);
+}
+
 TEST(Scene, TellsWhichObjectIsOutOfRange) {
   Scene scene;
   ASSERT_TRUE(scene.add(cube()));

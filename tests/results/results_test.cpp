@@ -7,6 +7,7 @@
 #include <bit>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
@@ -80,24 +81,30 @@ TEST(Hash, TakesMinusZeroAsZero) {
   test::expect_same(*expected, *found);
 }
 
+/// A contact of the pair of objects at an index.
+struct Found {
+  std::uint32_t object_pair, a, b;
+  Kind kind;
+};
+
 /// Any contacts of any object pairs, each once, in any order.
 struct Case {
   broad::ObjectPairs pairs;
   std::vector<std::uint64_t> keys;
-  std::vector<exact::Contact> contacts;
+  std::vector<Found> contacts;
 };
 
 Case any_case() {
   Case c;
   c.keys = *rc::gen::container<std::vector<std::uint64_t>>(6, rc::gen::arbitrary<std::uint64_t>());
-  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t a = 0; a < 6; ++a)
     for (std::uint32_t b = a + 1; b < 6; ++b)
       if (*rc::gen::inRange(0, 3) != 0) c.pairs.push_back({a, b, {}});
+  if (*rc::gen::inRange(0, 3) == 0) c.pairs.resize(std::min<std::size_t>(c.pairs.size(), 2));
   if (c.pairs.empty()) c.pairs.push_back({0, 5, {}});
-  const auto id = rc::gen::element<std::uint32_t>(0, 1, 2, 3, 0x7FFFFFFE, 5);
+  const auto id = rc::gen::element<std::uint32_t>(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 1u << 30, 0x7FFFFFFE);
   std::set<std::array<std::uint32_t, 3>> known;
-  const int n = *rc::gen::inRange(0, 40);
+  const int n = *rc::gen::inRange(0, 200);  // long rows may be sorted in another way than short ones
   for (int i = 0; i < n; ++i) {
     const std::array<std::uint32_t, 3> at{
         *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(c.pairs.size())), *id, *id};
@@ -107,51 +114,103 @@ Case any_case() {
   return c;
 }
 
-test::Contact plain(const Case& c, const exact::Contact& contact) {
+test::Contact plain(const Case& c, const Found& contact) {
   const broad::ObjectPair& pair = c.pairs[contact.object_pair];
   return {pair.a, pair.b, contact.a, contact.b, static_cast<std::uint32_t>(contact.kind)};
 }
 
-std::vector<exact::Contact> shuffled(std::vector<exact::Contact> contacts, std::uint64_t seed) {
-  scenes::Random random(seed);
-  for (std::size_t i = contacts.size(); i > 1; --i)
-    std::swap(contacts[i - 1], contacts[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
-  return contacts;
+template <class T>
+void shuffle(std::vector<T>& list, scenes::Random& random) {
+  for (std::size_t i = list.size(); i > 1; --i)
+    std::swap(list[i - 1], list[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
 }
+
+/// As threads find them: in any order, a few of one pair at a time, by one of several collectors.
+std::vector<results::Collector> collected(const Case& c, std::uint64_t limit, std::uint64_t seed) {
+  scenes::Random random(seed);
+  std::vector<Found> contacts = c.contacts;
+  shuffle(contacts, random);
+  std::vector<results::Collector> collectors(static_cast<std::size_t>(random.integer(1, 3)));
+  for (results::Collector& collector : collectors) collector.restart(kAllKinds, limit);
+  for (std::size_t begin = 0, end = 0; begin < contacts.size(); begin = end) {
+    std::vector<results::ContactKey> keys;
+    while (end < contacts.size() && contacts[end].object_pair == contacts[begin].object_pair) {
+      keys.push_back(results::contact_key(contacts[end].a, contacts[end].b, contacts[end].kind));
+      ++end;
+    }
+    const auto last = static_cast<int>(collectors.size()) - 1;
+    collectors[static_cast<std::size_t>(random.integer(0, last))].add(contacts[begin].object_pair, keys);
+  }
+  return collectors;
+}
+
+/// Memory that every call uses anew.
+struct Kept {
+  results::AssembleScratch scratch;
+  Contacts contacts;
+
+  const Contacts& assemble(const Case& c, const results::AssembleConfig& config, std::uint64_t seed) {
+    const std::vector<results::Collector> collectors = collected(c, config.limit, seed);
+    std::vector<const results::Collector*> pointers;
+    for (const results::Collector& collector : collectors) pointers.push_back(&collector);
+    results::assemble(pointers, c.pairs, c.keys, config, scratch, contacts);
+    return contacts;
+  }
+};
 
 RC_GTEST_PROP(Assemble, GivesCanonicalRowsAndAPrefixUnderALimit, (std::uint64_t seed)) {
   const Case c = any_case();
   std::vector<test::Contact> expected;
-  for (const exact::Contact& contact : c.contacts) expected.push_back(plain(c, contact));
+  for (const Found& contact : c.contacts) expected.push_back(plain(c, contact));
   std::sort(expected.begin(), expected.end());
-  const Contacts whole =
-      results::assemble(shuffled(c.contacts, seed), c.pairs, c.keys, {kNoLimit, c.contacts.size(), true});
+  Kept kept;
+  const Contacts& whole = kept.assemble(c, {kNoLimit, true, false}, seed);
   RC_ASSERT(test::listed(whole) == expected);
   RC_ASSERT(!whole.truncated);
 
-  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, seed % 40, std::uint64_t{expected.size()}}) {
-    const Contacts cut =
-        results::assemble(shuffled(c.contacts, seed + 1), c.pairs, c.keys, {limit, c.contacts.size(), true});
-    const std::size_t kept = std::min<std::size_t>(limit, expected.size());
-    const std::vector<test::Contact> prefix(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(kept));
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, seed % 200, std::uint64_t{expected.size()}}) {
+    const Contacts& cut = kept.assemble(c, {limit, true, false}, seed + 1);
+    const std::size_t count = std::min<std::size_t>(limit, expected.size());
+    const std::vector<test::Contact> prefix(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(count));
     RC_ASSERT(test::listed(cut) == prefix);
-    RC_ASSERT(cut.truncated == (kept < expected.size()));
+    RC_ASSERT(cut.truncated == (count < expected.size()));
     std::uint64_t sum = 0;
     for (const test::Contact& p : prefix) sum += documented::contact(c.keys[p[0]], p[2], c.keys[p[1]], p[3], p[4]);
     RC_ASSERT(cut.hash == sum);
   }
-  RC_ASSERT(results::assemble(c.contacts, c.pairs, c.keys, {kNoLimit, c.contacts.size(), false}).hash == 0);
+  RC_ASSERT(kept.assemble(c, {kNoLimit, false, false}, seed).hash == 0);
+}
+
+/// A row for every pair, in the order of the pairs, with the same contacts in it; a limit empties rows and drops none.
+RC_GTEST_PROP(Assemble, GivesARowForEveryPairWhenAskedFor, (std::uint64_t seed)) {
+  const Case c = any_case();
+  Kept kept;
+  for (const std::uint64_t limit : {kNoLimit, seed % 40, std::uint64_t{0}}) {
+    const Contacts sparse = kept.assemble(c, {limit, true, false}, seed);
+    const Contacts& full = kept.assemble(c, {limit, true, true}, seed);
+    RC_ASSERT(full.objects.size() == c.pairs.size());
+    RC_ASSERT(full.offsets.size() == c.pairs.size() + 1);
+    std::vector<std::array<std::uint32_t, 2>> with_contacts;
+    for (std::size_t i = 0; i < c.pairs.size(); ++i) {
+      RC_ASSERT(full.objects[i] == (std::array{c.pairs[i].a, c.pairs[i].b}));
+      RC_ASSERT(full.offsets[i] <= full.offsets[i + 1]);
+      if (full.offsets[i] < full.offsets[i + 1]) with_contacts.push_back(full.objects[i]);
+    }
+    RC_ASSERT(with_contacts == sparse.objects);
+    RC_ASSERT(full.triangles == sparse.triangles);
+    RC_ASSERT(full.kinds == sparse.kinds);
+    RC_ASSERT(full.hash == sparse.hash);
+    RC_ASSERT(full.truncated == sparse.truncated);
+  }
 }
 
 /// Objects renumbered and pairs turned round: the arrays change, the hash does not.
-RC_GTEST_PROP(Assemble, HashIsIndependentOfIdsAndSwap, ()) {
+RC_GTEST_PROP(Assemble, HashIsIndependentOfIdsAndSwap, (std::uint64_t seed)) {
   const Case c = any_case();
   Case turned{{}, {c.keys.rbegin(), c.keys.rend()}, c.contacts};
   for (const broad::ObjectPair& pair : c.pairs) turned.pairs.push_back({5 - pair.b, 5 - pair.a, {}});
-  for (exact::Contact& contact : turned.contacts) std::swap(contact.a, contact.b);
-  const auto hash = [](const Case& x) {
-    return results::assemble(x.contacts, x.pairs, x.keys, {kNoLimit, x.contacts.size(), true}).hash;
-  };
+  for (Found& contact : turned.contacts) std::swap(contact.a, contact.b);
+  const auto hash = [&](const Case& x) { return Kept().assemble(x, {kNoLimit, true, false}, seed).hash; };
   RC_ASSERT(hash(c) == hash(turned));
   if (c.contacts.empty()) return;
   Case other = c;
@@ -159,60 +218,83 @@ RC_GTEST_PROP(Assemble, HashIsIndependentOfIdsAndSwap, ()) {
   RC_ASSERT(hash(c) != hash(other));
 }
 
-/// Small limits, so that the collector cuts again and again.
+/// What a collector holds, pair by pair as it came.
+std::vector<Found> unpacked(const results::Collector& collector) {
+  std::vector<Found> all;
+  auto next = collector.kept().begin();
+  for (const results::Run& run : collector.runs())
+    for (std::size_t i = 0; i < run.count; ++i, ++next)
+      all.push_back({run.object_pair, results::triangle_a(*next), results::triangle_b(*next), results::kind_of(*next)});
+  EXPECT_EQ(next, collector.kept().end());
+  return all;
+}
+
+/// Small limits, so that the collector cuts again and again. One collector for all, as a worker keeps it.
 TEST(Collector, KeepsTheFirstInBoundedMemory) {
+  results::Collector collector;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const auto limit = static_cast<std::uint64_t>(random.integer(0, 3000));
     const auto kinds = static_cast<std::uint8_t>(random.integer(0, 7));
-    results::Collector collector(kinds, limit);
-    std::vector<exact::Contact> wanted;
+    collector.restart(kinds, limit);
+    const auto in_order = [](std::vector<Found> contacts) {
+      std::sort(contacts.begin(), contacts.end(), [](const Found& x, const Found& y) {
+        return std::tie(x.object_pair, x.a, x.b) < std::tie(y.object_pair, y.a, y.b);
+      });
+      return contacts;
+    };
+    std::vector<Found> wanted;
     std::uint64_t number = seed;
     for (int chunk = 0; chunk < 60; ++chunk) {
-      std::vector<exact::Contact> contacts;
+      std::vector<results::ContactKey> keys;
+      const auto object_pair = static_cast<std::uint32_t>(random.integer(0, 15));
       for (int i = random.integer(0, 500); i > 0; --i) {
         number = number * 0x9E3779B97F4A7C15 + 1;  // odd multipliers visit each number once
-        const auto id = static_cast<std::uint32_t>(number >> 40);
-        contacts.push_back(
-            {id >> 20, id, static_cast<std::uint32_t>(wanted.size()), static_cast<Kind>(random.integer(0, 2))});
-        if (kinds >> static_cast<int>(contacts.back().kind) & 1) wanted.push_back(contacts.back());
+        const Found found{object_pair, static_cast<std::uint32_t>(number >> 40),
+                          static_cast<std::uint32_t>(wanted.size()), static_cast<Kind>(random.integer(0, 2))};
+        keys.push_back(results::contact_key(found.a, found.b, found.kind));
+        if (kinds >> static_cast<int>(found.kind) & 1) wanted.push_back(found);
       }
-      collector.add(contacts);
+      collector.add(object_pair, keys);
       ASSERT_EQ(collector.seen(), wanted.size());
       ASSERT_LE(collector.kept().size(), 2 * limit + 4096 + 500);
     }
-    std::vector<exact::Contact> kept = collector.kept();
-    const auto order = [](std::vector<exact::Contact>& contacts) {
-      std::sort(contacts.begin(), contacts.end(), results::precedes);
-    };
-    order(kept), order(wanted);
-    const std::size_t n = std::min<std::size_t>(limit, wanted.size());
+    const std::vector<Found> kept = in_order(unpacked(collector)), expected = in_order(wanted);
+    const std::size_t n = std::min<std::size_t>(limit, expected.size());
     ASSERT_GE(kept.size(), n);
     for (std::size_t i = 0; i < n; ++i) {
-      ASSERT_EQ(kept[i].object_pair, wanted[i].object_pair);
-      ASSERT_EQ(kept[i].a, wanted[i].a);
-      ASSERT_EQ(kept[i].b, wanted[i].b);
-      ASSERT_EQ(kept[i].kind, wanted[i].kind);
+      ASSERT_EQ(kept[i].object_pair, expected[i].object_pair);
+      ASSERT_EQ(kept[i].a, expected[i].a);
+      ASSERT_EQ(kept[i].b, expected[i].b);
+      ASSERT_EQ(kept[i].kind, expected[i].kind);
     }
   }
 }
 
 TEST(Collector, WithoutALimitKeepsAll) {
-  results::Collector collector(kAllKinds, kNoLimit);
-  const std::vector<exact::Contact> contacts(20000, {1, 2, 3, Kind::touching});
-  collector.add(contacts);
+  results::Collector collector;
+  collector.restart(kAllKinds, kNoLimit);
+  const std::vector<results::ContactKey> contacts(20000, results::contact_key(2, 3, Kind::touching));
+  collector.add(1, contacts);
   EXPECT_EQ(collector.kept().size(), 20000u);
 }
 
-TEST(Precedes, IsTheCanonicalOrder) {
-  const std::array<std::uint32_t, 4> values{0, 1, 0x7FFFFFFF, 0xFFFFFFFE};
-  std::vector<exact::Contact> all;
-  for (const std::uint32_t p : values)
-    for (const std::uint32_t a : values)
-      for (const std::uint32_t b : values) all.push_back({p, a, b, Kind::touching});
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = 0; j < all.size(); ++j) EXPECT_EQ(results::precedes(all[i], all[j]), i < j);
+TEST(ContactKey, HoldsItsPartsAndSortsInCanonicalOrder) {
+  const std::array<std::uint32_t, 5> values{0, 1, 0x3FFFFFFF, 0x7FFFFFFD, 0x7FFFFFFE};
+  std::vector<results::ContactKey> all;
+  for (const std::uint32_t a : values) {
+    for (const std::uint32_t b : values) {
+      for (const Kind kind : {Kind::crossing, Kind::touching, Kind::coplanar}) {
+        all.push_back(results::contact_key(a, b, kind));
+        EXPECT_EQ(results::triangle_a(all.back()), a);
+        EXPECT_EQ(results::triangle_b(all.back()), b);
+        EXPECT_EQ(results::kind_of(all.back()), kind);
+      }
+    }
+  }
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+  EXPECT_EQ(std::set<results::ContactKey>(all.begin(), all.end()).size(), all.size());
 }
 
 }  // namespace

@@ -90,6 +90,27 @@ TEST(Place, KeyIsOfTheNumbersAlone) {
   EXPECT_EQ(key(cube, {}), key(test::mesh_of(negative), {}));
 }
 
+/// The glance at the exponents never says yes where the full test says no.
+TEST(Place, DomainIsThatOfTheWorldVertices) {
+  int inside = 0, outside = 0;
+  for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    scenes::MeshData numbers = scenes::cube();
+    const int magnitude = seed % 2 == 0 ? random.integer(285, 310) : random.integer(-370, -250);
+    for (double& x : numbers.xyz) x = std::ldexp(x == 0 ? 0 : random.uniform(0.5, 1), magnitude);
+    const Mesh mesh = test::mesh_of(numbers);
+    Pose pose = scenes::random_motion(random, 0);
+    if (seed % 3 == 0) pose.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (double& t : pose.t) t = seed % 5 == 0 ? 0 : std::ldexp(random.uniform(-1, 1), random.integer(-320, 305));
+    const bool expected = in_exact_domain(pose, test::numbers_of(mesh));
+    ASSERT_EQ(scene::place(test::numbers_of(mesh), pose, 0).in_domain, expected);
+    ++(expected ? inside : outside);
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_GT(outside, 500);
+}
+
 TEST(ValidatePose, HasItsBorderWhereTheContractHasIt) {
   int accepted = 0, refused = 0;
   double stretch = 1 + 4.9999e-7;

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""The page's tables, by the name that stands in it. A name that is not here is a CSV file shown as it is."""
+from data import by_library, digits, grouped, markdown, number, slope
+from targets import target_table
+
+LIBRARIES = ["impinge", "impinge scalar", "FCL", "FCL native", "Embree query alone", "Embree with refit",
+             "CGAL query alone"]
+PEERS = LIBRARIES[1:]
+
+# The paper's Table 1, in milliseconds, on its own machine: an Intel Core 2 Quad Q8200 with a Radeon HD 5750.
+PAPER_RAPID = {"968": 4.1620, "3162": 7.6131, "5200": 11.0231, "7590": 14.4713, "9612": 18.3837}
+PAPER_OWN = {"968": 3.9716, "3162": 6.5753, "5200": 9.5957, "7590": 11.7126, "9612": 13.2147}
+
+
+def cell(row, column):
+    return row[column] if row else "-"
+
+
+def spread_cell(row):
+    return f"{row['ratio']} ({row['ratio_low']} to {row['ratio_high']})" if row else "-"
+
+
+def disagreement_cell(rows):
+    missed, added = (sum(int(row[column]) for row in rows) for column in ("missed", "added"))
+    return "0" if missed == added == 0 else f"−{missed} +{added}"
+
+
+def milliseconds(tables, name, *keys):
+    """A row a question, a column a library."""
+    rows = []
+    for values, group in grouped(tables.rows(name), *keys):
+        libraries = by_library(group)
+        pairs = digits(number(group[0]["exact_pairs"]) / number(group[0]["questions"]))
+        rows.append([*values, pairs, *(cell(libraries.get(library), "ms") for library in LIBRARIES)])
+    present = [i for i in range(len(LIBRARIES)) if any(row[len(keys) + 1 + i] != "-" for row in rows)]
+    columns = [*keys, "pairs a query", *(LIBRARIES[i] for i in present)]
+    return markdown(columns, [row[: len(keys) + 1] + [row[len(keys) + 1 + i] for i in present] for row in rows])
+
+
+def ratios(tables, name, *keys):
+    """The same in times of impinge's, with the lowest and the highest repeat."""
+    rows = []
+    for values, group in grouped(tables.rows(name), *keys):
+        libraries = by_library(group)
+        rows.append([*values, *(spread_cell(libraries.get(library)) for library in PEERS)])
+    present = [i for i in range(len(PEERS)) if any(row[len(keys) + i] != "-" for row in rows)]
+    return markdown([*keys, *(PEERS[i] for i in present)],
+                    [row[: len(keys)] + [row[len(keys) + i] for i in present] for row in rows])
+
+
+def paper(tables):
+    rows = []
+    for (triangles,), group in grouped(tables.rows("paper"), "triangles"):
+        libraries = by_library(group)
+        rows.append([triangles, *(cell(libraries.get(library), "ms") for library in LIBRARIES),
+                     f"{PAPER_RAPID[triangles]:.4f}", f"{PAPER_OWN[triangles]:.4f}"])
+    return markdown(["triangles", *(f"{library}, ms" for library in LIBRARIES), "RAPID, ms, 2009 hardware (paper)",
+                     "the paper's method, ms, 2009 hardware (paper)"], rows)
+
+
+def truth(tables):
+    """Pairs missed and added by each library, summed over all that was asked."""
+    cases = [row for row in tables.rows("pairs") if not row["case"].startswith("first")]
+    groups = [(f"{shape}, {case}", rows) for (shape, case), rows in grouped(cases, "shape", "case")]
+    groups.append(("the paper's motion", tables.rows("paper")))
+    groups += [(family, rows) for (family,), rows in grouped(tables.rows("touching"), "family")]
+    groups += [(assembly, rows) for (assembly,), rows in grouped(tables.rows("assemblies"), "assembly")]
+    libraries = ["impinge", "impinge scalar", "FCL", "Embree query alone", "CGAL query alone"]
+    lines = []
+    for name, rows in groups:
+        exact = sum(int(row["exact_pairs"]) for row in rows if row["library"] == "impinge")
+        of = {library: [row for row in rows if row["library"] == library] for library in libraries}
+        lines.append([name, exact, *(disagreement_cell(of[lib]) if of[lib] else "-" for lib in libraries)])
+    return markdown(["scenes", "pairs", *libraries], lines)
+
+
+def yes_or_no(tables):
+    """Questions of which the yes or no was wrong."""
+    lines = []
+    for (family,), rows in grouped(tables.rows("touching"), "family"):
+        lines.append([family, rows[0]["questions"], *(row["wrong_answers"] for row in rows)])
+    for (assembly,), rows in grouped(tables.rows("assemblies"), "assembly"):
+        touching = f"{rows[0]['exact_object_pairs']} touching"
+        lines.append([assembly, touching, *(row["wrong_object_pairs"] for row in rows)])
+    libraries = [row["library"] for row in grouped(tables.rows("touching"), "family")[0][1]]
+    return markdown(["scenes", "motions, or pairs of parts", *libraries], lines)
+
+
+def slopes(tables):
+    lines = []
+    for (grows, library), rows in grouped(tables.rows("growth"), "grows", "library"):
+        fit = slope([(number(row[grows]), number(row["ms"])) for row in rows])
+        lines.append([f"with {grows}", library, f"{rows[0][grows]} to {rows[-1][grows]}",
+                      f"{rows[0]['ms']} to {rows[-1]['ms']}", f"{fit:.2f}"])
+    return markdown(["time grows", "library", "from, to", "ms", "slope"], lines)
+
+
+def plain(tables, name):
+    columns = tables.columns(name)
+    return markdown([column.replace("_", " ") for column in columns],
+                    [[row[column] for column in columns] for row in tables.rows(name)])
+
+
+NAMED = {
+    "targets": target_table,
+    "paper": paper,
+    "truth": truth,
+    "yes_or_no": yes_or_no,
+    "slopes": slopes,
+    "pair_times": lambda tables: milliseconds(tables, "pairs", "shape", "mesh", "triangles", "case"),
+    "pair_ratios": lambda tables: ratios(tables, "pairs", "shape", "mesh", "triangles", "case"),
+    "touching_times": lambda tables: milliseconds(tables, "touching", "family"),
+    "touching_ratios": lambda tables: ratios(tables, "touching", "family"),
+    "assembly_contest": lambda tables: plain(tables, "assemblies"),
+}
+
+
+def page_table(name, tables):
+    return NAMED[name](tables) if name in NAMED else plain(tables, name)

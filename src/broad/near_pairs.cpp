@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "broad/near_pairs.hpp"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include "broad/may_touch.hpp"
+
+namespace impinge::broad {
+namespace {
+
+// Found by trial on crowds that drift, swing and jitter by 0.25 to 5 % of their size a frame. More room: fewer objects
+// leave theirs, but more candidates overlap in vain.
+constexpr double kFramesAhead = 24;     ///< room in the direction of motion
+constexpr double kFramesAround = 10;    ///< room on all sides, for turns and jitter
+constexpr double kMostRoom = 0.25;      ///< of the extent along the axis: thin things side by side stay apart
+constexpr double kRoomAtRest = 0x1p-5;  ///< of the extent, for an object that has not moved yet
+constexpr double kShareToBuild = 0.5;   ///< of the population: so many changes make building anew faster
+
+constexpr std::size_t kChunk = 512;         ///< candidates that are filtered together, in cache
+constexpr std::size_t kChangedPart = 1024;  ///< changed objects that are worth the hand-over to another thread
+constexpr std::size_t kPart = 32768;        ///< candidates that are worth the hand-over to another thread
+constexpr std::size_t kPrefetch = 24;       ///< candidates that the objects of one take to arrive from memory
+
+std::uint32_t first_of(std::uint64_t pair) { return static_cast<std::uint32_t>(pair >> 32); }
+std::uint32_t second_of(std::uint64_t pair) { return static_cast<std::uint32_t>(pair); }
+
+}  // namespace
+
+void NearPairs::reserve(std::size_t n) {
+  if (n <= boxes_.size()) return;
+  assert(n < kObjectBit);
+  changed_.reserve(n), has_changed_.resize(n), is_here_.resize(n);
+  groups_.resize(n), starts_.resize(n), spheres_.resize(n), roomy_.resize(n);
+  boxes_.resize(n);  // last: its size is what the others have at least
+}
+
+void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) noexcept {
+  assert(object < boxes_.size());
+  const bool is_here = placed.mesh != nullptr && placed.in_domain, was_here = is_here_[object] != 0;
+  boxes_[object] = placed.box;
+  spheres_[object] = placed.sphere;
+  const bool stays = was_here && groups_[object] == placed.group && contains(roomy_[object], placed.box);
+  if (is_here == was_here && (stays || !is_here)) return;
+  if (std::exchange(has_changed_[object], 1) == 0) changed_.push_back(object);
+  is_here_[object] = is_here ? 1 : 0;
+  groups_[object] = placed.group;
+  if (was_here) --population_;
+  if (!is_here) return;
+  ++population_;
+  roomy_[object] = roomy_box(object, !was_here);
+  starts_[object] = {placed.box.lo + placed.box.hi, frame_};
+}
+
+Box NearPairs::roomy_box(std::uint32_t object, bool is_new) const {
+  const Box& box = boxes_[object];
+  const Vec3 extent = box.hi - box.lo;
+  // From 3/4 to 5/4, so that what set out together does not all leave in the same frame.
+  const double luck = 0.75 + 0x1p-33 * ((object + frame_ * 40503u) * 2654435761u);
+  if (is_new) {
+    const Vec3 around = (luck * kRoomAtRest) * extent;
+    return {box.lo - around, box.hi + around};
+  }
+  const Start& start = starts_[object];
+  const double age = std::max(1u, frame_ - start.frame);
+  const Vec3 motion = (0.5 / age) * ((box.lo + box.hi) - start.twice_middle);
+  const double around = luck * kFramesAround * max_component(abs(motion));
+  const auto room = [&](int axis, double direction) {
+    const double ahead = direction * luck * kFramesAhead * component(motion, axis);
+    return std::min(around + std::max(0.0, ahead), kMostRoom * component(extent, axis));
+  };
+  return {box.lo - Vec3{room(0, -1), room(1, -1), room(2, -1)}, box.hi + Vec3{room(0, 1), room(1, 1), room(2, 1)}};
+}
+
+void NearPairs::update(const ForEach& for_each) {
+  ++frame_;
+  if (is_current()) return;
+  const bool much = static_cast<double>(changed_.size()) > kShareToBuild * population_;
+  if (std::exchange(must_build_, true) || much)
+    build();
+  else
+    repair(for_each);
+  for (const std::uint32_t object : changed_) has_changed_[object] = 0;
+  changed_.clear();
+  must_build_ = false;
+}
+
+void NearPairs::build() {
+  build_tree();
+  searches_.resize(std::max<std::size_t>(searches_.size(), 1));
+  BoxTree::Search& search = searches_[0];
+  tree_.find_pairs(roomy_, groups_, search);
+  search.found.swap(fresh_);
+  box_tests_ += search.box_tests;
+  sort_fresh();
+  candidates_.swap(sorted_);
+}
+
+void NearPairs::build_tree() {
+  entries_.clear();
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    if (is_here_[i] == 0) continue;
+    const auto& [lo, hi] = roomy_[i];
+    entries_.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
+  }
+  tree_.build(entries_);
+}
+
+void NearPairs::repair(const ForEach& for_each) {
+  for (const std::uint32_t object : changed_) {
+    if (is_here_[object] != 0)
+      tree_.put(object, roomy_[object]);
+    else
+      tree_.remove(object);
+  }
+  tree_.refit();
+  if (tree_.is_worn()) build_tree();
+  find_fresh(for_each);
+  sort_fresh();
+  merge_fresh();
+}
+
+/// The pairs of changed objects with all others.
+void NearPairs::find_fresh(const ForEach& for_each) {
+  const std::size_t parts = for_each ? changed_.size() / kChangedPart + 1 : 1;
+  if (searches_.size() < parts) searches_.resize(parts);
+  const auto find_part = [&](std::size_t part) {
+    const std::size_t begin = part * changed_.size() / parts, end = (part + 1) * changed_.size() / parts;
+    BoxTree::Search& search = searches_[part];
+    tree_.find(std::span(changed_).subspan(begin, end - begin), roomy_, search);
+    // Of two that have changed, the lower one brings the pair.
+    std::erase_if(search.found, [&](std::uint64_t pair) {
+      const std::uint32_t changed = first_of(pair), other = second_of(pair);
+      const bool comes_again = other < changed && has_changed_[other] != 0;
+      const bool one_group = groups_[changed] != 0 && groups_[changed] == groups_[other];
+      return is_here_[changed] == 0 || changed == other || comes_again || one_group;
+    });
+  };
+  if (parts > 1)
+    for_each(parts, find_part);
+  else
+    find_part(0);
+  fresh_.clear();
+  for (std::size_t part = 0; part < parts; ++part) {
+    box_tests_ += searches_[part].box_tests;
+    for (const std::uint64_t pair : searches_[part].found)
+      fresh_.push_back(scene::pair_key(first_of(pair), second_of(pair)));
+  }
+}
+
+/// Into rows by the lower object, then each row: linear, as rows are short.
+void NearPairs::sort_fresh() {
+  row_ends_.assign(boxes_.size() + 1, 0);
+  for (const std::uint64_t pair : fresh_) ++row_ends_[first_of(pair) + 1];
+  for (std::size_t i = 1; i < row_ends_.size(); ++i) row_ends_[i] += row_ends_[i - 1];
+  sorted_.resize(fresh_.size());
+  for (const std::uint64_t pair : fresh_) sorted_[row_ends_[first_of(pair)]++] = pair;
+  auto row = sorted_.begin();
+  for (const std::uint32_t end : row_ends_) {
+    const auto next = sorted_.begin() + end;
+    if (next - row > 1) std::sort(row, next);
+    row = next;
+  }
+}
+
+/// Drops the candidates of changed objects and takes the sorted ones in.
+void NearPairs::merge_fresh() {
+  merged_.resize(candidates_.size() + sorted_.size());
+  const std::uint64_t *old = candidates_.data(), *const end = old + candidates_.size();
+  const std::uint8_t* const has_changed = has_changed_.data();
+  std::uint64_t* out = merged_.data();
+  const auto keep_below = [&](std::uint64_t limit) {
+    for (; old != end && *old < limit; ++old) {
+      *out = *old;
+      out += (has_changed[first_of(*old)] | has_changed[second_of(*old)]) == 0 ? 1 : 0;
+    }
+  };
+  for (const std::uint64_t pair : sorted_) {
+    keep_below(pair);
+    *out++ = pair;
+  }
+  keep_below(~std::uint64_t{0});
+  merged_.resize(static_cast<std::size_t>(out - merged_.data()));
+  candidates_.swap(merged_);
+}
+
+void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, const std::stop_token& stop,
+                     const ForEach& for_each) const {
+  const std::size_t parts = for_each ? candidates_.size() / kPart + 1 : 1;
+  pairs.clear();
+  if (parts == 1) {
+    append(view, 0, candidates_.size(), stop, pairs);
+  } else {
+    std::vector<ObjectPairs> found(parts);
+    for_each(parts, [&](std::size_t i) {
+      append(view, i * candidates_.size() / parts, (i + 1) * candidates_.size() / parts, stop, found[i]);
+    });
+    for (const ObjectPairs& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  }
+  if (stop.stop_requested()) pairs.clear();
+}
+
+/// The pairs among these candidates, or some of them if asked to stop.
+void NearPairs::append(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
+                       ObjectPairs& pairs) const {
+  const bool any_ignored = view.ignored != nullptr && !view.ignored->empty();
+  std::array<std::uint64_t, kChunk> kept;
+  for (; begin < end && !stop.stop_requested(); begin += kChunk) {
+    // A sphere is the tighter bound of most things, and less to read. Which pairs stay is as good as random: the counts
+    // are raised without a branch.
+    const std::size_t chunk_end = std::min(begin + kChunk, end);
+    std::size_t meeting = 0;
+    for (std::size_t i = begin; i < chunk_end; ++i) {
+      const std::uint64_t pair = candidates_[i], soon = candidates_[std::min(i + kPrefetch, candidates_.size() - 1)];
+      hwy::Prefetch(&spheres_[second_of(soon)]);
+      kept[meeting] = pair;
+      meeting += spheres_meet(spheres_[first_of(pair)], spheres_[second_of(pair)]) ? 1 : 0;
+    }
+    std::size_t overlapping = 0;
+    for (std::size_t i = 0; i < meeting; ++i) {
+      const std::uint64_t pair = kept[i];
+      const Box& soon = boxes_[second_of(kept[std::min(i + kPrefetch, meeting - 1)])];
+      hwy::Prefetch(&soon.lo), hwy::Prefetch(&soon.hi.z);  // a box may lie across two lines
+      kept[overlapping] = pair;
+      overlapping += overlap(boxes_[first_of(pair)], boxes_[second_of(pair)]) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < overlapping; ++i) {
+      const std::uint32_t a = first_of(kept[i]), b = second_of(kept[i]);
+      if (any_ignored && view.ignored->contains(a, b)) continue;
+      pairs.push_back({a, b, intersection(boxes_[a], boxes_[b])});
+    }
+  }
+}
+
+}  // namespace impinge::broad

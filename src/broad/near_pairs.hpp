@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "broad/box_tree.hpp"
+#include "broad/for_each.hpp"
+#include "broad/object_pairs.hpp"
+#include "scene/scene_view.hpp"
+
+namespace impinge::broad {
+
+/// The pairs of objects that are near each other, kept from frame to frame.
+///
+/// Each object has a roomy box around its own, with space for the motion that it has shown. While it stays inside, its
+/// bounds are written down and that is all. One that has left its roomy box gets a new one, which is looked up among
+/// the others in a tree. The pairs whose roomy boxes overlap are the candidates; a query compares their own bounds.
+/// Where much has changed at once, the tree is built anew and walked against itself.
+class NearPairs {
+ public:
+  /// Makes `place` possible for the objects below n, which is at most 2^31 - 1.
+  void reserve(std::size_t n);
+  /// Writes down where an object is now; without a mesh, or outside the exact domain, it is nowhere. Counts from the
+  /// next `update` on.
+  void place(std::uint32_t object, const scene::PlacedObject& placed) noexcept;
+  /// Brings the candidates up to date. If memory runs out, the next call does all the work.
+  void update(const ForEach& for_each = {});
+  /// Whether an update would change nothing.
+  [[nodiscard]] bool is_current() const noexcept { return changed_.empty() && !must_build_; }
+
+  /// The pairs whose boxes overlap and whose spheres meet, without those of one group and the ignored ones. It must be
+  /// current. Ends early, with no pairs, when asked to stop.
+  void find(const scene::SceneView& view, ObjectPairs& pairs, const std::stop_token& stop = {},
+            const ForEach& for_each = {}) const;
+
+  /// How many pairs `find` looks at.
+  [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
+  /// How often all updates have held a box against the eight of a tree's node.
+  [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
+
+ private:
+  /// When and where an object's roomy box was made.
+  struct Start {
+    Vec3 twice_middle;
+    std::uint32_t frame;
+  };
+
+  [[nodiscard]] Box roomy_box(std::uint32_t object, bool is_new) const;
+  void build();
+  void repair(const ForEach& for_each);
+  void build_tree();
+  void find_fresh(const ForEach& for_each);
+  void sort_fresh();
+  void merge_fresh();
+  void append(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
+              ObjectPairs& pairs) const;
+
+  std::uint32_t frame_ = 0;
+  std::uint32_t population_ = 0;
+  bool must_build_ = false;  ///< the last update was cut short
+  std::uint64_t box_tests_ = 0;
+
+  // By object.
+  std::vector<Sphere> spheres_;
+  std::vector<Box> boxes_, roomy_;
+  std::vector<Start> starts_;
+  std::vector<std::uint32_t> groups_;
+  std::vector<std::uint8_t> is_here_, has_changed_;
+
+  std::vector<std::uint32_t> changed_;     ///< since the last update
+  BoxTree tree_;                           ///< of the roomy boxes
+  std::vector<std::uint64_t> candidates_;  ///< pair keys, sorted
+
+  // An update's scratch. What is in them does not matter.
+  std::vector<BoxTree::Search> searches_;
+  std::vector<std::uint64_t> fresh_, sorted_, merged_;
+  std::vector<std::uint32_t> row_ends_;
+  std::vector<BoxTree::Entry> entries_;
+};
+
+}  // namespace impinge::broad

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "fast_stages.hpp"
+
+#include "exact/settle.hpp"
+#include "stage_clock.hpp"
+
+namespace impinge {
+namespace {
+
+// A slice of work: long enough that clocks and hand-overs do not show, short enough that threads share one large pair.
+constexpr hierarchy::WalkLimits kSlice{.leaf_pairs = 512, .box_tests = 65536, .nearest_first = false};
+constexpr hierarchy::WalkLimits kFirstSlice{.leaf_pairs = 1, .box_tests = 65536, .nearest_first = true};
+
+bool is_swapped(const Query& query, const broad::ObjectPair& objects) {
+  const auto unit = [&](std::uint32_t object) { return query.meshes[object]->wide_tree.unit_exponent(); };
+  return unit(objects.a) < unit(objects.b);
+}
+
+}  // namespace
+
+FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
+    : swapped(is_swapped(query, objects)),
+      a(query.view.objects[swapped ? objects.b : objects.a]),
+      b(query.view.objects[swapped ? objects.a : objects.b]),
+      walk{query.meshes[swapped ? objects.b : objects.a]->wide_tree,
+           query.meshes[swapped ? objects.a : objects.b]->wide_tree,
+           {}} {
+  walk.relation = hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent());
+}
+
+void FastStages::configure(const Options& options) {
+  nearest_first_ = options.find == Options::Find::first;
+  sweep_.configure(options.partition);
+}
+
+void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, Statistics& statistics) {
+  StageClock clock;
+  hierarchy::WalkCounts counts;
+  leaf_pairs_.clear(), keys_.clear();
+  if (fresh) pair.walk.start(stack, counts);
+  pair.walk.advance(stack, leaf_pairs_, nearest_first_ ? kFirstSlice : kSlice, counts);
+  clock.charge(statistics.hierarchy_seconds);
+  statistics.box_tests += counts.box_tests;
+  statistics.nodes_built += counts.nodes_made;
+  statistics.leaf_pairs += leaf_pairs_.size();
+
+  filtered_.crossing.clear(), filtered_.unsure.clear();
+  sweep_.begin(leaf_pairs_, pair.walk.relation);
+  for (bool done = false; !done;) {
+    stream_.size = 0;
+    done = sweep_.fill(stream_);
+    clock.charge(statistics.partition_seconds);
+    narrow::filter_pairs(stream_, filtered_);
+    clock.charge(statistics.narrow_seconds);
+    statistics.element_tests += stream_.size;
+    statistics.triangle_pairs += stream_.size;
+  }
+  contacts_.clear();
+  statistics.exact_calls +=
+      exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, filtered_.unsure, contacts_);
+  const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
+    keys_.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
+  };
+  for (const TrianglePair& crossing : filtered_.crossing) keep(crossing.a, crossing.b, Kind::crossing);
+  for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
+  clock.charge(statistics.exact_seconds);
+}
+
+}  // namespace impinge

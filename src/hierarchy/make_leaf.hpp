@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "hierarchy/arena.hpp"
+#include "hierarchy/triangle_soup.hpp"
+#include "hierarchy/wide_leaf.hpp"
+
+namespace impinge::hierarchy {
+
+inline constexpr std::uint32_t kMostTriangles = 256;
+
+/// A leaf of at most so many triangles, with axes of its own. The soup chooses them; what is stored comes from the
+/// mesh.
+const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& base, const SoupSource& source,
+                          Arena& arena);
+
+}  // namespace impinge::hierarchy

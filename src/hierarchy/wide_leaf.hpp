@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "hierarchy/frame.hpp"
+
+namespace impinge::hierarchy {
+
+/// A leaf's box is {x : |x| <= half}: its origin is the box's centre. After the header come nine rows of `stride`
+/// floats, the x of the triangles' first vertices, their y, their z, the x of the second vertices and so on, and a row
+/// of `stride` mesh triangle ids. Rows are aligned to 64 bytes if `stride` is a multiple of 16, to 32 if of 8. Beyond
+/// `count` the coordinates are kNoTriangle.
+struct alignas(64) WideLeaf {
+  /// Far outside of anything that may be tested, and finite.
+  static constexpr float kNoTriangle = 1e30f;
+
+  Frame frame;
+  float half[3];
+  float error;  ///< the stored coordinates are within this of the exact ones, each
+  /// |F⁻¹x - Fᵀx| of a stored point x is at most this, for F is orthonormal only to rounding.
+  float inverse_error;
+  std::uint32_t count, stride;
+
+  [[nodiscard]] const float* row(int i) const { return reinterpret_cast<const float*>(this + 1) + i * stride; }
+  [[nodiscard]] const std::uint32_t* ids() const { return reinterpret_cast<const std::uint32_t*>(row(9)); }
+};
+
+/// Two leaves whose boxes may overlap.
+struct WideLeafPair {
+  const WideLeaf* a;
+  const WideLeaf* b;
+};
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "hierarchy/wide_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "core/number.hpp"
+#include "hierarchy/arena.hpp"
+#include "hierarchy/make_leaf.hpp"
+#include "hierarchy/round_up.hpp"
+#include "hierarchy/triangle_soup.hpp"
+#include "hierarchy/wide_split.hpp"
+
+namespace impinge::hierarchy {
+namespace {
+
+/// Below this depth ranges are cut by count, so the depth is at most this and log8 of the triangles, even where each
+/// split peels off a few triangles.
+constexpr std::uint32_t kDeepestPlannedSplit = 20;
+/// When a range has shrunk to this part of its distance from the soup's base, it gets a base of its own.
+constexpr double kShrunk = 0x1p-10;
+/// In a full build, below ranges of this size one thread does it all.
+constexpr std::uint32_t kLarge = 1 << 12;
+constexpr std::size_t kChunk = std::size_t{1} << 15;
+
+/// So that the extent is between 1/2 and 1 in the unit. 2^-k v is exact unless it falls below 2^-1074 there, which is
+/// nothing (kNothing). Nor does it overflow: coordinates in the exact domain are below 2^300 and multiples of 2^-358,
+/// so that the extent, if any, is at least 2^-658 of the largest; what lies out of it is kept within 2^700 and never
+/// asked about.
+int unit_exponent_of(const MeshData& mesh) {
+  const double largest = max_component(mesh.max_abs);
+  if (largest == 0) return 0;
+  const double half_extent = max_component(0.5 * mesh.box.hi - 0.5 * mesh.box.lo);
+  const int of_size = exponent(largest) + 1;
+  const int of_extent = half_extent > 0 ? exponent(half_extent) + 2 : of_size;
+  return std::clamp(of_extent, std::max(of_size - 700, -1000), 1026);
+}
+
+void run_in_turn(std::size_t count, const std::function<void(std::size_t)>& body) {
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// How far from exact a coordinate of a node's boxes may be, for triangles whose box reaches `reach` from the node's
+/// origin, which lies `center` from the soup's base, in the largest coordinate. With u = 2^-24: s - c is off by
+/// u (|s| + |c| + |s - c|) <= u (2 |c| + 2 |d|) per coordinate, by the rounding of s, of c and of the difference d. The
+/// rotation's three products and two sums add 3 u times the sum of |F_il| |d_l|, that sum being at most sqrt(3) |d|.
+/// Together that is less than sqrt(3) u (2 |c| + 5 |d|), and |d| <= sqrt(3) reach but for less than a thousandth.
+double slack(double center, double reach) { return 0x1p-24 * (4 * center + 16 * reach) + kNothing; }
+
+}  // namespace
+
+struct WideTree::State {
+  /// Triangles that become a node or a leaf.
+  struct Range {
+    Vec3 base;
+    std::uint32_t first, count, depth;
+    bool needs_base;  ///< one of its own, before anything else
+  };
+
+  State(const MeshData& numbers, std::uint32_t most_in_leaf)
+      : leaf_size(most_in_leaf),
+        unit_exponent(unit_exponent_of(numbers)),
+        source{numbers, std::ldexp(1.0, -unit_exponent)} {}
+
+  const std::uint32_t leaf_size;
+  const int unit_exponent;
+  const SoupSource source;
+  Arena arena;
+  std::atomic<std::uintptr_t> root{0};
+  Vec3 base{};
+  std::unique_ptr<SoupTriangle[]> soup;
+  std::atomic<std::size_t> soup_size{0};
+  std::atomic<std::size_t> not_in_leaves{0};
+
+  TreeRef make_root(const ForEach& for_each);
+  TreeRef make(Range range, const ForEach& for_each);
+  TreeRef make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each);
+  Range range_of(const WideNode& node, int lane) const;
+
+  template <class Make>
+  TreeRef make_once(std::atomic<std::uintptr_t>& slot, std::uint64_t& nodes_made, const Make& make);
+};
+
+/// Lets one thread make what a slot holds; the others wait for it.
+template <class Make>
+TreeRef WideTree::State::make_once(std::atomic<std::uintptr_t>& slot, std::uint64_t& nodes_made, const Make& make) {
+  const auto settle = [&](std::uintptr_t bits) {
+    slot.store(bits, std::memory_order_release);
+    slot.notify_all();
+  };
+  std::uintptr_t bits = slot.load(std::memory_order_acquire);
+  while (bits <= kBusy) {
+    if (bits == kBusy) {  // another walk is making it
+      slot.wait(kBusy, std::memory_order_acquire);
+      bits = slot.load(std::memory_order_acquire);
+    } else if (slot.compare_exchange_weak(bits, kBusy, std::memory_order_acquire)) {
+      try {
+        bits = make().bits();
+      } catch (...) {  // out of memory: whoever waits, or comes later, may try again
+        settle(0);
+        throw;
+      }
+      ++nodes_made;
+      settle(bits);
+    }
+  }
+  return TreeRef(bits);
+}
+
+TreeRef WideTree::State::make_root(const ForEach& for_each) {
+  const std::size_t n = source.mesh.triangles.size();
+  if (!soup) {
+    auto fresh = std::make_unique_for_overwrite<SoupTriangle[]>(n);
+    base = choose_base(source, n, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    for_each((n + kChunk - 1) / kChunk, [&](std::size_t c) {
+      const std::size_t begin = c * kChunk, end = std::min(begin + kChunk, n);
+      for (std::size_t i = begin; i < end; ++i) fresh[i].id = static_cast<std::uint32_t>(i);
+      write_corners(source, base, {fresh.get() + begin, end - begin});
+    });
+    soup = std::move(fresh);
+    soup_size = n;
+    not_in_leaves = n;
+  }
+  return make({base, 0, static_cast<std::uint32_t>(n), 0, false}, for_each);
+}
+
+WideTree::State::Range WideTree::State::range_of(const WideNode& node, int lane) const {
+  const Vec3 from_base = Vec3{node.frame.origin[0], node.frame.origin[1], node.frame.origin[2]} - node.base;
+  double extent = 0, reach = 0;
+  for (int i = 0; i < 3; ++i) {
+    extent = std::max<double>(extent, node.half[i][lane]);
+    reach = std::max<double>(reach, std::abs(node.center[i][lane]) + node.half[i][lane]);
+  }
+  const double distance = max_component(abs(from_base)) + 2 * reach;
+  return {node.base, node.first[lane], node.count[lane], node.depth + 1, extent < kShrunk * distance};
+}
+
+TreeRef WideTree::State::make(Range range, const ForEach& for_each) {
+  const std::span triangles(soup.get() + range.first, range.count);
+  if (range.needs_base) {
+    range.base = choose_base(source, range.count, [&](std::size_t i) { return triangles[i].id; });
+    write_corners(source, range.base, triangles);
+  }
+  if (range.count > leaf_size) return make_node(range, triangles, for_each);
+  const WideLeaf* const leaf = make_leaf(triangles, range.base, source, arena);
+  if (not_in_leaves.fetch_sub(range.count) == range.count) {  // nobody reads the soup any more
+    soup.reset();
+    soup_size = 0;
+  }
+  return TreeRef(reinterpret_cast<std::uintptr_t>(leaf) | TreeRef::kLeafBit);
+}
+
+TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each) {
+  auto* const node = new (arena.allocate(sizeof(WideNode))) WideNode;
+  const WideSplit parts = split(
+      triangles, {.base = range.base, .leaf_size = leaf_size, .halve = range.depth >= kDeepestPlannedSplit}, for_each);
+  const SoupFrame& frame = parts.frame;
+  node->base = range.base;
+  node->depth = range.depth;
+  node->size = parts.size;
+  double center = 0, radius = 0;
+  const double bases[3] = {range.base.x, range.base.y, range.base.z};
+  for (int l = 0; l < 3; ++l) {
+    node->frame.origin[l] = bases[l] + double{frame.center[l]};
+    std::copy(frame.axes[l], frame.axes[l] + 4, node->frame.axes[l]);
+    center = std::max(center, std::abs(double{frame.center[l]}));
+  }
+  node->frame.origin[3] = 0;
+  std::uint32_t first = range.first;
+  for (std::uint32_t lane = 0; lane < kWidth; ++lane) {
+    node->child[lane].store(0, std::memory_order_relaxed);
+    const bool is_used = lane < parts.size;
+    node->first[lane] = first;
+    node->count[lane] = is_used ? parts.count[lane] : 0;
+    first += node->count[lane];
+    double lo[3], hi[3], reach = 0;
+    for (int i = 0; i < 3; ++i) {
+      lo[i] = is_used ? double{parts.lo[lane][i]} / frame.scale : 0;
+      hi[i] = is_used ? double{parts.hi[lane][i]} / frame.scale : 0;
+      reach = std::max({reach, -lo[i], hi[i]});
+    }
+    const double margin = slack(center, reach);
+    for (int i = 0; i < 3; ++i) {
+      const float middle = static_cast<float>(0.5 * (lo[i] + hi[i]));
+      node->center[i][lane] = middle;
+      node->half[i][lane] = is_used ? round_up(std::max(hi[i] - middle, middle - lo[i]) + margin) : kNoBox;
+    }
+    if (is_used) radius = std::max(radius, reach + margin);
+  }
+  node->frame.radius = round_up(radius);
+  return TreeRef(reinterpret_cast<std::uintptr_t>(node));
+}
+
+WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size) : state_(std::make_unique<State>(mesh, leaf_size)) {}
+WideTree::~WideTree() = default;
+
+TreeRef WideTree::root(std::uint64_t& nodes_made) {
+  return state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(run_in_turn); });
+}
+
+TreeRef WideTree::make_child(WideNode& node, int lane, std::uint64_t& nodes_made) {
+  return state_->make_once(node.child[lane], nodes_made,
+                           [&] { return state_->make(state_->range_of(node, lane), run_in_turn); });
+}
+
+void WideTree::build_below(const TreeRef& top) {
+  std::uint64_t nodes_made = 0;
+  std::vector<TreeRef> open{top};
+  while (!open.empty()) {
+    const TreeRef next = open.back();
+    open.pop_back();
+    if (next.is_leaf()) continue;
+    for (std::uint32_t lane = 0; lane < next.node().size; ++lane)
+      open.push_back(child(next.node(), static_cast<int>(lane), nodes_made));
+  }
+}
+
+void WideTree::build(const ForEach& for_each) {
+  struct Slot {
+    WideNode* node;
+    int lane;
+    [[nodiscard]] std::uint32_t count() const { return node->count[lane]; }
+  };
+  const auto largest_first = [](const Slot& p, const Slot& q) { return p.count() > q.count(); };
+  std::uint64_t nodes_made = 0;
+  const TreeRef top = state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(for_each); });
+  if (top.is_leaf()) return;
+  // Level by level until there is work for many threads, then below each node by itself.
+  const std::uint32_t large = std::max(kLarge, static_cast<std::uint32_t>(state_->source.mesh.triangles.size() / 256));
+  std::vector<Slot> level, small;
+  const auto open = [&](WideNode& node) {
+    for (int lane = 0; lane < static_cast<int>(node.size); ++lane)
+      (node.count[lane] > large ? level : small).push_back({&node, lane});
+  };
+  open(top.node());
+  while (!level.empty()) {
+    std::sort(level.begin(), level.end(), largest_first);
+    for_each(level.size(), [&](std::size_t i) {
+      std::uint64_t made = 0;
+      child(*level[i].node, level[i].lane, made);
+    });
+    for (const Slot& slot : std::exchange(level, {})) open(child(*slot.node, slot.lane, nodes_made).node());
+  }
+  std::sort(small.begin(), small.end(), largest_first);
+  for_each(small.size(), [&](std::size_t i) {
+    std::uint64_t made = 0;
+    build_below(child(*small[i].node, small[i].lane, made));
+  });
+}
+
+void WideTree::build(int) { build(run_in_turn); }
+
+int WideTree::unit_exponent() const { return state_->unit_exponent; }
+
+std::size_t WideTree::bytes() const {
+  return sizeof(WideTree) + sizeof(State) + state_->arena.bytes() + state_->soup_size * sizeof(SoupTriangle);
+}
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "core/mesh_data.hpp"
+#include "hierarchy/wide_leaf.hpp"
+
+/// The fast tree: eight children a node, each node with oriented axes of its own, in single precision about a local
+/// origin. Everything is in the tree's unit, 2^unit_exponent() of the mesh's: about the extent of the mesh, so that
+/// neither tiny nor huge meshes leave the range of float.
+namespace impinge::hierarchy {
+
+inline constexpr int kWidth = 8;
+/// Half extent of a lane that holds nothing: no sum with it reaches zero, so every overlap test says no. Finite, so
+/// that no product with it is a NaN.
+inline constexpr float kNoBox = -1e30f;
+
+struct WideNode;
+
+/// A node or a leaf, or nothing yet.
+class TreeRef {
+ public:
+  TreeRef() = default;
+  explicit TreeRef(std::uintptr_t bits) : bits_(bits) {}
+  [[nodiscard]] bool is_made() const { return bits_ != 0; }
+  [[nodiscard]] bool is_leaf() const { return (bits_ & kLeafBit) != 0; }
+  [[nodiscard]] WideNode& node() const { return *reinterpret_cast<WideNode*>(bits_); }
+  [[nodiscard]] const WideLeaf& leaf() const { return *reinterpret_cast<const WideLeaf*>(bits_ & ~kLeafBit); }
+  [[nodiscard]] std::uintptr_t bits() const { return bits_; }
+  static constexpr std::uintptr_t kLeafBit = 1;
+
+ private:
+  std::uintptr_t bits_ = 0;
+};
+
+/// Boxes are {x : |x - center| <= half} in the node's frame and hold the exact local coordinates of every vertex of
+/// every triangle below, for certain.
+struct alignas(64) WideNode {
+  float center[3][kWidth];
+  float half[3][kWidth];                      ///< kNoBox in lanes without a child
+  std::atomic<std::uintptr_t> child[kWidth];  ///< bits of a TreeRef; see WideTree::child
+  Frame frame;
+  std::uint32_t size;                          ///< how many children: lanes 0 to size - 1
+  std::uint32_t first[kWidth], count[kWidth];  ///< a child's triangles in the tree's order
+  // For its children's making alone.
+  std::uint32_t depth;
+  Vec3 base;  ///< of the soup triangles below
+};
+
+/// Calls body(0) to body(count - 1), in any order and on any threads, and returns when all are done. Who calls it may
+/// hold what others wait for, so meanwhile its thread does nothing else (in TBB's words: is isolated).
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
+
+/// Top-down, by binned cuts of least surface. A node's children are made when a walk first reaches them, and stay; many
+/// walks may do so at once, and the tree is the same in whatever order they do. Needs the mesh to outlive it.
+class WideTree {
+ public:
+  WideTree(const MeshData& mesh, std::uint32_t leaf_size);
+  ~WideTree();
+  WideTree(const WideTree&) = delete;
+  WideTree& operator=(const WideTree&) = delete;
+
+  /// The root, made now if need be (`nodes_made` is raised by each node or leaf made). The mesh has at least one
+  /// triangle. If memory runs out, here or below, the exception passes and the tree is as it was.
+  TreeRef root(std::uint64_t& nodes_made);
+
+  /// The child in a lane, made now if need be.
+  TreeRef child(WideNode& node, int lane, std::uint64_t& nodes_made) {
+    const TreeRef made(node.child[lane].load(std::memory_order_acquire));
+    return made.bits() > kBusy ? made : make_child(node, lane, nodes_made);
+  }
+
+  /// Makes all that is not made yet.
+  void build(const ForEach& for_each);
+  void build(int threads);
+
+  [[nodiscard]] int unit_exponent() const;
+  /// What the tree holds in memory now.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static constexpr std::uintptr_t kBusy = 2;  ///< in `child`: another walk is making it
+  TreeRef make_child(WideNode& node, int lane, std::uint64_t& nodes_made);
+  void build_below(const TreeRef& top);
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace impinge::hierarchy

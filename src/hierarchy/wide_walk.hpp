@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hierarchy/tree_relation.hpp"
+#include "hierarchy/walk_counts.hpp"
+#include "hierarchy/wide_tree.hpp"
+
+namespace impinge::hierarchy {
+
+struct TreeRefPair {
+  TreeRef a, b;
+};
+
+/// How far to walk in one go, and in what order.
+struct WalkLimits {
+  std::size_t leaf_pairs;   ///< stop after so many
+  std::uint64_t box_tests;  ///< stop after so many
+  bool nearest_first;       ///< pair by pair, down where the boxes' centres are closest: finds a first contact soon
+};
+
+/// The walk down two wide trees together: eight boxes against eight at a time, without recursion. What remains to be
+/// walked is on the stack, which may be cut up and walked in several threads.
+struct WideWalk {
+  WideTree& a;
+  WideTree& b;
+  TreeRelation relation;  ///< of b to a
+
+  /// Prepares both roots and puts them on the stack.
+  void start(std::vector<TreeRefPair>& stack, WalkCounts& counts) const;
+
+  /// Walks until the stack is empty or a limit is reached. The leaf pairs come after those that are there.
+  void advance(std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, const WalkLimits& limits,
+               WalkCounts& counts) const;
+};
+
+}  // namespace impinge::hierarchy

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hierarchy/tree_relation.hpp"
+#include "hierarchy/wide_leaf.hpp"
+#include "impinge/options.hpp"
+#include "partition/grid.hpp"
+#include "partition/pair_stream.hpp"
+
+namespace impinge::partition {
+
+/// What a sweep works with. A group of leaf pairs is prepared at once, so that none waits for its own numbers; then
+/// each pair's hits are listed, and written to the stream.
+struct alignas(64) SweepState {
+  static constexpr std::size_t kMostInLeaf = 256;
+  static constexpr std::size_t kGroup = 8;             ///< leaf pairs at once, at most
+  static constexpr std::size_t kLanes = 256;           ///< with so many triangles of B, at most
+  static constexpr std::size_t kStride = kLanes + 16;  ///< rows apart; see PairStream
+  static constexpr std::size_t kBlock = 16;            ///< triangles of A to a mask
+
+  bool by_grid = false, keep_all = false;
+  std::span<const hierarchy::WideLeafPair> pairs;  ///< what is left, from the group at hand on
+  const hierarchy::TreeRelation* relation = nullptr;
+
+  // The group at hand: B's triangles, leaf after leaf, in the frames of A's leaves, and their boxes: least and greatest
+  // x, y, z, larger by what neither leaf knows exactly.
+  alignas(64) float posed[9][kStride];
+  alignas(64) float box_b[6][kStride];
+  std::uint32_t rows[kStride];  ///< B's triangles that reach A's leaf, by their place above
+  struct {
+    std::uint32_t first_row, end_row;  ///< in `rows`
+    std::uint32_t first_lane;          ///< of B's leaf in `posed`
+    float error;
+  } group[kGroup];
+  std::size_t group_size, next_pair;
+
+  // The leaf pair at hand, next_pair - 1.
+  alignas(64) float box_a[6][kMostInLeaf];
+  Cells cells_a[kMostInLeaf], cells_b[kStride];
+  struct {
+    std::uint16_t row, block;  ///< a triangle of B and a block of A's
+    std::uint32_t mask;        ///< whose boxes meet
+  } hits[kMostInLeaf * kMostInLeaf / kBlock];
+  std::size_t hit_count, next_hit;
+};
+
+/// Turns pairs of leaves into a stream of pairs of triangles whose boxes meet. B's leaves are taken into the frames of
+/// A's, where the boxes of both leaves' triangles are held against each other, many at a time.
+class Sweep {
+ public:
+  void configure(Partition partition) {
+    state_.by_grid = partition == Partition::grid, state_.keep_all = partition == Partition::all;
+  }
+
+  /// The work: leaf pairs of two trees, and how the second lies in the first. They stay as long as the work does.
+  void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation) {
+    state_.pairs = pairs, state_.relation = &relation;
+    state_.group_size = state_.next_pair = state_.hit_count = state_.next_hit = 0;
+  }
+
+  /// Appends to the stream until it is nearly full (false: come again) or the work is done (true).
+  bool fill(PairStream& stream);
+
+ private:
+  SweepState state_;
+};
+
+}  // namespace impinge::partition

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exact/contact.hpp"
+#include "hierarchy/dual_walk.hpp"
+#include "impinge/contacts.hpp"
+#include "narrow/backend.hpp"
+#include "partition/partition.hpp"
+#include "query.hpp"
+#include "results/contact_key.hpp"
+
+namespace impinge {
+
+/// The stages from hierarchy to exact as the paper has them: binary OBB trees, a uniform grid, streams of edges against
+/// triangles. The reference that `FastStages` is held against. One thread uses it at a time.
+class PlainStages {
+ public:
+  /// What remains to be walked is a stack of these.
+  using Step = hierarchy::NodePair;
+
+  /// What the stages need of one pair of objects.
+  struct Pair {
+    Pair(const Query& query, const broad::ObjectPair& objects);
+    hierarchy::DualWalk walk;
+    partition::PlacedMeshes placed;
+  };
+
+  PlainStages();
+  void configure(const Options& options);
+
+  /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
+  void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, Statistics& statistics);
+  /// Of the last slice.
+  [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
+
+ private:
+  hierarchy::LeafPairs leaf_pairs_;
+  partition::Partitioner partitioner_;
+  partition::Batch batch_;
+  std::unique_ptr<narrow::Backend> backend_;
+  std::vector<narrow::Verdict> verdicts_;
+  std::vector<exact::Contact> contacts_;
+  std::vector<results::ContactKey> keys_;
+};
+
+}  // namespace impinge

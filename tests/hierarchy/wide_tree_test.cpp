@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "hierarchy/wide_tree.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "hwy/targets.h"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/hierarchy/wide_trees.hpp"
+
+namespace impinge {
+namespace {
+
+using hierarchy::Frame;
+using hierarchy::kNoBox;
+using hierarchy::kWidth;
+using hierarchy::TreeRef;
+using hierarchy::WideLeaf;
+using hierarchy::WideNode;
+using hierarchy::WideTree;
+
+/// In the tree's unit, exactly.
+using Rational3 = std::array<mpq_class, 3>;
+Rational3 in_unit(const Vec3& v, int unit_exponent) {
+  Rational3 result{mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
+  for (mpq_class& x : result) {
+    if (unit_exponent > 0) mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(unit_exponent));
+    if (unit_exponent < 0) mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-unit_exponent));
+  }
+  return result;
+}
+
+Rational3 local(const Frame& frame, const Rational3& point) {
+  Rational3 result;
+  for (int i = 0; i < 3; ++i)
+    for (int l = 0; l < 3; ++l) result[i] += mpq_class(frame.axes[l][i]) * (point[l] - mpq_class(frame.origin[l]));
+  return result;
+}
+
+/// max|F Fᵀ - I|, exactly.
+mpq_class defect(const Frame& frame) {
+  mpq_class most = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      mpq_class e = i == j ? -1 : 0;
+      for (int l = 0; l < 3; ++l) e += mpq_class(frame.axes[l][i]) * mpq_class(frame.axes[l][j]);
+      most = std::max<mpq_class>(most, abs(e));
+    }
+  }
+  return most;
+}
+
+void expect_true_frame(const Frame& frame) {
+  ASSERT_LE(defect(frame), mpq_class(0x1p-20));
+  for (int l = 0; l < 3; ++l) {
+    ASSERT_TRUE(std::isfinite(frame.origin[l]));
+    ASSERT_EQ(frame.axes[l][3], 0);
+  }
+}
+
+/// Makes the whole tree and holds it against all that its headers promise, by exact arithmetic.
+class Inspection {
+ public:
+  Inspection(const MeshData& mesh, std::uint32_t leaf_size)
+      : mesh_(mesh), leaf_size_(leaf_size), tree_(mesh, leaf_size), times_in_leaf_(mesh.triangles.size()) {
+    for (const Vec3& v : mesh.vertices) points_.push_back(in_unit(v, tree_.unit_exponent()));
+  }
+
+  void run() {
+    std::uint64_t made = 0;
+    const TreeRef root = tree_.root(made);
+    EXPECT_EQ(made, 1u);
+    EXPECT_EQ(tree_.root(made).bits(), root.bits());
+    EXPECT_EQ(made, 1u);
+    ASSERT_NO_FATAL_FAILURE(inspect(root, static_cast<std::uint32_t>(times_in_leaf_.size()), made));
+    EXPECT_EQ(made, nodes_ + leaves_);
+    EXPECT_EQ(times_in_leaf_, std::vector<std::uint32_t>(times_in_leaf_.size(), 1));
+  }
+
+ private:
+  /// The triangles below.
+  std::vector<std::uint32_t> inspect(const TreeRef& ref, std::uint32_t count, std::uint64_t& made) {
+    std::vector<std::uint32_t> ids;
+    if (ref.is_leaf()) {
+      ++leaves_;
+      EXPECT_EQ(ref.leaf().count, count);
+      inspect(ref.leaf());
+      ids.assign(ref.leaf().ids(), ref.leaf().ids() + ref.leaf().count);
+      for (const std::uint32_t id : ids) ++times_in_leaf_.at(id);
+      return ids;
+    }
+    ++nodes_;
+    WideNode& node = ref.node();
+    EXPECT_GT(count, leaf_size_);
+    EXPECT_GE(node.size, 2u);
+    expect_true_frame(node.frame);
+    for (std::uint32_t lane = node.size; lane < kWidth; ++lane)
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(node.half[i][lane], kNoBox);
+    for (std::uint32_t lane = 0; lane < node.size; ++lane) {
+      EXPECT_GT(node.count[lane], 0u);
+      const TreeRef child = tree_.child(node, static_cast<int>(lane), made);
+      const std::uint64_t made_before = made;
+      EXPECT_EQ(tree_.child(node, static_cast<int>(lane), made).bits(), child.bits());
+      EXPECT_EQ(made, made_before);
+      const auto below = inspect(child, node.count[lane], made);
+      if (testing::Test::HasFailure()) return ids;
+      expect_in_box(node, lane, below);
+      ids.insert(ids.end(), below.begin(), below.end());
+    }
+    EXPECT_EQ(ids.size(), count);
+    return ids;
+  }
+
+  void expect_in_box(const WideNode& node, std::uint32_t lane, const std::vector<std::uint32_t>& ids) {
+    for (const std::uint32_t id : ids) {
+      for (const std::uint32_t v : mesh_.triangles[id]) {
+        const Rational3 x = local(node.frame, points_[v]);
+        for (int i = 0; i < 3; ++i) {
+          ASSERT_LE(abs(x[i] - mpq_class(node.center[i][lane])), mpq_class(node.half[i][lane]));
+          ASSERT_LE(abs(x[i]), mpq_class(node.frame.radius));
+        }
+      }
+    }
+  }
+
+  void inspect(const WideLeaf& leaf) {
+    EXPECT_GE(leaf.count, 1u);
+    EXPECT_LE(leaf.count, leaf_size_);
+    EXPECT_EQ(leaf.stride, leaf.count <= 8 ? 8 : (leaf.count + 15) / 16 * 16);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(leaf.row(0)) % 64, 0u);
+    ASSERT_NO_FATAL_FAILURE(expect_true_frame(leaf.frame));
+    const mpq_class error(leaf.error), radius(leaf.frame.radius);
+    for (std::uint32_t j = 0; j < leaf.count; ++j) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Rational3 x = local(leaf.frame, points_[mesh_.triangles[leaf.ids()[j]][corner]]);
+        std::array<float, 3> stored;
+        for (std::size_t i = 0; i < 3; ++i) {
+          stored[i] = leaf.row(static_cast<int>(3 * corner + i))[j];
+          ASSERT_LE(abs(x[i] - mpq_class(stored[i])), error);
+          ASSERT_LE(abs(x[i]), mpq_class(leaf.half[i]));
+          ASSERT_LE(abs(x[i]), radius);
+        }
+        expect_inverse_error(leaf, stored);
+      }
+    }
+    for (int i = 0; i < 9; ++i)
+      for (std::uint32_t j = leaf.count; j < leaf.stride; ++j) ASSERT_EQ(leaf.row(i)[j], WideLeaf::kNoTriangle);
+  }
+
+  /// |F⁻¹x - Fᵀx| is below the leaf's bound if |x - F Fᵀx| is below a bound shrunk by what F may stretch.
+  static void expect_inverse_error(const WideLeaf& leaf, const std::array<float, 3>& x) {
+    mpq_class squares = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      mpq_class rest(x[i]);
+      for (int l = 0; l < 3; ++l) {
+        mpq_class back = 0;
+        for (int k = 0; k < 3; ++k)
+          back += mpq_class(leaf.frame.axes[l][k]) * mpq_class(x[static_cast<std::size_t>(k)]);
+        rest -= mpq_class(leaf.frame.axes[l][i]) * back;
+      }
+      squares += rest * rest;
+    }
+    const mpq_class bound(leaf.inverse_error * (1 - 0x1p-19));
+    ASSERT_LE(squares, bound * bound);
+  }
+
+  const MeshData& mesh_;
+  const std::uint32_t leaf_size_;
+  WideTree tree_;
+  std::vector<Rational3> points_;
+  std::vector<std::uint32_t> times_in_leaf_;
+  std::uint64_t nodes_ = 0, leaves_ = 0;
+};
+
+void expect_true_tree(const scenes::MeshData& numbers, std::initializer_list<std::uint32_t> leaf_sizes) {
+  const Mesh mesh = test::mesh_of(numbers);
+  for (const std::uint32_t leaf_size : leaf_sizes) {
+    SCOPED_TRACE("leaf size " + std::to_string(leaf_size));
+    ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(mesh), leaf_size).run());
+  }
+}
+void expect_true_trees(const scenes::MeshData& numbers) { expect_true_tree(numbers, {1, 7, 16, 256}); }
+
+TEST(WideTree, IsTrueForShapes) {
+  expect_true_trees(scenes::uv_sphere(20, 20));
+  expect_true_trees(scenes::torus_knot_of(968));
+  expect_true_trees(scenes::box({-4, -2, -0.5}, {4, 2, 0.5}, 6));
+  expect_true_trees(scenes::cube());
+}
+
+TEST(WideTree, IsTrueForSoups) {
+  test::Seeded seeded(1);
+  expect_true_trees(scenes::triangle_soup(seeded.random, 500, 0.1));
+  expect_true_trees(scenes::integer_soup(seeded.random, 500, 2));
+  expect_true_trees(scenes::degenerate_soup(seeded.random, 500, 2));
+  expect_true_trees(scenes::sliver_soup(seeded.random, 300));
+  expect_true_trees(scenes::sliver_soup(seeded.random, 300, 1e-300));
+}
+
+/// Large enough for frames and cuts to be chosen by a sample.
+TEST(WideTree, IsTrueForSampledNodes) {
+  test::Seeded seeded(2);
+  expect_true_tree(scenes::torus_knot_of(9612), {16});
+  expect_true_tree(scenes::triangle_soup(seeded.random, 5000, 0.02), {32});
+}
+
+TEST(WideTree, IsTrueForTrianglesInAPointOrOnALine) {
+  scenes::MeshData points, one, line;
+  const std::uint32_t v = one.add_vertex(1e6, 1e-6, 0.3);
+  for (int i = 0; i < 1100; ++i) {
+    points.add_triangle({0.1, 0.2, 0.3, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3});
+    one.add_triangle(v, v, v);
+    const double x = i * 0.001;
+    line.add_triangle({x, 2 * x, -x, x + 0.001, 2 * x + 0.002, -x - 0.001, x, 2 * x, -x});
+  }
+  expect_true_trees(points);
+  expect_true_trees(one);
+  expect_true_trees(line);
+  expect_true_trees(scenes::with_duplicates(scenes::cube(), 100));
+}
+
+TEST(WideTree, IsTrueFarFromTheOrigin) {
+  test::Seeded seeded(3);
+  for (const double offset : {1e6, 1e9, 1e15}) {
+    SCOPED_TRACE(offset);
+    expect_true_trees(scenes::shifted(scenes::triangle_soup(seeded.random, 200, 0.2), offset, -offset, offset / 3));
+    expect_true_trees(scenes::shifted(scenes::triangle_soup(seeded.random, 200, 0.2), 0, offset, 0));
+  }
+}
+
+TEST(WideTree, IsTrueAtEveryScale) {
+  test::Seeded seeded(4);
+  for (const double scale : {0x1p-1060, 0x1p-350, 0x1p-300, 0x1p-70, 0x1p70, 0x1p299, 0x1p900}) {
+    SCOPED_TRACE(scale);
+    expect_true_trees(scenes::scaled(scenes::triangle_soup(seeded.random, 100, 1), scale, scale, scale));
+    expect_true_trees(scenes::scaled(scenes::triangle_soup(seeded.random, 100, 1), scale, scale * 0x1p-40, 0));
+  }
+  // A plane at 2^290 whose own extent is 2^-350.
+  scenes::MeshData plane = scenes::scaled(scenes::flat_grid(5, 5), 0x1p-350, 0x1p-350, 1);
+  expect_true_trees(scenes::shifted(std::move(plane), 0, 0, 0x1p290));
+}
+
+TEST(WideTree, IsTrueForExponentiallySpacedTriangles) {
+  for (const double base : {2.0, 1.05}) {
+    scenes::MeshData numbers;
+    for (int i = base == 2 ? -350 : -700; i <= 290; ++i) {
+      const double x = std::pow(base, i);
+      numbers.add_triangle({x, 0, 0, x, x, 0, x, 0, x});
+    }
+    expect_true_tree(numbers, {1, 16});
+  }
+}
+
+std::uint32_t depth_of(WideTree& tree, const TreeRef& ref) {
+  if (ref.is_leaf()) return 0;
+  std::uint64_t made = 0;
+  std::uint32_t deepest = 0;
+  for (std::uint32_t lane = 0; lane < ref.node().size; ++lane)
+    deepest = std::max(deepest, depth_of(tree, tree.child(ref.node(), static_cast<int>(lane), made)));
+  return deepest + 1;
+}
+
+/// Each node peels off the largest few, until cuts by count set in.
+TEST(WideTree, IsOfBoundedDepth) {
+  scenes::MeshData numbers;
+  for (int i = 0; i < 48000; ++i) {
+    const double x = 0x1p250 * std::pow(1.01, -i);
+    numbers.add_triangle({x, 0, 0, x, x, 0, x, 0, x});
+  }
+  const Mesh mesh = test::mesh_of(numbers);
+  WideTree tree(test::numbers_of(mesh), 1);
+  std::uint64_t made = 0;
+  const std::uint32_t depth = depth_of(tree, tree.root(made));
+  EXPECT_GT(depth, 20u);
+  EXPECT_LE(depth, 20u + 6u);  // 8^6 > 48000
+}
+
+/// The sum over leaves of their box's surface, and the largest, in the mesh's unit.
+struct Surface {
+  double sum = 0, largest = 0;
+};
+Surface leaf_surface(const Mesh& mesh) {
+  WideTree tree(test::numbers_of(mesh), 16);
+  std::uint64_t made = 0;
+  std::vector<TreeRef> open{tree.root(made)};
+  Surface surface;
+  while (!open.empty()) {
+    const TreeRef next = open.back();
+    open.pop_back();
+    if (next.is_leaf()) {
+      const float(&h)[3] = next.leaf().half;
+      const double own =
+          std::ldexp(8 * (double{h[0]} * h[1] + double{h[1]} * h[2] + double{h[2]} * h[0]), 2 * tree.unit_exponent());
+      surface.sum += own;
+      surface.largest = std::max(surface.largest, own);
+    } else {
+      for (std::uint32_t lane = 0; lane < next.node().size; ++lane)
+        open.push_back(tree.child(next.node(), static_cast<int>(lane), made));
+    }
+  }
+  return surface;
+}
+
+/// All detail in a tiny part of the extent: single precision about the middle of it all would not tell it apart.
+TEST(WideTree, IsTightBesideAFarOutlier) {
+  scenes::MeshData knot = scenes::torus_knot_of(9612);
+  const Surface alone = leaf_surface(test::mesh_of(knot));
+  knot.add_triangle({3e7, 3e7, 3e7, 3e7, 3e7, 3e7, 3e7, 3e7, 3e7});
+  knot.add_triangle({-5e7, 3e7, 0, -5e7, 3e7, 0, -5e7, 3e7, 0});
+  EXPECT_LT(leaf_surface(test::mesh_of(knot)).sum, 1.1 * alone.sum);
+  expect_true_tree(knot, {16});
+
+  // Two clusters, so that no base is near both.
+  scenes::MeshData two = scenes::torus_knot_of(9612);
+  const scenes::MeshData far = scenes::shifted(two, 1e8, 1e7, 0);
+  const auto offset = static_cast<std::uint32_t>(two.vertex_count());
+  two.xyz.insert(two.xyz.end(), far.xyz.begin(), far.xyz.end());
+  for (const std::uint32_t v : far.triangles) two.triangles.push_back(v + offset);
+  EXPECT_LT(leaf_surface(test::mesh_of(two)).sum, 2.1 * alone.sum);
+}
+
+TEST(WideTree, IsTightAroundATurnedPlane) {
+  test::Seeded seeded(5);
+  const auto plane = scenes::baked(scenes::flat_grid(60, 60), scenes::random_motion(seeded.random, 100));
+  const Surface surface = leaf_surface(test::mesh_of(plane));
+  EXPECT_LT(surface.sum, 2 * 3600 * 1.2);  // both sides
+}
+
+TEST(WideTree, TakesLittleMemoryOnceItIsWhole) {
+  for (const int triangles : {968, 9612, 40000}) {
+    const Mesh mesh = test::mesh_of(scenes::torus_knot_of(triangles));
+    WideTree tree(test::numbers_of(mesh), 16);
+    tree.build([](std::size_t count, const auto& body) {
+      for (std::size_t i = 0; i < count; ++i) body(i);
+    });
+    std::uint64_t made = 0;
+    tree.root(made);
+    EXPECT_EQ(made, 0u);
+    EXPECT_LT(tree.bytes(), 80 * mesh.triangle_count()) << triangles;
+  }
+}
+
+/// Runs body(0) .. body(n - 1) on a thread each.
+template <class Body>
+void on_threads(std::size_t n, const Body& body) {
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < n; ++i) threads.emplace_back([&, i] { body(i); });
+  for (std::thread& thread : threads) thread.join();
+}
+
+/// Makes all in an order of its own.
+void make_shuffled(WideTree& tree, std::uint64_t seed, std::uint64_t& made) {
+  scenes::Random random(seed);
+  std::vector<TreeRef> open{tree.root(made)};
+  while (!open.empty()) {
+    std::swap(open.back(), open[static_cast<std::size_t>(random.integer(0, static_cast<int>(open.size()) - 1))]);
+    const TreeRef next = open.back();
+    open.pop_back();
+    if (next.is_leaf()) continue;
+    const int size = static_cast<int>(next.node().size), turn = random.integer(0, size - 1);
+    for (int i = 0; i < size; ++i) open.push_back(tree.child(next.node(), (i + turn) % size, made));
+  }
+}
+
+TEST(WideTree, IsTheSameHoweverItIsMade) {
+  const Mesh mesh = test::mesh_of(scenes::torus_knot_of(9612));
+  WideTree plain(test::numbers_of(mesh), 16);
+  const std::string expected = test::bytes_of(plain);
+  for (std::uint64_t round = 0; round < 5; ++round) {
+    WideTree shared(test::numbers_of(mesh), 16);
+    std::vector<std::uint64_t> made(4);
+    on_threads(4, [&](std::size_t i) { make_shuffled(shared, 4 * round + i, made[i]); });
+    WideTree alone(test::numbers_of(mesh), 16);
+    std::uint64_t made_alone = 0;
+    make_shuffled(alone, 100 + round, made_alone);
+    EXPECT_EQ(made[0] + made[1] + made[2] + made[3], made_alone);
+    ASSERT_TRUE(test::bytes_of(shared) == expected);
+    ASSERT_TRUE(test::bytes_of(alone) == expected);
+  }
+}
+
+/// Large enough for single splits to be shared by threads.
+TEST(WideTree, IsTheSameWhenBuiltByThreads) {
+  const Mesh mesh = test::mesh_of(scenes::bumpy_grid(300, 300));
+  WideTree plain(test::numbers_of(mesh), 16);
+  const std::string expected = test::bytes_of(plain);
+  WideTree built(test::numbers_of(mesh), 16);
+  built.build([](std::size_t count, const auto& body) {
+    on_threads(4, [&](std::size_t thread) {
+      for (std::size_t i = thread; i < count; i += 4) body(i);
+    });
+  });
+  ASSERT_TRUE(test::bytes_of(built) == expected);
+}
+
+TEST(WideTree, IsTheSameOnEveryInstructionSet) {
+  const Mesh mesh = test::mesh_of(scenes::torus_knot_of(9612));
+  WideTree plain(test::numbers_of(mesh), 16);
+  const std::string expected = test::bytes_of(plain);
+  int tried = 0;
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    WideTree tree(test::numbers_of(mesh), 16);
+    EXPECT_TRUE(test::bytes_of(tree) == expected) << hwy::TargetName(target);
+    ++tried;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  EXPECT_GE(tried, 1);
+}
+
+}  // namespace
+}  // namespace impinge

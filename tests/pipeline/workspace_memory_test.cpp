@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/placed.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+
+void* allocated(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (size + alignment) / alignment * alignment;
+  if (void* memory = std::aligned_alloc(alignment, rounded)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Not inlined: the compiler would otherwise see free() meet new.
+[[gnu::noinline]] void* operator new(std::size_t size) { return allocated(size, 16); }
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocated(size, static_cast<std::size_t>(alignment));
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace impinge {
+namespace {
+
+/// Runs frame(0) to frame(n - 1) until the trees are made and the memory is large enough, and fails if a later round
+/// allocates.
+template <class Frame>
+void expect_steady(int n, const Frame& frame) {
+  for (int round = 0; round < 4; ++round)
+    for (int i = 0; i < n; ++i) frame(i);
+  const std::uint64_t before = allocations;
+  for (int i = 0; i < n; ++i) frame(i);
+  EXPECT_EQ(allocations - before, 0u);
+}
+
+std::vector<Pose> poses_along(const Pose& from, int n, double step) {
+  std::vector<Pose> poses(static_cast<std::size_t>(n), from);
+  for (int i = 0; i < n; ++i) poses[static_cast<std::size_t>(i)].t[0] += step * i;
+  return poses;
+}
+
+/// All options that change which code runs.
+std::vector<Options> all_options() {
+  std::vector<Options> all;
+  for (const Partition partition : {Partition::automatic, Partition::grid, Partition::all})
+    all.push_back({.threads = 1, .backend = "simd", .partition = partition});
+  all.push_back({.find = Options::Find::first, .threads = 1, .backend = "simd"});
+  all.push_back({.kinds = kCrossing, .threads = 1});
+  return all;
+}
+
+TEST(SteadySeries, OfPairsAllocatesNothing) {
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), ball = test::mesh_of(scenes::uv_sphere(24, 24));
+  const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 40, 0.1);
+  for (const Options& options : all_options()) {
+    Workspace workspace;
+    std::size_t contacts = 0;
+    expect_steady(40, [&](int i) {
+      Contacts found = collide(knot, {}, ball, poses[static_cast<std::size_t>(i)], options, &workspace).value();
+      contacts += found.triangles.size();
+      workspace.recycle(std::move(found));
+    });
+    EXPECT_GT(contacts, 100u);
+  }
+}
+
+/// Where everything touches and the exact stage has all the work.
+TEST(SteadySeries, OfTouchingPairsAllocatesNothing) {
+  scenes::Random random(1);
+  const Mesh plane = test::mesh_of(scenes::flat_grid(12, 12)), cube = test::mesh_of(scenes::cube());
+  const Mesh soup = test::mesh_of(scenes::degenerate_soup(random, 60, 3));
+  const Pose turned = scenes::random_motion(random, 10);
+  Workspace workspace;
+  expect_steady(20, [&](int i) {
+    Pose moved = turned;
+    moved.t[0] += 0.25 * i;
+    Contacts found = collide(plane, turned, plane, moved, {.threads = 1}, &workspace).value();
+    workspace.recycle(std::move(found));
+    found = collide(cube, {}, soup, {.t = {0.25 * i, 0, 0}}, {.threads = 1}, &workspace).value();
+    workspace.recycle(std::move(found));
+  });
+}
+
+TEST(SteadySeries, OfPosesAllocatesNothing) {
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
+  const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 60, 0.1);
+  Workspace workspace;
+  expect_steady(5, [&](int i) {
+    const std::span<const Pose> some(poses.data() + i, 50);
+    Contacts found = collide_poses(cube, {poses.data(), 1}, knot, some, {.threads = 1}, &workspace).value();
+    workspace.recycle(std::move(found));
+  });
+}
+
+/// Bodies that move a little each frame, as a simulation has them.
+TEST(SteadySeries, OfScenesAllocatesNothing) {
+  scenes::Random random(2);
+  const scenes::PlacedScene placed = scenes::scattered(random, scenes::torus_knot_of(968), 12, 8);
+  for (const Options& options : all_options()) {
+    Scene scene;
+    const Mesh mesh = test::mesh_of(placed.meshes[0]);
+    std::vector<ObjectId> ids;
+    for (const auto& object : placed.objects) ids.push_back(scene.add(mesh, object.pose).value());
+    Workspace workspace;
+    std::size_t contacts = 0;
+    expect_steady(20, [&](int i) {
+      for (std::size_t k = 0; k < ids.size(); ++k) {
+        Pose pose = placed.objects[k].pose;
+        pose.t[k % 3] += 0.02 * i;
+        ASSERT_TRUE(scene.set_pose(ids[k], pose));
+      }
+      ASSERT_TRUE(scene.update());
+      Contacts found = scene.collide(options, &workspace).value();
+      contacts += found.triangles.size();
+      workspace.recycle(std::move(found));
+    });
+    EXPECT_GT(contacts, 100u);
+  }
+}
+
+/// The count counts.
+TEST(SteadySeries, WithoutRecyclingAllocates) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  Workspace workspace;
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(collide(cube, {}, cube, {}, {.threads = 1}, &workspace));
+  const std::uint64_t before = allocations;
+  ASSERT_TRUE(collide(cube, {}, cube, {}, {.threads = 1}, &workspace));
+  EXPECT_GT(allocations - before, 0u);
+}
+
+}  // namespace
+}  // namespace impinge
