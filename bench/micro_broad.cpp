@@ -78,7 +78,7 @@ class Frames {
       crowd_.place([&](std::uint32_t i, const scene::PlacedObject& placed) { near_pairs_.place(i, placed); });
     });
     seconds.update = seconds_of([&] { near_pairs_.update(); });
-    seconds.find = seconds_of([&] { near_pairs_.find({crowd_.objects()}, pairs_); });
+    seconds.find = seconds_of([&] { near_pairs_.find({crowd_.objects()}, pairs_, scratch_); });
     return seconds;
   }
 
@@ -86,6 +86,7 @@ class Frames {
   DriftingCrowd crowd_;
   broad::NearPairs near_pairs_;
   broad::ObjectPairs pairs_;
+  std::vector<std::uint64_t> scratch_;
 };
 
 /// `work` returns the seconds that count.
@@ -130,10 +131,11 @@ void add_first(const std::string& name, const std::vector<scene::PlacedObject>& 
     return seconds_of([&] {
       broad::NearPairs near_pairs;
       broad::ObjectPairs pairs;
+      std::vector<std::uint64_t> scratch;
       near_pairs.reserve(shared->size());
       for (std::uint32_t i = 0; i < shared->size(); ++i) near_pairs.place(i, (*shared)[i]);
       near_pairs.update();
-      near_pairs.find({*shared}, pairs);
+      near_pairs.find({*shared}, pairs, scratch);
       benchmark::DoNotOptimize(pairs.data());
     });
   });

@@ -42,7 +42,8 @@ class Pipeline {
   Result<Contacts> run() {
     StageClock total, stage;
     if (query_.near_pairs != nullptr)
-      query_.near_pairs->find(query_.view, memory_.pairs, options_.stop, on_threads(options_.threads));
+      query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
+                              {.stop = options_.stop, .for_each = on_threads(options_.threads)});
     if (pairs().size() > std::numeric_limits<std::uint32_t>::max())
       return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
     prepare_states();

@@ -54,6 +54,7 @@ struct Workspace::State {
   std::vector<scene::PlacedObject> placed;
   std::vector<const MeshState*> meshes;
   broad::ObjectPairs pairs;
+  std::vector<std::uint64_t> candidates;  ///< the broad phase's scratch
   std::unique_ptr<PairState[]> pair_states;
   std::size_t pair_states_size = 0;
   std::vector<std::uint64_t> keys;

@@ -5,8 +5,8 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 #include "broad/may_touch.hpp"
@@ -87,6 +87,7 @@ void NearPairs::update(const ForEach& for_each) {
     repair(for_each);
   for (const std::uint32_t object : changed_) has_changed_[object] = 0;
   changed_.clear();
+  entries_.clear(), fresh_.clear(), sorted_.clear();  // a copy has no use for them
   must_build_ = false;
 }
 
@@ -153,8 +154,14 @@ void NearPairs::find_fresh(const ForEach& for_each) {
   }
 }
 
-/// Into rows by the lower object, then each row: linear, as rows are short.
+/// Into rows by the lower object, then each row: linear, as rows are short. But a few pairs are not worth a count of
+/// all rows.
 void NearPairs::sort_fresh() {
+  if (fresh_.size() < boxes_.size() / 32) {
+    sorted_.swap(fresh_);
+    std::sort(sorted_.begin(), sorted_.end());
+    return;
+  }
   row_ends_.assign(boxes_.size() + 1, 0);
   for (const std::uint64_t pair : fresh_) ++row_ends_[first_of(pair) + 1];
   for (std::size_t i = 1; i < row_ends_.size(); ++i) row_ends_[i] += row_ends_[i - 1];
@@ -189,34 +196,42 @@ void NearPairs::merge_fresh() {
   candidates_.swap(merged_);
 }
 
-void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, const std::stop_token& stop,
-                     const ForEach& for_each) const {
-  const std::size_t parts = for_each ? candidates_.size() / kPart + 1 : 1;
-  pairs.clear();
-  if (parts == 1) {
-    append(view, 0, candidates_.size(), stop, pairs);
-  } else {
-    std::vector<ObjectPairs> found(parts);
-    for_each(parts, [&](std::size_t i) {
-      append(view, i * candidates_.size() / parts, (i + 1) * candidates_.size() / parts, stop, found[i]);
-    });
-    for (const ObjectPairs& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
-  }
-  if (stop.stop_requested()) pairs.clear();
+void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
+                     const FindConfig& config) const {
+  const std::size_t n = candidates_.size(), parts = config.for_each ? n / kPart + 1 : 1;
+  const auto for_each_part = [&](const auto& body) {
+    if (parts > 1)
+      config.for_each(parts, body);
+    else
+      body(0);
+  };
+  // What each part keeps lies where its candidates begin; behind all of them, how many it has kept.
+  scratch.resize(n + parts);
+  const auto begin = [&](std::size_t part) { return part * n / parts; };
+  std::uint64_t *const kept = scratch.data(), *const counts = kept + n;
+  for_each_part([&](std::size_t part) {
+    counts[part] = filter(view, begin(part), begin(part + 1), config.stop, kept + begin(part));
+  });
+  if (config.stop.stop_requested()) return pairs.clear();
+  pairs.resize(std::accumulate(counts, counts + parts, std::size_t{0}));
+  for_each_part([&](std::size_t part) {
+    const std::size_t before = std::accumulate(counts, counts + part, std::size_t{0});
+    write(kept + begin(part), counts[part], pairs.data() + before);
+  });
 }
 
-/// The pairs among these candidates, or some of them if asked to stop.
-void NearPairs::append(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
-                       ObjectPairs& pairs) const {
+/// Puts those of these candidates that stay into `kept` and returns how many they are.
+std::size_t NearPairs::filter(const scene::SceneView& view, std::size_t begin, std::size_t end,
+                              const std::stop_token& stop, std::uint64_t* kept) const {
   const bool any_ignored = view.ignored != nullptr && !view.ignored->empty();
-  std::array<std::uint64_t, kChunk> kept;
+  std::uint64_t* const first = kept;
   for (; begin < end && !stop.stop_requested(); begin += kChunk) {
     // A sphere is the tighter bound of most things, and less to read. Which pairs stay is as good as random: the counts
     // are raised without a branch.
     const std::size_t chunk_end = std::min(begin + kChunk, end);
     std::size_t meeting = 0;
     for (std::size_t i = begin; i < chunk_end; ++i) {
-      const std::uint64_t pair = candidates_[i], soon = candidates_[std::min(i + kPrefetch, candidates_.size() - 1)];
+      const std::uint64_t pair = candidates_[i], soon = candidates_[std::min(i + kPrefetch, end - 1)];
       hwy::Prefetch(&spheres_[second_of(soon)]);
       kept[meeting] = pair;
       meeting += spheres_meet(spheres_[first_of(pair)], spheres_[second_of(pair)]) ? 1 : 0;
@@ -229,11 +244,19 @@ void NearPairs::append(const scene::SceneView& view, std::size_t begin, std::siz
       kept[overlapping] = pair;
       overlapping += overlap(boxes_[first_of(pair)], boxes_[second_of(pair)]) ? 1 : 0;
     }
-    for (std::size_t i = 0; i < overlapping; ++i) {
-      const std::uint32_t a = first_of(kept[i]), b = second_of(kept[i]);
-      if (any_ignored && view.ignored->contains(a, b)) continue;
-      pairs.push_back({a, b, intersection(boxes_[a], boxes_[b])});
-    }
+    std::uint64_t* const kept_end = kept + overlapping;
+    const auto is_ignored = [&](std::uint64_t pair) { return view.ignored->contains(first_of(pair), second_of(pair)); };
+    kept = any_ignored ? std::remove_if(kept, kept_end, is_ignored) : kept_end;
+  }
+  return static_cast<std::size_t>(kept - first);
+}
+
+void NearPairs::write(const std::uint64_t* kept, std::size_t count, ObjectPair* pairs) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Box& soon = boxes_[second_of(kept[std::min(i + kPrefetch, count - 1)])];
+    hwy::Prefetch(&soon.lo), hwy::Prefetch(&soon.hi.z);
+    const std::uint32_t a = first_of(kept[i]), b = second_of(kept[i]);
+    pairs[i] = {a, b, intersection(boxes_[a], boxes_[b])};
   }
 }
 

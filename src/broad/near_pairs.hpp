@@ -14,6 +14,11 @@
 
 namespace impinge::broad {
 
+struct FindConfig {
+  std::stop_token stop{};
+  ForEach for_each{};
+};
+
 /// The pairs of objects that are near each other, kept from frame to frame.
 ///
 /// Each object has a roomy box around its own, with space for the motion that it has shown. While it stays inside, its
@@ -33,9 +38,9 @@ class NearPairs {
   [[nodiscard]] bool is_current() const noexcept { return changed_.empty() && !must_build_; }
 
   /// The pairs whose boxes overlap and whose spheres meet, without those of one group and the ignored ones. It must be
-  /// current. Ends early, with no pairs, when asked to stop.
-  void find(const scene::SceneView& view, ObjectPairs& pairs, const std::stop_token& stop = {},
-            const ForEach& for_each = {}) const;
+  /// current. Ends early, with no pairs, when asked to stop. `scratch` is memory to keep for the next search.
+  void find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
+            const FindConfig& config = {}) const;
 
   /// How many pairs `find` looks at.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
@@ -56,8 +61,9 @@ class NearPairs {
   void find_fresh(const ForEach& for_each);
   void sort_fresh();
   void merge_fresh();
-  void append(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
-              ObjectPairs& pairs) const;
+  std::size_t filter(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
+                     std::uint64_t* kept) const;
+  void write(const std::uint64_t* kept, std::size_t count, ObjectPair* pairs) const;
 
   std::uint32_t frame_ = 0;
   std::uint32_t population_ = 0;

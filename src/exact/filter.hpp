@@ -50,4 +50,8 @@ struct FilteredNormal {
   }
 };
 
+inline int filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return FilteredNormal(b - a, c - a).sign(d - a);
+}
+
 }  // namespace impinge::exact

@@ -43,7 +43,7 @@ int orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
 }
 
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const int sign = FilteredNormal(b - a, c - a).sign(d - a);
+  const int sign = filtered_orient3d(a, b, c, d);
   if (sign != kUnsure) return sign;
   std::array<IntVec, 4> p;
   if (to_integers(std::array{a, b, c, d}, p.data())) return orient3d(p[0], p[1], p[2], p[3]);
@@ -51,7 +51,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int Plane::side(const Vec3& d) {
-  const int sign = FilteredNormal(b_ - a_, c_ - a_).sign(d - a_);
+  const int sign = filtered_orient3d(a_, b_, c_, d);
   if (sign != kUnsure) return sign;
   if (!normal_) normal_ = normal(a_, b_, c_);
   return sign_of_dot(difference(a_, d), *normal_);

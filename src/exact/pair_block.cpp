@@ -120,7 +120,9 @@ HWY_INLINE SignLanes where(M mask, std::uint64_t signs) {
   const Bits bits;
   return hn::IfThenElseZero(hn::RebindMask(bits, mask), hn::Set(bits, signs));
 }
-constexpr std::uint64_t side_bit(int side, int vertex) { return std::uint64_t{1} << PairSigns::side_bit(side, vertex); }
+constexpr std::uint64_t side_bit(int side, int vertex) {
+  return std::uint64_t{1} << PairSigns::side_bit(side, vertex / 3, vertex % 3);
+}
 constexpr std::uint64_t kAllCorners = 0b111000000111;  // both triangles', on one side
 
 /// Lanes with a triangle strictly on one side.

@@ -53,7 +53,7 @@ struct PairSigns {
 
   std::uint64_t bits = 0;
 
-  static constexpr int side_bit(int side, int vertex) { return side + vertex + (vertex < 3 ? 0 : kSides - 3); }
+  static constexpr int side_bit(int side, int triangle, int corner) { return side + kSides * triangle + corner; }
 
   void set(int first, unsigned value) { bits |= std::uint64_t{value} << first; }
   [[nodiscard]] unsigned get(int first, int count) const {
@@ -62,6 +62,7 @@ struct PairSigns {
   [[nodiscard]] unsigned above(int triangle) const { return get(kAbove + kSides * triangle, 3); }
   [[nodiscard]] unsigned below(int triangle) const { return get(kBelow + kSides * triangle, 3); }
   [[nodiscard]] unsigned on(int triangle) const { return get(kOn + kSides * triangle, 3); }
+  [[nodiscard]] bool knows_sides(int triangle) const { return (above(triangle) | below(triangle) | on(triangle)) == 7; }
   [[nodiscard]] unsigned shared() const { return get(kShared, 9); }
   [[nodiscard]] unsigned normal(int triangle) const { return get(kNormal + 2 * triangle, 2); }
   [[nodiscard]] Position position(int triangle) const { return detail::kPositions[get(kSides * triangle, kSides)]; }

@@ -60,8 +60,28 @@ class Decision {
       return Outcome::open;
     const Position a = signs_.position(0), b = signs_.position(1);
     if (a == Position::inside) return are_apart_in_plane() ? Outcome::apart : Outcome::coplanar;
-    if (a == Position::straddling && b == Position::straddling) return outcome_on_line();
+    if (a == Position::straddling && b == Position::straddling)
+      return outcome_on_line([](const auto&... p) { return orient3d(p...); });
     return part_in_plane_meets(a == Position::straddling ? 1 : 0) ? Outcome::touching : Outcome::apart;
+  }
+
+  /// Both triangles straddle the other's plane, so each meets the common line in a proper interval, and the order of
+  /// the intervals' ends is a sign of orient3d (Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test
+  /// Using Orientation Predicates", 2003). Two ends coincide if and only if the sign is 0, for then the two edges lie
+  /// in a plane that holds just one point of the line. Relative interiors meet if and only if the open intervals do.
+  /// Open if the signs do not say.
+  template <class Orient3d>
+  [[nodiscard]] Outcome outcome_on_line(const Orient3d& sign) const {
+    Corners a = lone_vertex_first(0), b = lone_vertex_first(1);
+    // Turning a triangle over turns its plane over: bring both lone vertices to the positive side.
+    if (!is_single(signs_.above(0))) std::swap(b[1], b[2]);
+    if (!is_single(signs_.above(1))) std::swap(a[1], a[2]);
+    const int first = sign(points_[a[0]], points_[a[1]], points_[b[0]], points_[b[1]]);
+    if (first == 1) return Outcome::apart;
+    const int second = sign(points_[a[0]], points_[a[2]], points_[b[0]], points_[b[2]]);
+    if (second == -1) return Outcome::apart;
+    if (first == kUnsure || second == kUnsure) return Outcome::open;
+    return first < 0 && second > 0 ? Outcome::crossing : Outcome::touching;
   }
 
   [[nodiscard]] bool share_area() {
@@ -81,7 +101,7 @@ class Decision {
       if ((known >> i & 1) != 0) continue;
       const int side = plane.side(points_[t[i]]);
       const int where = side > 0 ? PairSigns::kAbove : side < 0 ? PairSigns::kBelow : PairSigns::kOn;
-      signs_.set(PairSigns::side_bit(where, t[i]), 1);
+      signs_.set(PairSigns::side_bit(where, triangle, i), 1);
     }
   }
 
@@ -93,22 +113,6 @@ class Decision {
     if (orient2d(a.z, a.x, b.z, b.x, c.z, c.x) != 0) return 1;
     if (orient2d(a.x, a.y, b.x, b.y, c.x, c.y) != 0) return 2;
     return -1;
-  }
-
-  /// Both triangles straddle the other's plane, so each meets the common line in a proper interval, and the order of
-  /// the intervals' ends is a sign of orient3d (Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test
-  /// Using Orientation Predicates", 2003). Two ends coincide if and only if the sign is 0, for then the two edges lie
-  /// in a plane that holds just one point of the line. Relative interiors meet if and only if the open intervals do.
-  [[nodiscard]] Outcome outcome_on_line() const {
-    Corners a = lone_vertex_first(0), b = lone_vertex_first(1);
-    // Turning a triangle over turns its plane over: bring both lone vertices to the positive side.
-    if (!is_single(signs_.above(0))) std::swap(b[1], b[2]);
-    if (!is_single(signs_.above(1))) std::swap(a[1], a[2]);
-    const int first = orient3d(points_[a[0]], points_[a[1]], points_[b[0]], points_[b[1]]);
-    if (first > 0) return Outcome::apart;
-    const int second = orient3d(points_[a[0]], points_[a[2]], points_[b[0]], points_[b[2]]);
-    if (second < 0) return Outcome::apart;
-    return first < 0 && second > 0 ? Outcome::crossing : Outcome::touching;
   }
 
   /// The triangle turned so that its first vertex lies alone strictly on one side.
@@ -173,9 +177,9 @@ void see_sides(const Triangle& t, const Triangle& plane, int triangle, PairSigns
   for (int i = 0; i < 3; ++i) {
     const unsigned here = triangle == 0 ? shared & 7U << 3 * i : shared & 0b001001001U << i;
     const int side = here != 0 ? 0 : normal.sign(t[i] - plane[0]);
-    signs.set(PairSigns::side_bit(PairSigns::kAbove, 3 * triangle + i), side == 1);
-    signs.set(PairSigns::side_bit(PairSigns::kBelow, 3 * triangle + i), side == -1);
-    signs.set(PairSigns::side_bit(PairSigns::kOn, 3 * triangle + i), side == 0);
+    signs.set(PairSigns::side_bit(PairSigns::kAbove, triangle, i), side == 1);
+    signs.set(PairSigns::side_bit(PairSigns::kBelow, triangle, i), side == -1);
+    signs.set(PairSigns::side_bit(PairSigns::kOn, triangle, i), side == 0);
   }
 }
 
@@ -213,8 +217,11 @@ std::optional<Kind> classify(const Triangle& a, const Triangle& b) {
   if (signs.position(0) == Position::beyond) return std::nullopt;
   see_sides(b, a, 1, signs);
   Outcome outcome = outcome_of(signs);
+  if (outcome != Outcome::open) return kind_of(outcome);
+  const Points points = points_of(a, b);
+  const auto straddles = [&](int t) { return signs.position(t) == Position::straddling && signs.knows_sides(t); };
+  if (straddles(0) && straddles(1)) outcome = Decision(points, signs).outcome_on_line(filtered_orient3d);
   if (outcome == Outcome::open) {
-    const Points points = points_of(a, b);
     std::array<IntVec, 6> integers;
     outcome = to_integers(points, integers.data()) ? decide(signs, integers) : decide(signs, points);
     if (outcome == Outcome::open) outcome = decide_degenerate(points);

@@ -104,8 +104,8 @@ namespace impinge::hierarchy {
 HWY_EXPORT(write);
 namespace {
 
-/// Rows as long as a vector of eight or of sixteen lanes needs them.
-std::uint32_t stride_for(std::uint32_t count) { return count <= 8 ? 8 : (count + 15) / 16 * 16; }
+/// Rows in whole vectors of the most lanes that a reader takes.
+std::uint32_t stride_for(std::uint32_t count) { return (count + 15) / 16 * 16; }
 
 /// How far F⁻¹x may be from Fᵀx for |x| <= 1: F⁻¹ = Fᵀ (I + E)⁻¹ with E = F Fᵀ - I, so the difference is at most
 /// sqrt(1 + |E|) |E| / (1 - |E|), and |E| < 2^-20. E is computed to within 2^-50.

@@ -10,8 +10,8 @@ namespace impinge::hierarchy {
 
 /// A leaf's box is {x : |x| <= half}: its origin is the box's centre. After the header come nine rows of `stride`
 /// floats, the x of the triangles' first vertices, their y, their z, the x of the second vertices and so on, and a row
-/// of `stride` mesh triangle ids. Rows are aligned to 64 bytes if `stride` is a multiple of 16, to 32 if of 8. Beyond
-/// `count` the coordinates are kNoTriangle.
+/// of `stride` mesh triangle ids. `stride` is a multiple of 16, the most lanes that a reader takes at once, so that
+/// rows are aligned to 64 bytes and nobody reads beyond the leaf. Beyond `count` the coordinates are kNoTriangle.
 struct alignas(64) WideLeaf {
   /// Far outside of anything that may be tested, and finite.
   static constexpr float kNoTriangle = 1e30f;

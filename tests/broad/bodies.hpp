@@ -40,7 +40,8 @@ inline void update(broad::NearPairs& near_pairs, const std::vector<scene::Placed
 
 inline broad::ObjectPairs pairs_of(const broad::NearPairs& near_pairs, const scene::SceneView& view) {
   broad::ObjectPairs pairs{{7, 7, {}}};  // what was there before must go
-  near_pairs.find(view, pairs);
+  std::vector<std::uint64_t> scratch{7};
+  near_pairs.find(view, pairs, scratch);
   return pairs;
 }
 

@@ -192,13 +192,14 @@ void on_a_thread_each(std::size_t n, const std::function<void(std::size_t)>& bod
 TEST(NearPairs, AreTheSameHoweverTheWorkIsShared) {
   std::vector<PlacedObject> objects = lattice(30, 30, 30);
   broad::NearPairs alone, shared;
+  std::vector<std::uint64_t> scratch;
   for (int frame = 0; frame < 5; ++frame) {
     shared.reserve(objects.size());
     for (std::uint32_t i = 0; i < objects.size(); ++i) shared.place(i, objects[i]);
     shared.update(on_a_thread_each);
     test::update(alone, objects);
     broad::ObjectPairs pairs{{7, 7, {}}};
-    shared.find({objects}, pairs, {}, on_a_thread_each);
+    shared.find({objects}, pairs, scratch, {.for_each = on_a_thread_each});
     const broad::ObjectPairs expected = test::pairs_of(alone, {objects});
     ASSERT_TRUE(test::same(pairs, expected));
     ASSERT_GT(shared.candidates(), 100000u);  // enough to share
@@ -210,7 +211,7 @@ TEST(NearPairs, AreTheSameHoweverTheWorkIsShared) {
   std::stop_source stop;
   stop.request_stop();
   broad::ObjectPairs pairs;
-  shared.find({objects}, pairs, stop.get_token(), on_a_thread_each);
+  shared.find({objects}, pairs, scratch, {.stop = stop.get_token(), .for_each = on_a_thread_each});
   EXPECT_TRUE(pairs.empty());
 }
 

@@ -72,6 +72,7 @@ TEST(NearPairs, NeedNoMemoryInASteadyFrame) {
   constexpr int n = 1000;
   broad::NearPairs near_pairs;
   broad::ObjectPairs pairs;
+  std::vector<std::uint64_t> scratch;
   near_pairs.reserve(n);
   long before = 0;
   std::uint64_t tests_before = 0;
@@ -81,7 +82,7 @@ TEST(NearPairs, NeedNoMemoryInASteadyFrame) {
     before = allocations;
     for (std::uint32_t i = 0; i < n; ++i) near_pairs.place(i, objects[i]);
     near_pairs.update();
-    near_pairs.find({objects}, pairs);
+    near_pairs.find({objects}, pairs, scratch);
     if (frame >= 300) {
       ASSERT_EQ(allocations, before) << "in frame " << frame;
     }

@@ -306,10 +306,11 @@ TEST(NearPairs, EndEarlyWhenAskedToStop) {
   test::update(near_pairs, objects);
   std::stop_source stop;
   broad::ObjectPairs pairs;
-  near_pairs.find({objects}, pairs, stop.get_token());
+  std::vector<std::uint64_t> scratch;
+  near_pairs.find({objects}, pairs, scratch, {.stop = stop.get_token()});
   EXPECT_EQ(pairs.size(), test::lattice_pairs(3, 3, 3));
   stop.request_stop();
-  near_pairs.find({objects}, pairs, stop.get_token());
+  near_pairs.find({objects}, pairs, scratch, {.stop = stop.get_token()});
   EXPECT_TRUE(pairs.empty());
 }
 

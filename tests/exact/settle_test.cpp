@@ -123,7 +123,7 @@ TEST_P(PairFamilies, AreDecidedAlikeByIntegersAndExpansions) {
       signs.set(PairSigns::side_bit(side > 0   ? PairSigns::kAbove
                                     : side < 0 ? PairSigns::kBelow
                                                : PairSigns::kOn,
-                                    v),
+                                    v / 3, v % 3),
                 1);
     }
     const auto by = [&](const auto& p) {

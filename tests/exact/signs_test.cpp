@@ -40,7 +40,7 @@ Truth truth_of(const Pair& pair) {
     truth.signs.set(PairSigns::side_bit(side > 0   ? PairSigns::kAbove
                                         : side < 0 ? PairSigns::kBelow
                                                    : PairSigns::kOn,
-                                        v),
+                                        v / 3, v % 3),
                     1);
   }
   for (int a = 0; a < 3; ++a)
