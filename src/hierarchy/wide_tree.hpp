@@ -79,6 +79,7 @@ class WideTree {
 
   /// Makes all that is not made yet.
   void build(const ForEach& for_each);
+  /// The same, as yet on the calling thread alone.
   void build(int threads);
 
   [[nodiscard]] int unit_exponent() const;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,23 @@ namespace impinge::test {
 
 /// Ids of a triangle of a pair's first tree and of one of its second.
 using TriangleIds = std::pair<std::uint32_t, std::uint32_t>;
+/// Sorted.
+using TrianglePairs = std::vector<TriangleIds>;
+
+/// Fails where a pair comes twice.
+inline TrianglePairs sorted_once(TrianglePairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
+  EXPECT_EQ(twice, pairs.end()) << twice->first << ' ' << twice->second << " comes twice";
+  return pairs;
+}
+
+/// Fails with the first that is in `few` and not in `many`.
+inline void expect_contains(const TrianglePairs& many, const TrianglePairs& few) {
+  if (std::includes(many.begin(), many.end(), few.begin(), few.end())) return;
+  for (const auto& pair : few)
+    ASSERT_TRUE(std::binary_search(many.begin(), many.end(), pair)) << pair.first << ' ' << pair.second;
+}
 
 /// The two objects of a scene with wide trees of their own, that of the larger unit first.
 class TreePair {
@@ -70,10 +86,10 @@ class TreePair {
   }
 
   /// By brute force, from what brute force found in the scene.
-  [[nodiscard]] std::set<TriangleIds> touching(const std::vector<Contact>& contacts) const {
-    std::set<TriangleIds> pairs;
-    for (const Contact& c : contacts) pairs.insert(swapped_ ? TriangleIds{c[3], c[2]} : TriangleIds{c[2], c[3]});
-    return pairs;
+  [[nodiscard]] TrianglePairs touching(const std::vector<Contact>& contacts) const {
+    TrianglePairs pairs;
+    for (const Contact& c : contacts) pairs.push_back(swapped_ ? TriangleIds{c[3], c[2]} : TriangleIds{c[2], c[3]});
+    return sorted_once(std::move(pairs));
   }
 
  private:
@@ -92,17 +108,12 @@ class TreePair {
 };
 
 /// The pairs of triangles in pairs of leaves; fails where one comes twice.
-inline std::set<TriangleIds> triangles_of(const std::vector<hierarchy::WideLeafPair>& leaf_pairs) {
-  std::set<TriangleIds> pairs;
+inline TrianglePairs triangles_of(const std::vector<hierarchy::WideLeafPair>& leaf_pairs) {
+  TrianglePairs pairs;
   for (const auto& [a, b] : leaf_pairs)
     for (std::uint32_t i = 0; i < a->count; ++i)
-      for (std::uint32_t j = 0; j < b->count; ++j) EXPECT_TRUE(pairs.emplace(a->ids()[i], b->ids()[j]).second);
-  return pairs;
-}
-
-/// Fails with the first that is in `few` and not in `many`.
-inline void expect_contains(const std::set<TriangleIds>& many, const std::set<TriangleIds>& few) {
-  for (const TriangleIds& pair : few) ASSERT_TRUE(many.contains(pair)) << pair.first << ' ' << pair.second;
+      for (std::uint32_t j = 0; j < b->count; ++j) pairs.emplace_back(a->ids()[i], b->ids()[j]);
+  return sorted_once(std::move(pairs));
 }
 
 }  // namespace impinge::test

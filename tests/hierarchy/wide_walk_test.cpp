@@ -26,7 +26,7 @@ using hierarchy::WalkLimits;
 using hierarchy::WideLeafPair;
 using hierarchy::WideWalk;
 using test::TreePair;
-using test::TriangleIds;
+using test::TrianglePairs;
 
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint32_t>::max();
 
@@ -175,7 +175,7 @@ TEST(WideWalk, MayBeCutIntoSlices) {
     const TreePair pair(scene, 3);
     const WideWalk walk = pair.walk();
     WalkCounts counts;
-    const std::set<TriangleIds> expected = test::triangles_of(walked(walk, false, counts));
+    const TrianglePairs expected = test::triangles_of(walked(walk, false, counts));
     std::vector<std::vector<TreeRefPair>> stacks(1);
     std::vector<WideLeafPair> leaf_pairs;
     walk.start(stacks[0], counts);
@@ -223,7 +223,7 @@ TEST(WideWalk, OfThreadsThatShareItsStackIsWhole) {
     scene.objects[1].pose.R = scenes::random_rotation(seeded.random);
     WalkCounts plain;
     const TreePair alone(scene, 3);
-    const std::set<TriangleIds> expected = test::triangles_of(walked(alone.walk(), false, plain));
+    const TrianglePairs expected = test::triangles_of(walked(alone.walk(), false, plain));
 
     const TreePair shared(scene, 3);
     const WideWalk walk = shared.walk();

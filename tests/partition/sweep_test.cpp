@@ -25,7 +25,7 @@ using hierarchy::WideLeafPair;
 using partition::PairStream;
 using test::Rational3;
 using test::TreePair;
-using test::TriangleIds;
+using test::TrianglePairs;
 
 constexpr std::array kPartitions{Partition::automatic, Partition::grid, Partition::sweep, Partition::all};
 
@@ -48,19 +48,18 @@ void stream_all(const std::vector<WideLeafPair>& pairs, const hierarchy::TreeRel
 }
 
 /// The streamed pairs; fails where one comes twice.
-std::set<TriangleIds> streamed(const TreePair& pair, const std::vector<WideLeafPair>& leaf_pairs, Partition partition) {
-  std::set<TriangleIds> ids;
+TrianglePairs streamed(const TreePair& pair, const std::vector<WideLeafPair>& leaf_pairs, Partition partition) {
+  TrianglePairs ids;
   stream_all(leaf_pairs, pair.relation(), partition, [&](const PairStream& stream) {
-    for (std::size_t i = 0; i < stream.size; ++i)
-      ASSERT_TRUE(ids.emplace(stream.id_a[i], stream.id_b[i]).second) << "one pair twice";
+    for (std::size_t i = 0; i < stream.size; ++i) ids.emplace_back(stream.id_a[i], stream.id_b[i]);
   });
-  return ids;
+  return test::sorted_once(std::move(ids));
 }
 
-std::set<TriangleIds> every_pair(const TreePair& pair) {
-  std::set<TriangleIds> all;
+TrianglePairs every_pair(const TreePair& pair) {
+  TrianglePairs all;
   for (std::uint32_t a = 0; a < pair.first().count(); ++a)
-    for (std::uint32_t b = 0; b < pair.second().count(); ++b) all.emplace(a, b);
+    for (std::uint32_t b = 0; b < pair.second().count(); ++b) all.emplace_back(a, b);
   return all;
 }
 
@@ -69,12 +68,12 @@ std::set<TriangleIds> every_pair(const TreePair& pair) {
 std::size_t expect_streams_all(const scenes::PlacedScene& scene, std::uint32_t leaf_size) {
   SCOPED_TRACE("leaf size " + std::to_string(leaf_size));
   const TreePair pair(scene, leaf_size);
-  const std::set<TriangleIds> touching = pair.touching(test::brute_force(scene));
+  const TrianglePairs touching = pair.touching(test::brute_force(scene));
   const std::vector<WideLeafPair> leaf_pairs = pair.all_leaf_pairs();
   std::size_t swept = 0;
   for (const std::int64_t set : test::instruction_sets()) {
     const test::OnInstructionSet on(set);
-    std::map<Partition, std::set<TriangleIds>> found;
+    std::map<Partition, TrianglePairs> found;
     for (const Partition partition : kPartitions) {
       found[partition] = streamed(pair, leaf_pairs, partition);
       test::expect_contains(found[partition], touching);
@@ -110,15 +109,15 @@ TEST(Sweep, StreamsLeavesOfEverySizeWhole) {
     const TreePair pair(scenes::pair_scene(soup(n), soup(m)), 256);
     const std::vector<WideLeafPair> leaf_pairs = pair.all_leaf_pairs();
     ASSERT_EQ(leaf_pairs.size(), 1u);
-    std::set<TriangleIds> touching;
+    TrianglePairs touching;
     const std::vector<Triangle> world_a = pair.first().world(), world_b = pair.second().world();
     for (std::uint32_t a = 0; a < world_a.size(); ++a)
       for (std::uint32_t b = 0; b < world_b.size(); ++b)
-        if (intersects(world_a[a], world_b[b])) touching.emplace(a, b);
+        if (intersects(world_a[a], world_b[b])) touching.emplace_back(a, b);
     const std::vector<std::int64_t> sets = test::instruction_sets();
     const test::OnInstructionSet on(sets[static_cast<std::size_t>(n) % sets.size()]);
     ASSERT_EQ(streamed(pair, leaf_pairs, Partition::all), every_pair(pair));
-    const std::set<TriangleIds> swept = streamed(pair, leaf_pairs, Partition::sweep);
+    const TrianglePairs swept = streamed(pair, leaf_pairs, Partition::sweep);
     ASSERT_NO_FATAL_FAILURE(test::expect_contains(swept, touching));
     ASSERT_EQ(streamed(pair, leaf_pairs, Partition::grid), swept);
   }
@@ -132,7 +131,7 @@ TEST(Sweep, StreamsLongListsOfLeafPairs) {
     for (const std::uint32_t leaf_size : {1u, 7u, 40u}) {
       const scenes::PlacedScene scene = scenes::pair_scene(soup(size), soup(0.5));
       const TreePair pair(scene, leaf_size);
-      const std::set<TriangleIds> swept = streamed(pair, pair.all_leaf_pairs(), Partition::sweep);
+      const TrianglePairs swept = streamed(pair, pair.all_leaf_pairs(), Partition::sweep);
       ASSERT_NO_FATAL_FAILURE(test::expect_contains(swept, pair.touching(test::brute_force(scene))));
       EXPECT_LT(swept.size(), 500u * 500);
     }
@@ -145,7 +144,7 @@ TEST(Sweep, AppendsToWhatIsThere) {
   const auto soup = [&] { return scenes::integer_soup(seeded.random, 30, 2); };
   const TreePair pair(scenes::pair_scene(soup(), soup()), 16);
   const std::vector<WideLeafPair> leaf_pairs = pair.all_leaf_pairs();
-  const std::set<TriangleIds> expected = streamed(pair, leaf_pairs, Partition::sweep);
+  const TrianglePairs expected = streamed(pair, leaf_pairs, Partition::sweep);
   for (std::size_t before = 0; before <= PairStream::kCapacity; before += 37) {
     const auto sweep = std::make_unique<partition::Sweep>();
     const auto stream = std::make_unique<PairStream>();
@@ -153,17 +152,17 @@ TEST(Sweep, AppendsToWhatIsThere) {
     sweep->begin(leaf_pairs, pair.relation());
     stream->size = before;
     std::fill(stream->id_a, stream->id_a + before, 0xFFFFFFFF);
-    std::set<TriangleIds> found;
+    TrianglePairs found;
     for (std::size_t begin = before;; begin = 0) {
       const bool done = sweep->fill(*stream);
       ASSERT_LE(begin, stream->size);
       ASSERT_LE(stream->size, PairStream::kCapacity);
       for (std::size_t i = 0; i < begin; ++i) ASSERT_EQ(stream->id_a[i], 0xFFFFFFFF);
-      for (std::size_t i = begin; i < stream->size; ++i) found.emplace(stream->id_a[i], stream->id_b[i]);
+      for (std::size_t i = begin; i < stream->size; ++i) found.emplace_back(stream->id_a[i], stream->id_b[i]);
       if (done) break;
       stream->size = 0;
     }
-    EXPECT_EQ(found, expected);
+    EXPECT_EQ(test::sorted_once(std::move(found)), expected);
   }
 }
 
