@@ -180,7 +180,7 @@ HWY_INLINE SignLanes side_of(int vertex, V determinant, V bound) {
 /// The sides of a triangle's vertices, and whether the other one is proper.
 HWY_INLINE SignLanes see_sides(const Vec* p, int triangle, V* permanents) {
   const D d;
-  const Vec* plane = p + 3 * (1 - triangle);
+  const Vec* plane = triangle == 0 ? p + 3 : p;
   const Vec u = plane[1] - plane[0], v = plane[2] - plane[0];
   const Vec normal = cross(u, v), magnitude = cross_magnitude(absolute(u), absolute(v));
   const auto certain = [&](V Vec::*axis) HWY_ATTR {
@@ -201,7 +201,7 @@ HWY_INLINE SignLanes see_sides(const Vec* p, int triangle, V* permanents) {
 }
 
 HWY_INLINE SignLanes see_sides_twofold(const Vec* p, int triangle, const V* permanents) {
-  const Vec* plane = p + 3 * (1 - triangle);
+  const Vec* plane = triangle == 0 ? p + 3 : p;
   const TwofoldVec normal = cross(two_difference(plane[1], plane[0]), two_difference(plane[2], plane[0]));
   auto signs = hn::Zero(Bits());
   for (int i = 3 * triangle; i < 3 * triangle + 3; ++i)
@@ -241,16 +241,16 @@ HWY_INLINE M make_integers(PairBlock& block, std::size_t at) {
   const V upper = hn::Set(d, 0x1.8p82), lower = hn::Set(d, 0x1.8p52);
   const auto constants = hn::Add(hn::ShiftLeft<30>(hn::BitCast(bits, upper)), hn::BitCast(bits, lower));
   M fits = hn::Eq(hn::Zero(d), hn::Zero(d));
-  for (int axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     V x[6], largest = hn::Zero(d);
-    for (int i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i) {
       x[i] = hn::Load(d, block.rows[3 * i + axis] + at);
       largest = hn::Max(largest, hn::Abs(x[i]));
     }
     // Of zeros the scale does not matter: it is finite.
     const auto exponent = hn::ShiftRight<52>(hn::BitCast(bits, largest));
     const V scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(bits, 2 * 1023 + 59), exponent)));
-    for (int i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i) {
       // In two parts of 30 bits: added to, the constants leave just those in the significand's lower end.
       const V scaled = hn::Mul(scale, x[i]), shifted = hn::Add(scaled, upper),
               low = hn::Sub(scaled, hn::Sub(shifted, upper));
@@ -267,7 +267,7 @@ HWY_INLINE void see_lanes(PairBlock& block, std::size_t at) {
   const D d;
   const Bits bits;
   Vec p[6];
-  for (int i = 0; i < 6; ++i)
+  for (std::size_t i = 0; i < 6; ++i)
     p[i] = {hn::Load(d, block.rows[3 * i] + at), hn::Load(d, block.rows[3 * i + 1] + at),
             hn::Load(d, block.rows[3 * i + 2] + at)};
   V permanents[6];
