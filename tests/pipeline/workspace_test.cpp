@@ -4,15 +4,16 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <functional>
+#include <numeric>
 #include <thread>
 
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
+#include "schedule/parallel.hpp"
 #include "tests/core/support.hpp"
 #include "tests/pipeline/crowd.hpp"
 
@@ -181,7 +182,9 @@ TEST(Workspace, ServesQueriesWithinQueries) {
   EXPECT_FALSE(small.triangles.empty());
   std::vector<Workspace> workspaces(64);
   std::vector<std::optional<Contacts>> found(workspaces.size());
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+  std::vector<std::size_t> numbers(found.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  schedule::run_tasks(std::move(numbers), 0, [&](std::size_t i, const auto&) {
     Workspace* const workspace = i % 3 == 0 ? &workspaces[i] : nullptr;
     const Options options{.threads = i % 4 == 1 ? 1 : 0, .backend = i % 5 == 0 ? "scalar" : "simd"};
     const auto result = collide(i % 2 == 0 ? knot : cube, {}, knot, pose, options, workspace);
