@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// The cost function, T = N_v C_v + N_p C_p + N_u C_u + N_l C_l with constants measured once, beside the measured time.
+/// The cost function, T = N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e with constants measured once, beside the
+/// measured time.
 #include "bench/assemblies.hpp"
 #include "bench/mesh_pairs.hpp"
 #include "bench/ours.hpp"
@@ -20,13 +21,13 @@ class CostTable {
  public:
   void add(const std::string& name, const Statistics& s) {
     table_.add({name, count(s.box_tests), count(s.element_tests), count(s.nodes_built), count(s.leaf_pairs),
-                milliseconds(s.predicted_seconds), milliseconds(s.measured_seconds),
+                count(s.exact_calls), milliseconds(s.predicted_seconds), milliseconds(s.measured_seconds),
                 digits(s.predicted_seconds / s.measured_seconds)});
   }
   void write(const std::filesystem::path& folder) const { table_.write(folder, "cost"); }
 
  private:
-  Table table_{{"query", "N_v", "N_p", "N_u", "N_l", "predicted ms", "measured ms", "predicted / measured"}};
+  Table table_{{"query", "N_v", "N_p", "N_u", "N_l", "N_e", "predicted ms", "measured ms", "predicted / measured"}};
 };
 
 void add_mesh_pairs(const Subject& subject, int poses, int repeats, CostTable& table) {
@@ -64,10 +65,11 @@ void bench_main(const Arguments& arguments) {
   const int poses = arguments.quick ? 10 : 40, repeats = arguments.quick ? 1 : 5;
   const Mesh any = make_mesh(torus_knot_subject(968).data);
   const Statistics constants = must(collide(any, {}, any, {}, kPredict)).statistics;
-  Table costs(
-      {"C_v ns a box test", "C_p ns an edge against a triangle", "C_u ns a tree node", "C_l ns a pair of leaves"});
+  Table costs({"C_v ns a box test", "C_p ns an edge against a triangle", "C_u ns a tree node",
+               "C_l ns a pair of leaves", "C_e ns an exact call"});
   costs.add({nanoseconds(constants.box_test_seconds), nanoseconds(constants.element_test_seconds),
-             nanoseconds(constants.node_seconds), nanoseconds(constants.leaf_pair_seconds)});
+             nanoseconds(constants.node_seconds), nanoseconds(constants.leaf_pair_seconds),
+             nanoseconds(constants.exact_call_seconds)});
   costs.write(arguments.folder, "cost_constants");
 
   CostTable table;

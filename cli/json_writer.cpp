@@ -66,9 +66,10 @@ void write_statistics(Sink& sink, const Statistics& s) {
       s.object_pairs, s.box_tests, s.element_tests, s.nodes_built, s.leaf_pairs, s.triangle_pairs, s.exact_calls));
   sink.write(
       fmt::format("\"box_test_seconds\":{},\"element_test_seconds\":{},\"node_seconds\":{},\"leaf_pair_seconds\":{},"
-                  "\"predicted_seconds\":{},\"measured_seconds\":{},",
+                  "\"exact_call_seconds\":{},\"predicted_seconds\":{},\"measured_seconds\":{},",
                   json_number(s.box_test_seconds), json_number(s.element_test_seconds), json_number(s.node_seconds),
-                  json_number(s.leaf_pair_seconds), json_number(s.predicted_seconds), json_number(s.measured_seconds)));
+                  json_number(s.leaf_pair_seconds), json_number(s.exact_call_seconds), json_number(s.predicted_seconds),
+                  json_number(s.measured_seconds)));
   sink.write(
       fmt::format("\"broad_seconds\":{},\"hierarchy_seconds\":{},\"partition_seconds\":{},\"narrow_seconds\":{},"
                   "\"exact_seconds\":{},\"results_seconds\":{},\"total_seconds\":{}}}",

@@ -33,12 +33,13 @@ void print_statistics(const Statistics& s, Sink& sink) {
   const auto cost = [](const char* name, std::uint64_t count, double each) {
     return std::vector<std::string>{name, grouped(count), duration(each), duration(static_cast<double>(count) * each)};
   };
-  sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl (C measured on this machine)\n");
+  sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl + Ne Ce (C measured on this machine)\n");
   print_rows(sink, {{"", text}, {"N", number}, {"C", number}, {"N C", number}},
              {cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
               cost("p: tests of two triangles, or of an edge and one", s.element_tests, s.element_test_seconds),
               cost("u: tree nodes built", s.nodes_built, s.node_seconds),
               cost("l: pairs of leaves parted into triangles", s.leaf_pairs, s.leaf_pair_seconds),
+              cost("e: pairs of triangles decided by exact arithmetic", s.exact_calls, s.exact_call_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
 }

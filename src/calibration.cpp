@@ -36,30 +36,36 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-schedule::CostConstants calibrate() {
+schedule::CostConstants calibrate(std::string_view backend) {
   constexpr int kRounds = 5;
-  std::vector<double> box_test, element_test, node, leaf_pair;
+  std::vector<double> box_test, element_test, node, leaf_pair, exact_call;
   Pose pose;
   pose.t = {1.2, 0.3, 0.1};
-  const Options one_thread{.threads = 1};
+  const Options one_thread{.threads = 1, .backend = backend};
   for (int round = 0; round < kRounds; ++round) {
     const Mesh mesh = bumpy_sphere();  // anew, so that its tree is made anew
     const Statistics building = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
     const Statistics repeated = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
-    const schedule::CostConstants constants = schedule::constants_from(building, repeated);
+    const Statistics touching = collide(mesh, {}, mesh, {}, one_thread).value().statistics;
+    const schedule::CostConstants constants = schedule::constants_from(building, repeated, touching);
     box_test.push_back(constants.box_test);
     element_test.push_back(constants.element_test);
     node.push_back(constants.node);
     leaf_pair.push_back(constants.leaf_pair);
+    exact_call.push_back(constants.exact_call);
   }
-  return {median(box_test), median(element_test), median(node), median(leaf_pair)};
+  return {median(box_test), median(element_test), median(node), median(leaf_pair), median(exact_call)};
 }
 
 }  // namespace
 
-const schedule::CostConstants& calibrated_constants() {
-  static const schedule::CostConstants constants = calibrate();
-  return constants;
+const schedule::CostConstants& calibrated_constants(std::string_view backend) {
+  if (backend == "scalar") {
+    static const schedule::CostConstants scalar = calibrate("scalar");
+    return scalar;
+  }
+  static const schedule::CostConstants simd = calibrate("simd");
+  return simd;
 }
 
 }  // namespace impinge

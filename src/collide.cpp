@@ -16,9 +16,6 @@
 namespace impinge {
 namespace {
 
-/// A pair that cannot touch keeps its place, with nothing to share.
-constexpr Box kNothing{{1, 1, 1}, {0, 0, 0}};
-
 Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std::string& name,
                        Workspace::State& memory) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -32,14 +29,10 @@ Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std:
   return {};
 }
 
-void pair_up(std::uint32_t a, std::uint32_t b, bool keep_place, Workspace::State& memory) {
+/// Pairs that cannot touch are left out, unless each is to have a row.
+void pair_up(std::uint32_t a, std::uint32_t b, bool keep, Workspace::State& memory) {
   const scene::SceneView view{memory.placed, nullptr};
-  const bool is_there = memory.placed[a].mesh != nullptr && memory.placed[b].mesh != nullptr;
-  if (is_there && broad::may_touch(view, a, b)) {
-    memory.pairs.push_back({a, b, intersection(memory.placed[a].box, memory.placed[b].box)});
-  } else if (keep_place) {
-    memory.pairs.push_back({a, b, kNothing});
-  }
+  if (keep || broad::may_touch(view, a, b)) memory.pairs.push_back({a, b});
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ class FastStages {
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
-  bool nearest_first_ = false;
+  bool first_only_ = false;
+  unsigned slices_ = 0;  ///< of a search for one contact
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;
   partition::Sweep sweep_;
   partition::PairStream stream_;

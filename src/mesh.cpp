@@ -11,6 +11,7 @@
 #include "core/number.hpp"
 #include "core/pose.hpp"
 #include "mesh_state.hpp"
+#include "on_threads.hpp"
 #include "scene/bounding_sphere.hpp"
 
 namespace impinge {
@@ -127,7 +128,7 @@ Result<void> Mesh::build_tree(int threads) const {
     if (threads < 0)
       return Error{Code::bad_option,
                    "threads is " + std::to_string(threads) + "; choose 0 for all, or a positive number"};
-    if (!state_->data.triangles.empty()) state_->wide_tree.build(threads);
+    if (!state_->data.triangles.empty()) state_->wide_tree.build(on_threads(threads));
     return {};
   });
 }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "broad/may_touch.hpp"
 #include "calibration.hpp"
 #include "on_threads.hpp"
 #include "schedule/cost.hpp"
@@ -67,14 +69,19 @@ class Pipeline {
   }
 
  private:
-  /// Part of the work on one pair of objects.
+  /// The work on some pairs of objects, or part of that on one.
   struct Task {
-    std::uint32_t object_pair;
-    std::vector<typename Stages::Step> stack;  ///< empty: from the roots
+    std::uint32_t first_pair, count;
+    std::vector<typename Stages::Step> stack;  ///< of what is left of the first one; empty: from the roots
   };
 
   [[nodiscard]] const broad::ObjectPairs& pairs() const {
     return query_.near_pairs != nullptr ? memory_.pairs : *query_.pairs;
+  }
+
+  /// Where each pair asked about has a row, some have nothing in it.
+  [[nodiscard]] bool is_apart(const broad::ObjectPair& pair) const {
+    return query_.all_rows && !broad::may_touch(query_.view, pair.a, pair.b);
   }
 
   void prepare_states() {
@@ -92,7 +99,7 @@ class Pipeline {
   /// A lone pair has its first slice done by the caller's thread: small questions end before another would wake. False
   /// if work remains.
   bool work_on_first() {
-    if (pairs().size() != 1 || is_empty(pairs()[0].overlap)) return false;
+    if (pairs().size() != 1 || is_apart(pairs()[0])) return false;
     Worker<Stages>& worker = crew_.take(options_);
     run_slice(typename Stages::Pair(query_, pairs()[0]), 0, true, worker);
     const bool done = worker.stack.empty() || settled(0);
@@ -110,17 +117,23 @@ class Pipeline {
       crew_.give_back(worker);
       return;
     }
-    std::vector<Task> tasks(pairs().size());
-    for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].object_pair = static_cast<std::uint32_t>(i);
+    // Where pairs abound a task is several of them: most are done in a microsecond or two.
+    const auto number = static_cast<std::uint32_t>(pairs().size());
+    const std::uint32_t at_once = std::clamp<std::uint32_t>(number / 1024, 1, 16);
+    std::vector<Task> tasks;
+    tasks.reserve(number / at_once + 1);
+    for (std::uint32_t i = 0; i < number; i += at_once) tasks.push_back({i, std::min(at_once, number - i), {}});
     if (!first_stack_.empty()) tasks[0].stack = std::move(first_stack_);
     schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
       Worker<Stages>& worker = crew_.take(options_);
       worker.stack.assign(task.stack.begin(), task.stack.end());
-      run(task.object_pair, worker, [&](std::uint32_t object_pair, Worker<Stages>& w) {
-        if (w.stack.size() < 2) return;
-        memory_.pair_states[object_pair].open_tasks.fetch_add(1);
-        spawn(Task{object_pair, cut_off_half(w.stack)});
-      });
+      for (std::uint32_t i = 0; i < task.count; ++i) {
+        run(task.first_pair + i, worker, [&](std::uint32_t object_pair, Worker<Stages>& w) {
+          if (w.stack.size() < 2) return;
+          memory_.pair_states[object_pair].open_tasks.fetch_add(1);
+          spawn(Task{object_pair, 1, cut_off_half(w.stack)});
+        });
+      }
       crew_.give_back(worker);
     });
   }
@@ -128,7 +141,7 @@ class Pipeline {
   /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
   template <class Share>
   void run(std::uint32_t object_pair, Worker<Stages>& worker, const Share& share) {
-    if (!is_empty(pairs()[object_pair].overlap)) {
+    if (!is_apart(pairs()[object_pair])) {
       const typename Stages::Pair pair(query_, pairs()[object_pair]);
       bool fresh = worker.stack.empty();
       while ((fresh || !worker.stack.empty()) && !options_.stop.stop_requested() && !settled(object_pair)) {
@@ -164,17 +177,19 @@ class Pipeline {
     }
     for (const scene::PlacedObject& object : query_.view.objects) memory_.keys.push_back(object.key);
     Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
-    results::assemble(memory_.collectors, pairs(), memory_.keys, {options_.limit, !first_only_, query_.all_rows},
-                      memory_.assembly, contacts);
+    results::assemble(memory_.collectors, pairs(), memory_.keys,
+                      {options_.limit, !first_only_, query_.all_rows, on_threads(options_.threads)}, memory_.assembly,
+                      contacts);
     return contacts;
   }
 
-  static void predict(Statistics& s) {
-    const schedule::CostConstants constants = calibrated_constants();
+  void predict(Statistics& s) const {
+    const schedule::CostConstants constants = calibrated_constants(options_.backend);
     s.box_test_seconds = constants.box_test;
     s.element_test_seconds = constants.element_test;
     s.node_seconds = constants.node;
     s.leaf_pair_seconds = constants.leaf_pair;
+    s.exact_call_seconds = constants.exact_call;
     s.predicted_seconds = schedule::predict_seconds(s, constants);
   }
 

@@ -22,7 +22,8 @@ hierarchy::PlacedTree placed_tree(const Query& query, std::uint32_t object) {
 }  // namespace
 
 PlainStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
-    : walk(placed_tree(query, objects.a), placed_tree(query, objects.b), objects),
+    : walk(placed_tree(query, objects.a), placed_tree(query, objects.b),
+           intersection(query.view.objects[objects.a].box, query.view.objects[objects.b].box)),
       placed{*query.view.objects[objects.a].mesh, query.view.objects[objects.a].pose,
              *query.view.objects[objects.b].mesh, query.view.objects[objects.b].pose} {}
 

@@ -142,10 +142,7 @@ void NearPairs::find_fresh(const ForEach& for_each) {
       return is_here_[changed] == 0 || changed == other || comes_again || one_group;
     });
   };
-  if (parts > 1)
-    for_each(parts, find_part);
-  else
-    find_part(0);
+  run_each(for_each, parts, find_part);
   fresh_.clear();
   for (std::size_t part = 0; part < parts; ++part) {
     box_tests_ += searches_[part].box_tests;
@@ -199,24 +196,21 @@ void NearPairs::merge_fresh() {
 void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
                      const FindConfig& config) const {
   const std::size_t n = candidates_.size(), parts = config.for_each ? n / kPart + 1 : 1;
-  const auto for_each_part = [&](const auto& body) {
-    if (parts > 1)
-      config.for_each(parts, body);
-    else
-      body(0);
-  };
   // What each part keeps lies where its candidates begin; behind all of them, how many it has kept.
   scratch.resize(n + parts);
   const auto begin = [&](std::size_t part) { return part * n / parts; };
   std::uint64_t *const kept = scratch.data(), *const counts = kept + n;
-  for_each_part([&](std::size_t part) {
+  run_each(config.for_each, parts, [&](std::size_t part) {
     counts[part] = filter(view, begin(part), begin(part + 1), config.stop, kept + begin(part));
   });
   if (config.stop.stop_requested()) return pairs.clear();
   pairs.resize(std::accumulate(counts, counts + parts, std::size_t{0}));
-  for_each_part([&](std::size_t part) {
+  run_each(config.for_each, parts, [&](std::size_t part) {
     const std::size_t before = std::accumulate(counts, counts + part, std::size_t{0});
-    write(kept + begin(part), counts[part], pairs.data() + before);
+    std::transform(kept + begin(part), kept + begin(part) + counts[part], pairs.data() + before,
+                   [](std::uint64_t pair) {
+                     return ObjectPair{first_of(pair), second_of(pair)};
+                   });
   });
 }
 
@@ -249,15 +243,6 @@ std::size_t NearPairs::filter(const scene::SceneView& view, std::size_t begin, s
     kept = any_ignored ? std::remove_if(kept, kept_end, is_ignored) : kept_end;
   }
   return static_cast<std::size_t>(kept - first);
-}
-
-void NearPairs::write(const std::uint64_t* kept, std::size_t count, ObjectPair* pairs) const {
-  for (std::size_t i = 0; i < count; ++i) {
-    const Box& soon = boxes_[second_of(kept[std::min(i + kPrefetch, count - 1)])];
-    hwy::Prefetch(&soon.lo), hwy::Prefetch(&soon.hi.z);
-    const std::uint32_t a = first_of(kept[i]), b = second_of(kept[i]);
-    pairs[i] = {a, b, intersection(boxes_[a], boxes_[b])};
-  }
 }
 
 }  // namespace impinge::broad

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "broad/box_tree.hpp"
-#include "broad/for_each.hpp"
 #include "broad/object_pairs.hpp"
+#include "core/for_each.hpp"
 #include "scene/scene_view.hpp"
 
 namespace impinge::broad {
@@ -63,7 +63,6 @@ class NearPairs {
   void merge_fresh();
   std::size_t filter(const scene::SceneView& view, std::size_t begin, std::size_t end, const std::stop_token& stop,
                      std::uint64_t* kept) const;
-  void write(const std::uint64_t* kept, std::size_t count, ObjectPair* pairs) const;
 
   std::uint32_t frame_ = 0;
   std::uint32_t population_ = 0;

@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/shapes.hpp"
-
 namespace impinge::broad {
 
-/// Two objects that may touch, a < b, and the box that holds whatever they share.
+/// Two objects that may touch, a < b.
 struct ObjectPair {
   std::uint32_t a, b;
-  Box overlap;
+  friend bool operator==(const ObjectPair&, const ObjectPair&) = default;
 };
 
 /// Sorted by (a, b).

@@ -111,7 +111,7 @@ ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_to
     const Box& box = view.objects[object].box;
     open.visit_overlapping(box, [&](std::uint32_t other) {
       if (!may_touch(view, object, other)) return;
-      pairs.push_back({std::min(object, other), std::max(object, other), intersection(box, view.objects[other].box)});
+      pairs.push_back({std::min(object, other), std::max(object, other)});
     });
     open.open(object, box);
   }

@@ -4,13 +4,13 @@
 
 namespace impinge::hierarchy {
 
-DualWalk::DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects)
+DualWalk::DualWalk(const PlacedTree& a, const PlacedTree& b, const Box& overlap)
     : a_(a),
       b_(b),
       relative_(a.pose, a.mesh, b.pose, b.mesh),
       rounding_a_(rounding_radius(a.pose, a.mesh)),
       rounding_b_(rounding_radius(b.pose, b.mesh)),
-      overlap_(objects.overlap) {}
+      overlap_(overlap) {}
 
 void DualWalk::start(std::vector<NodePair>& stack, WalkCounts& counts) const {
   counts.nodes_made += a_.tree.prepare() + b_.tree.prepare();

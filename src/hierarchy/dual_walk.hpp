@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad/object_pairs.hpp"
 #include "core/pose.hpp"
 #include "hierarchy/leaf_pairs.hpp"
 #include "hierarchy/obb_overlap.hpp"
@@ -29,7 +28,8 @@ struct NodePair {
 /// it may be cut up and walked in several threads.
 class DualWalk {
  public:
-  DualWalk(const PlacedTree& a, const PlacedTree& b, const broad::ObjectPair& objects);
+  /// `overlap` holds whatever the two share.
+  DualWalk(const PlacedTree& a, const PlacedTree& b, const Box& overlap);
 
   /// Prepares both roots and puts them on the stack.
   void start(std::vector<NodePair>& stack, WalkCounts& counts) const;

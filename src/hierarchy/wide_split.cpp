@@ -350,7 +350,7 @@ void split_by_sample(std::span<SoupTriangle> triangles, const SplitPlan& plan, c
   const std::size_t chunks = (triangles.size() + kChunk - 1) / kChunk;
   std::vector<SplitTally> tallies(chunks);
   const auto parts = std::make_unique_for_overwrite<std::uint8_t[]>(triangles.size());
-  for_each(chunks, [&](std::size_t c) {
+  run_each(for_each, chunks, [&](std::size_t c) {
     const std::size_t begin = c * kChunk, size = std::min(kChunk, triangles.size() - begin);
     HWY_DYNAMIC_DISPATCH(assign)(triangles.data() + begin, size, split.frame, plan, parts.get() + begin, tallies[c]);
   });

@@ -40,10 +40,6 @@ int unit_exponent_of(const MeshData& mesh) {
   return std::clamp(of_extent, std::max(of_size - 700, -1000), 1026);
 }
 
-void run_in_turn(std::size_t count, const std::function<void(std::size_t)>& body) {
-  for (std::size_t i = 0; i < count; ++i) body(i);
-}
-
 /// How far from exact a coordinate of a node's boxes may be, for triangles whose box reaches `reach` from the node's
 /// origin, which lies `center` from the soup's base, in the largest coordinate. With u = 2^-24: s - c is off by
 /// u (|s| + |c| + |s - c|) <= u (2 |c| + 2 |d|) per coordinate, by the rounding of s, of c and of the difference d. The
@@ -116,7 +112,7 @@ TreeRef WideTree::State::make_root(const ForEach& for_each) {
   if (!soup) {
     auto fresh = std::make_unique_for_overwrite<SoupTriangle[]>(n);
     base = choose_base(source, n, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
-    for_each((n + kChunk - 1) / kChunk, [&](std::size_t c) {
+    run_each(for_each, (n + kChunk - 1) / kChunk, [&](std::size_t c) {
       const std::size_t begin = c * kChunk, end = std::min(begin + kChunk, n);
       for (std::size_t i = begin; i < end; ++i) fresh[i].id = static_cast<std::uint32_t>(i);
       write_corners(source, base, {fresh.get() + begin, end - begin});
@@ -198,13 +194,13 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
 WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size) : state_(std::make_unique<State>(mesh, leaf_size)) {}
 WideTree::~WideTree() = default;
 
-TreeRef WideTree::root(std::uint64_t& nodes_made) {
-  return state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(run_in_turn); });
+TreeRef WideTree::root(std::uint64_t& nodes_made, const ForEach& for_each) {
+  return state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(for_each); });
 }
 
-TreeRef WideTree::make_child(WideNode& node, int lane, std::uint64_t& nodes_made) {
+TreeRef WideTree::make_child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each) {
   return state_->make_once(node.child[lane], nodes_made,
-                           [&] { return state_->make(state_->range_of(node, lane), run_in_turn); });
+                           [&] { return state_->make(state_->range_of(node, lane), for_each); });
 }
 
 void WideTree::build_below(const TreeRef& top) {
@@ -227,7 +223,7 @@ void WideTree::build(const ForEach& for_each) {
   };
   const auto largest_first = [](const Slot& p, const Slot& q) { return p.count() > q.count(); };
   std::uint64_t nodes_made = 0;
-  const TreeRef top = state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(for_each); });
+  const TreeRef top = root(nodes_made, for_each);
   if (top.is_leaf()) return;
   // Level by level until there is work for many threads, then below each node by itself.
   const std::uint32_t large = std::max(kLarge, static_cast<std::uint32_t>(state_->source.mesh.triangles.size() / 256));
@@ -239,20 +235,18 @@ void WideTree::build(const ForEach& for_each) {
   open(top.node());
   while (!level.empty()) {
     std::sort(level.begin(), level.end(), largest_first);
-    for_each(level.size(), [&](std::size_t i) {
+    run_each(for_each, level.size(), [&](std::size_t i) {
       std::uint64_t made = 0;
-      child(*level[i].node, level[i].lane, made);
+      child(*level[i].node, level[i].lane, made, for_each);
     });
     for (const Slot& slot : std::exchange(level, {})) open(child(*slot.node, slot.lane, nodes_made).node());
   }
   std::sort(small.begin(), small.end(), largest_first);
-  for_each(small.size(), [&](std::size_t i) {
+  run_each(for_each, small.size(), [&](std::size_t i) {
     std::uint64_t made = 0;
     build_below(child(*small[i].node, small[i].lane, made));
   });
 }
-
-void WideTree::build(int) { build(run_in_turn); }
 
 int WideTree::unit_exponent() const { return state_->unit_exponent; }
 

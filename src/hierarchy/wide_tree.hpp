@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 
+#include "core/for_each.hpp"
 #include "core/mesh_data.hpp"
 #include "hierarchy/wide_leaf.hpp"
 
@@ -54,10 +54,6 @@ struct alignas(64) WideNode {
   Vec3 base;  ///< of the soup triangles below
 };
 
-/// Calls body(0) to body(count - 1), in any order and on any threads, and returns when all are done. Who calls it may
-/// hold what others wait for, so meanwhile its thread does nothing else (in TBB's words: is isolated).
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
-
 /// Top-down, by binned cuts of least surface. A node's children are made when a walk first reaches them, and stay; many
 /// walks may do so at once, and the tree is the same in whatever order they do. Needs the mesh to outlive it.
 class WideTree {
@@ -69,18 +65,16 @@ class WideTree {
 
   /// The root, made now if need be (`nodes_made` is raised by each node or leaf made). The mesh has at least one
   /// triangle. If memory runs out, here or below, the exception passes and the tree is as it was.
-  TreeRef root(std::uint64_t& nodes_made);
+  TreeRef root(std::uint64_t& nodes_made, const ForEach& for_each = {});
 
   /// The child in a lane, made now if need be.
-  TreeRef child(WideNode& node, int lane, std::uint64_t& nodes_made) {
+  TreeRef child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each = {}) {
     const TreeRef made(node.child[lane].load(std::memory_order_acquire));
-    return made.bits() > kBusy ? made : make_child(node, lane, nodes_made);
+    return made.bits() > kBusy ? made : make_child(node, lane, nodes_made, for_each);
   }
 
   /// Makes all that is not made yet.
-  void build(const ForEach& for_each);
-  /// The same, as yet on the calling thread alone.
-  void build(int threads);
+  void build(const ForEach& for_each = {});
 
   [[nodiscard]] int unit_exponent() const;
   /// What the tree holds in memory now.
@@ -88,7 +82,7 @@ class WideTree {
 
  private:
   static constexpr std::uintptr_t kBusy = 2;  ///< in `child`: another walk is making it
-  TreeRef make_child(WideNode& node, int lane, std::uint64_t& nodes_made);
+  TreeRef make_child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each);
   void build_below(const TreeRef& top);
 
   struct State;

@@ -163,7 +163,7 @@ Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, con
 void descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, bool b_is_one,
              std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, WalkCounts& counts) {
   const auto child = [&](WideTree& tree, const TreeRef& parent, int lane) {
-    return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.nodes_made);
+    return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.nodes_made, walk.for_each);
   };
   const auto found = static_cast<std::size_t>(std::popcount(bits));
   std::size_t leaves = leaf_pairs.size(), open = stack.size();
@@ -189,14 +189,14 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
              const WalkLimits& limits, WalkCounts& counts) {
   // A block of pairs is taken off the stack, and each step done for all of it: nodes are fetched ahead of their turn,
   // and no pair waits for its own numbers.
-  constexpr std::size_t kBlock = 32, kAhead = 4;
-  TreeRefPair block[kBlock];
-  FrameRelation relations[kBlock];
-  Overlaps overlaps[kBlock];
+  constexpr std::size_t kAhead = 4;
+  TreeRefPair block[WalkLimits::kMostAtOnce];
+  FrameRelation relations[WalkLimits::kMostAtOnce];
+  Overlaps overlaps[WalkLimits::kMostAtOnce];
   const std::size_t enough = leaf_pairs.size() + limits.leaf_pairs;
   const std::uint64_t last_test = counts.box_tests + limits.box_tests;
   while (!stack.empty() && leaf_pairs.size() < enough && counts.box_tests < last_test) {
-    const std::size_t size = std::min(stack.size(), limits.nearest_first ? 1 : kBlock);
+    const std::size_t size = std::min(stack.size(), limits.at_once);
     std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, block);
     stack.resize(stack.size() - size);
     for (std::size_t i = 0; i < size; ++i) {
@@ -222,7 +222,7 @@ namespace impinge::hierarchy {
 HWY_EXPORT(advance);
 
 void WideWalk::start(std::vector<TreeRefPair>& stack, WalkCounts& counts) const {
-  const TreeRef root_a = a.root(counts.nodes_made), root_b = b.root(counts.nodes_made);
+  const TreeRef root_a = a.root(counts.nodes_made, for_each), root_b = b.root(counts.nodes_made, for_each);
   stack.push_back({root_a, root_b});
 }
 

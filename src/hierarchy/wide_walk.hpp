@@ -17,9 +17,11 @@ struct TreeRefPair {
 
 /// How far to walk in one go, and in what order.
 struct WalkLimits {
-  std::size_t leaf_pairs;   ///< stop after so many
-  std::uint64_t box_tests;  ///< stop after so many
-  bool nearest_first;       ///< pair by pair, down where the boxes' centres are closest: finds a first contact soon
+  static constexpr std::size_t kMostAtOnce = 32;
+  std::size_t leaf_pairs;             ///< stop after so many
+  std::uint64_t box_tests;            ///< stop after so many
+  std::size_t at_once = kMostAtOnce;  ///< pairs of nodes taken off the stack together
+  bool nearest_first = false;         ///< of each pair's children, first the two whose boxes' centres are closest
 };
 
 /// The walk down two wide trees together: eight boxes against eight at a time, without recursion. What remains to be
@@ -28,6 +30,7 @@ struct WideWalk {
   WideTree& a;
   WideTree& b;
   TreeRelation relation;  ///< of b to a
+  ForEach for_each{};     ///< shares the making of large nodes
 
   /// Prepares both roots and puts them on the stack.
   void start(std::vector<TreeRefPair>& stack, WalkCounts& counts) const;

@@ -3,26 +3,18 @@
 #include "results/assemble.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <utility>
 
-#include "core/hash.hpp"
+#include "results/row_hash.hpp"
 
 namespace impinge::results {
 namespace {
 
-/// CONTRACT 8: unordered in the two triangles, summed over contacts, so that neither ids nor order nor swap matter.
-std::uint64_t hash_of(std::span<const ContactKey> row, std::uint64_t key_a, std::uint64_t key_b) {
-  const std::uint64_t mixed_kinds[] = {mix(0), mix(1), mix(2)};
-  std::uint64_t hash = 0, mixed_a = mix(key_a, 0);
-  std::uint32_t previous_a = 0;
-  for (const ContactKey contact : row) {
-    const std::uint32_t a = triangle_a(contact);
-    if (a != previous_a) previous_a = a, mixed_a = mix(key_a, a);
-    const std::uint64_t mixed_b = mix(key_b, triangle_b(contact));
-    const std::uint64_t both = mix(std::min(mixed_a, mixed_b), std::max(mixed_a, mixed_b));
-    hash += mix(both ^ mixed_kinds[static_cast<std::size_t>(kind_of(contact))]);
-  }
-  return hash;
-}
+/// Contacts that one thread takes on at a time.
+constexpr std::size_t kPart = std::size_t{1} << 14;
 
 void sort(std::span<ContactKey> keys, const hwy::Sorter& sorter) {
   constexpr std::size_t kFew = 16;
@@ -48,32 +40,120 @@ void group(std::span<const Collector* const> collectors, std::size_t pairs, Asse
   }
 }
 
+/// Puts the row in order by the hands of many: dealt to pieces, each of greater keys than the one before, and each
+/// sorted by itself.
+void sort_long(std::span<ContactKey> row, const ForEach& for_each, std::vector<ContactKey>& dealt) {
+  constexpr std::size_t kPieces = 16, kSamples = 64 * kPieces;
+  std::array<ContactKey, kSamples> samples;
+  for (std::size_t i = 0; i < kSamples; ++i) samples[i] = row[i * row.size() / kSamples];
+  std::sort(samples.begin(), samples.end());
+  std::array<ContactKey, kPieces - 1> bounds;
+  for (std::size_t p = 1; p < kPieces; ++p) bounds[p - 1] = samples[p * kSamples / kPieces];
+  const auto piece_of = [&](ContactKey key) {
+    std::size_t piece = 0;
+    for (const ContactKey bound : bounds) piece += key >= bound;
+    return piece;
+  };
+
+  const std::size_t parts = row.size() / kPart + 1;
+  const auto part_of_row = [&](std::size_t part) {
+    const std::size_t begin = part * row.size() / parts, end = (part + 1) * row.size() / parts;
+    return row.subspan(begin, end - begin);
+  };
+  std::vector<std::array<std::size_t, kPieces>> places(parts);  // how many of a part go to a piece, then where to
+  run_each(for_each, parts, [&](std::size_t part) {
+    for (const ContactKey key : part_of_row(part)) ++places[part][piece_of(key)];
+  });
+  std::array<std::size_t, kPieces + 1> begins{};
+  std::size_t place = 0;
+  for (std::size_t piece = 0; piece < kPieces; ++piece) {
+    begins[piece] = place;
+    for (auto& part : places) place += std::exchange(part[piece], place);
+  }
+  begins[kPieces] = place;
+  dealt.resize(row.size());
+  run_each(for_each, parts, [&](std::size_t part) {
+    for (const ContactKey key : part_of_row(part)) dealt[places[part][piece_of(key)]++] = key;
+  });
+  run_each(for_each, kPieces, [&](std::size_t piece) {
+    const hwy::Sorter sorter;
+    const std::span<ContactKey> keys(dealt.data() + begins[piece], begins[piece + 1] - begins[piece]);
+    sort(keys, sorter);
+    std::copy(keys.begin(), keys.end(), row.begin() + static_cast<std::ptrdiff_t>(begins[piece]));
+  });
+}
+
+/// Rows that begin beyond `count` are not kept.
+void sort_rows(std::size_t rows, std::size_t count, const ForEach& for_each, AssembleScratch& s) {
+  const auto begin_of = [&](std::size_t row) { return row == 0 ? 0 : s.row_ends[row - 1]; };
+  const auto first_from = [&](std::size_t contact) {
+    if (contact == 0) return std::size_t{0};
+    const auto end = s.row_ends.begin() + static_cast<std::ptrdiff_t>(rows);
+    return static_cast<std::size_t>(std::lower_bound(s.row_ends.begin(), end, contact) - s.row_ends.begin()) + 1;
+  };
+  const auto row_of = [&](std::size_t i) {
+    return std::span(s.keys).subspan(begin_of(i), s.row_ends[i] - begin_of(i));
+  };
+  const std::size_t parts = for_each ? count / kPart + 1 : 1, longest = for_each ? 2 * kPart : s.keys.size();
+  run_each(for_each, parts, [&](std::size_t part) {
+    std::optional<hwy::Sorter> own;
+    const hwy::Sorter& sorter = parts == 1 ? s.sorter : own.emplace();
+    const std::size_t end = (part + 1) * count / parts;
+    for (std::size_t i = first_from(part * count / parts); i < rows && begin_of(i) < end; ++i)
+      if (row_of(i).size() <= longest) sort(row_of(i), sorter);
+  });
+  for (std::size_t i = 0; i < rows && begin_of(i) < count; ++i)
+    if (row_of(i).size() > longest) sort_long(row_of(i), for_each, s.dealt);
+}
+
+/// Takes the contacts from `begin` to `end` apart and returns the sum of their hashes, if that is asked for.
+std::uint64_t write_contacts(std::size_t begin, std::size_t end, const broad::ObjectPairs& pairs,
+                             std::span<const std::uint64_t> object_keys, bool with_hash, const AssembleScratch& s,
+                             Contacts& result) {
+  for (std::size_t i = begin; i < end; ++i) {
+    result.triangles[i] = {triangle_a(s.keys[i]), triangle_b(s.keys[i])};
+    result.kinds[i] = kind_of(s.keys[i]);
+  }
+  std::uint64_t hash = 0;
+  if (!with_hash) return hash;
+  auto row_end = std::upper_bound(s.row_ends.begin(), s.row_ends.end(), begin);
+  for (; begin < end; ++row_end) {
+    const auto& [a, b] = pairs[static_cast<std::size_t>(row_end - s.row_ends.begin())];
+    const std::size_t size = std::min(*row_end, end) - begin;
+    hash += row_hash(std::span(s.keys).subspan(begin, size), object_keys[a], object_keys[b]);
+    begin += size;
+  }
+  return hash;
+}
+
 }  // namespace
 
 void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs,
               std::span<const std::uint64_t> keys, const AssembleConfig& config, AssembleScratch& s, Contacts& result) {
   result.objects.clear();
   result.offsets.assign(1, 0);
-  result.hash = 0;
   std::uint64_t found = 0;
   for (const Collector* collector : collectors) found += collector->seen();
   result.truncated = found > config.limit;
 
   group(collectors, pairs.size(), s);
   const std::size_t count = std::min<std::uint64_t>(s.keys.size(), config.limit);
+  sort_rows(pairs.size(), count, config.for_each, s);
+
   result.triangles.resize(count), result.kinds.resize(count);
+  const std::size_t parts = config.for_each ? count / kPart + 1 : 1;
+  s.hashes.resize(parts);
+  run_each(config.for_each, parts, [&](std::size_t part) {
+    s.hashes[part] =
+        write_contacts(part * count / parts, (part + 1) * count / parts, pairs, keys, config.with_hash, s, result);
+  });
+  result.hash = std::accumulate(s.hashes.begin(), s.hashes.end(), std::uint64_t{0});
+
   for (std::size_t i = 0, begin = 0; i < pairs.size(); begin = s.row_ends[i++]) {
-    const std::span<ContactKey> row(s.keys.data() + begin, s.row_ends[i] - begin);
-    const std::size_t kept = std::min(row.size(), count - std::min(begin, count));
-    if (kept == 0 && !config.all_rows) continue;
-    sort(row, s.sorter);
-    for (std::size_t j = 0; j < kept; ++j) {
-      result.triangles[begin + j] = {triangle_a(row[j]), triangle_b(row[j])};
-      result.kinds[begin + j] = kind_of(row[j]);
-    }
-    if (config.with_hash) result.hash += hash_of(row.first(kept), keys[pairs[i].a], keys[pairs[i].b]);
+    const std::size_t end = std::min(s.row_ends[i], count);
+    if (end <= begin && !config.all_rows) continue;
     result.objects.push_back({pairs[i].a, pairs[i].b});
-    result.offsets.push_back(std::min(begin, count) + kept);
+    result.offsets.push_back(end);
   }
 }
 

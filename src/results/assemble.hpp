@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broad/object_pairs.hpp"
+#include "core/for_each.hpp"
 #include "impinge/contacts.hpp"
 #include "results/collector.hpp"
 
@@ -18,12 +19,14 @@ struct AssembleConfig {
   std::uint64_t limit;
   bool with_hash;
   bool all_rows;  ///< a row for every pair of objects, touching or not
+  ForEach for_each{};
 };
 
 /// Memory that may be kept between calls.
 struct AssembleScratch {
   std::vector<std::size_t> row_ends;
-  std::vector<ContactKey> keys;
+  std::vector<ContactKey> keys, dealt;
+  std::vector<std::uint64_t> hashes;
   hwy::Sorter sorter;
 };
 

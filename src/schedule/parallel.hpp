@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -23,7 +24,7 @@ using PerWorker = tbb::enumerable_thread_specific<T>;
 
 /// Shows the thread sanitizer that what one thread wrote before it handed work to TBB comes before what another does
 /// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write, `take` precedes
-/// the first read, that of a closure's captures among them. Nothing in other builds.
+/// the first read, that of a closure's captures among them; by way of exceptions too. Nothing in other builds.
 class HandOver {
  public:
 #if defined(__SANITIZE_THREAD__)
@@ -36,11 +37,46 @@ class HandOver {
   static void give() {}
   static void take() {}
 #endif
+
+ public:
+  /// A piece of work that was handed over.
+  struct Turn {
+    Turn() { take(); }
+    ~Turn() { give(); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+  };
+  /// While others work.
+  struct Wait {
+    Wait() { give(); }
+    ~Wait() { take(); }
+    Wait(const Wait&) = delete;
+    Wait& operator=(const Wait&) = delete;
+  };
 };
 
 /// Up to so many threads of TBB's. Arenas are kept, one a size: oneTBB 2021.8 loses some kilobytes with each one that
 /// ends.
 tbb::task_arena& arena_of(int threads);
+
+/// Runs body(0) to body(n - 1) on the caller's and other threads of its arena, up to `threads` in all (0: all there
+/// are). Meanwhile the caller's thread does nothing else (in TBB's words, is isolated): it may hold what other tasks
+/// wait for.
+template <class Body>
+void for_each(std::size_t n, int threads, const Body& body) {
+  std::atomic<std::size_t> next{0};
+  const auto take_turns = [&](std::size_t) {
+    const HandOver::Turn turn;
+    const FloatEnvironment nearest;
+    for (std::size_t i = next++; i < n; i = next++) body(i);
+  };
+  const int most = threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
+  const HandOver::Wait wait;
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(std::size_t{0}, std::min(n, static_cast<std::size_t>(most)), take_turns,
+                      tbb::simple_partitioner());
+  });
+}
 
 /// Runs `body(task, spawn)` for each task on up to `threads` threads (0: all there are). A body may call `spawn(task)`
 /// to hand part of its work to whoever is idle. Tasks run in any order; with one thread they run on the caller's, those
@@ -67,17 +103,15 @@ void run_tasks(std::vector<Task> tasks, int threads, const Body& body) {
       const FloatEnvironment nearest;  // each worker has its own
       body(task, [&](Task spawned) {
         tbb::task_handle handle = group.defer([&self, kept = std::make_unique<Task>(std::move(spawned))] {
-          HandOver::take();
+          const HandOver::Turn turn;
           self(self, *kept);
-          HandOver::give();
         });
         HandOver::give();
         group.run(std::move(handle));
       });
-      HandOver::give();
     };
     const auto run_one = [&](std::size_t i) {
-      HandOver::take();
+      const HandOver::Turn turn;
       run(run, tasks[i]);
     };
     const auto run_firsts = [&] {
@@ -91,13 +125,12 @@ void run_tasks(std::vector<Task> tasks, int threads, const Body& body) {
     HandOver::take();
     HandOver::give();
   };
-  HandOver::give();
+  const HandOver::Wait wait;
   if (threads == 0) {
     run_all();
   } else {
     arena_of(threads).execute(run_all);
   }
-  HandOver::take();
 }
 
 }  // namespace impinge::schedule

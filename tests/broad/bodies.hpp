@@ -25,12 +25,6 @@ inline scene::PlacedObject box_at(const Vec3& center, const Vec3& half, std::uin
   return object;
 }
 
-inline bool same(const broad::ObjectPairs& p, const broad::ObjectPairs& q) {
-  return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const auto& x, const auto& y) {
-    return x.a == y.a && x.b == y.b && x.overlap.lo == y.overlap.lo && x.overlap.hi == y.overlap.hi;
-  });
-}
-
 /// A frame: every object is placed where it is now, those that are no more included.
 inline void update(broad::NearPairs& near_pairs, const std::vector<scene::PlacedObject>& objects) {
   near_pairs.reserve(objects.size());
@@ -39,7 +33,7 @@ inline void update(broad::NearPairs& near_pairs, const std::vector<scene::Placed
 }
 
 inline broad::ObjectPairs pairs_of(const broad::NearPairs& near_pairs, const scene::SceneView& view) {
-  broad::ObjectPairs pairs{{7, 7, {}}};  // what was there before must go
+  broad::ObjectPairs pairs(1, {7, 7});  // what was there before must go
   std::vector<std::uint64_t> scratch{7};
   near_pairs.find(view, pairs, scratch);
   return pairs;

@@ -69,7 +69,6 @@ using scene::PlacedObject;
 using scene::SceneView;
 
 using test::kSomething;
-using test::same;
 
 PlacedObject placed(const Place& place) {
   const auto vec = [](const std::array<int, 3>& v) {
@@ -105,12 +104,12 @@ RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
     const broad::ObjectPairs expected = broad::all_pairs(view);
     broad::NearPairs copy = near_pairs;
     test::update(near_pairs, objects);
-    RC_ASSERT(same(test::pairs_of(near_pairs, view), expected));
+    RC_ASSERT(test::pairs_of(near_pairs, view) == expected);
     RC_ASSERT(near_pairs.is_current());
     test::update(copy, objects);
-    RC_ASSERT(same(test::pairs_of(copy, view), expected));
+    RC_ASSERT(test::pairs_of(copy, view) == expected);
     borders.update(view);
-    RC_ASSERT(same(borders.find(view), expected));
+    RC_ASSERT(borders.find(view) == expected);
   }
 }
 
@@ -125,7 +124,7 @@ RC_GTEST_PROP(NearPairs, NeedToHearOfChangesOnly, (const std::vector<std::vector
       near_pairs.place(step.object, objects[step.object]);
     }
     near_pairs.update();
-    RC_ASSERT(same(test::pairs_of(near_pairs, {objects}), broad::all_pairs({objects})));
+    RC_ASSERT(test::pairs_of(near_pairs, {objects}) == broad::all_pairs({objects}));
   }
 }
 
@@ -189,7 +188,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
       const SceneView view{objects, nullptr};
       borders.update(view);
       const broad::ObjectPairs pairs = borders.find(view);
-      ASSERT_TRUE(same(pairs, broad::all_pairs(view))) << "frame " << frame;
+      ASSERT_TRUE(pairs == broad::all_pairs(view)) << "frame " << frame;
       ASSERT_GT(pairs.size(), 20u);
     }
   }

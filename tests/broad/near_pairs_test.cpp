@@ -47,7 +47,7 @@ void expect_right(std::vector<Body> bodies, int frames, const std::function<void
     const std::vector<PlacedObject> objects = placed(bodies);
     test::update(near_pairs, objects);
     const broad::ObjectPairs pairs = test::pairs_of(near_pairs, {objects});
-    ASSERT_TRUE(test::same(pairs, broad::all_pairs({objects}))) << "frame " << frame;
+    ASSERT_TRUE(pairs == broad::all_pairs({objects})) << "frame " << frame;
     ASSERT_TRUE(frame > 0 || pairs.size() >= pairs_at_first);
     ASSERT_GE(near_pairs.candidates(), pairs.size());
     step(bodies, frame);
@@ -252,7 +252,7 @@ TEST(NearPairs, HeedGroupsThatChange) {
       if (seeded.random.integer(0, 9) == 0) object.group = static_cast<std::uint32_t>(seeded.random.integer(0, 2));
     test::update(near_pairs, objects);
     const broad::ObjectPairs pairs = test::pairs_of(near_pairs, {objects});
-    ASSERT_TRUE(test::same(pairs, broad::all_pairs({objects})));
+    ASSERT_TRUE(pairs == broad::all_pairs({objects}));
     fewest = std::min(fewest, pairs.size()), most = std::max(most, pairs.size());
   }
   EXPECT_LT(fewest, most);
@@ -295,7 +295,7 @@ TEST(NearPairs, AreCurrentUntilSomethingLeavesItsRoom) {
   EXPECT_TRUE(near_pairs.is_current());
   near_pairs.place(1, box_at({0.001, 0, 0}, {1, 1, 1}));
   EXPECT_TRUE(near_pairs.is_current());
-  EXPECT_EQ(test::pairs_of(near_pairs, {})[0].overlap.lo.x, 0.001 - 1);
+  EXPECT_EQ(test::pairs_of(near_pairs, {}).size(), 1u);
   near_pairs.place(1, box_at({3, 0, 0}, {1, 1, 1}));
   EXPECT_FALSE(near_pairs.is_current());
 }

@@ -34,17 +34,17 @@ struct Walked {
         tree_a(a, leaf_size),
         tree_b(b, leaf_size),
         placed{scene::place(a, pose_a, 0), scene::place(b, pose_b, 0)},
-        objects{0, 1, intersection(placed[0].box, placed[1].box)} {}
+        overlap(intersection(placed[0].box, placed[1].box)) {}
 
   [[nodiscard]] bool reached() const { return broad::may_touch({placed, nullptr}, 0, 1); }
-  hierarchy::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, objects}; }
+  hierarchy::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, overlap}; }
 
   std::vector<Mesh> meshes;
   Pose pose_a, pose_b;
   const MeshData &a, &b;
   hierarchy::ObbTree tree_a, tree_b;
   std::array<scene::PlacedObject, 2> placed;
-  broad::ObjectPair objects;
+  Box overlap;
 };
 
 /// The triangles that the leaves hold; fails where a pair of them comes twice.
@@ -89,8 +89,8 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
       walk.advance(stack, leaf_pairs, kAll, kAll, counts);
       EXPECT_TRUE(stack.empty());
       EXPECT_EQ(counts.nodes_made, walked.tree_a.node_count() + walked.tree_b.node_count());
-      expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.objects.overlap);
-      expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.objects.overlap);
+      expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
+      expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
       const TrianglePairs found = pairs_of(leaf_pairs);
       for (const test::Contact& contact : expected) ASSERT_TRUE(found.contains({contact[2], contact[3]}));
       touching += expected.size();
@@ -124,8 +124,8 @@ TEST(DualWalk, SplitsNodesInTheRegionAlone) {
     LeafPairs leaf_pairs;
     walk.start(stack, counts);
     walk.advance(stack, leaf_pairs, kAll, kAll, counts);
-    expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.objects.overlap);
-    expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.objects.overlap);
+    expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
+    expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
   }
   EXPECT_GT(reached, 40);
 }

@@ -184,12 +184,12 @@ TEST(WideWalk, MayBeCutIntoSlices) {
       stacks.pop_back();
       const WalkLimits limits{.leaf_pairs = static_cast<std::size_t>(seeded.random.integer(1, 40)),
                               .box_tests = static_cast<std::uint64_t>(seeded.random.integer(1, 500)),
+                              .at_once = static_cast<std::size_t>(seeded.random.integer(1, 32)),
                               .nearest_first = seeded.random.integer(0, 1) == 1};
       const std::size_t before = leaf_pairs.size();
       const std::uint64_t tests_before = counts.box_tests;
       walk.advance(stack, leaf_pairs, limits, counts);
-      // A block of 32 pairs, of 64 tests each, is finished.
-      const std::size_t beyond = limits.nearest_first ? 64 : 32 * 64;
+      const std::size_t beyond = limits.at_once * 64;  // those at hand, of 64 tests each, are finished
       EXPECT_LT(leaf_pairs.size(), before + limits.leaf_pairs + beyond);
       EXPECT_LT(counts.box_tests, tests_before + limits.box_tests + beyond);
       const auto middle = stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2);
@@ -208,7 +208,7 @@ TEST(WideWalk, NearestFirstFindsAFirstLeafPairSoon) {
   std::vector<TreeRefPair> stack;
   std::vector<WideLeafPair> leaf_pairs;
   walk.start(stack, counts);
-  walk.advance(stack, leaf_pairs, {.leaf_pairs = 1, .box_tests = kAll, .nearest_first = true}, counts);
+  walk.advance(stack, leaf_pairs, {.leaf_pairs = 1, .box_tests = kAll, .at_once = 1, .nearest_first = true}, counts);
   EXPECT_FALSE(leaf_pairs.empty());
   EXPECT_LE(counts.box_tests, 64u * 8);
   walked(walk, false, plain);
@@ -255,7 +255,7 @@ TEST(WideWalk, OfThreadsThatShareItsStackIsWhole) {
           if (!was_busy && busy == 0) break;
         }
         if (stack.empty()) std::this_thread::yield();
-        walk.advance(stack, own, {.leaf_pairs = 50, .box_tests = 500, .nearest_first = false}, own_counts);
+        walk.advance(stack, own, {.leaf_pairs = 50, .box_tests = 500}, own_counts);
       }
       const std::lock_guard lock(mutex);
       leaf_pairs.insert(leaf_pairs.end(), own.begin(), own.end());

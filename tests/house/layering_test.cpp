@@ -20,7 +20,7 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
     {"core", {}},
     {"scene", {}},
     {"broad", {"scene/scene_view.hpp"}},
-    {"hierarchy", {"broad/object_pairs.hpp"}},
+    {"hierarchy", {}},
     {"partition",
      {"hierarchy/leaf_pairs.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/frame.hpp", "hierarchy/tree_relation.hpp",
       "hierarchy/frame_relation-inl.hpp"}},

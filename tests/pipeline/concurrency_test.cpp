@@ -93,6 +93,35 @@ TEST(ConcurrentQueries, OfSharedFreshMeshesAgree) {
   }
 }
 
+/// So large that the making of single nodes is shared: by queries on the caller's threads and on TBB's, and by whole
+/// builds, while each may hold what another waits for.
+TEST(ConcurrentQueries, OfLargeFreshMeshesAgree) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
+  const scenes::MeshData plane = scenes::bumpy_grid(220, 220);
+  const Pose pose{.t = {0.3, 0.2, 0.01}};
+  const Mesh plain = test::mesh_of(plane);
+  const Contacts expected = collide(plain, {}, plain, pose, {.threads = 1}).value();
+  EXPECT_GT(expected.triangles.size(), 10000u);
+  for (int round = 0; round < 4; ++round) {
+    const Mesh a = test::mesh_of(plane), b = test::mesh_of(plane);
+    std::vector<std::optional<Contacts>> found(6);
+    const auto ask = [&](int thread) {
+      if (thread % 3 == 1 && !(thread % 2 == 0 ? a : b).build_tree(thread % 4)) return;
+      const auto result = collide(a, {}, b, pose, {.threads = (thread + round) % 4});
+      if (result) found[static_cast<std::size_t>(thread)] = *result;
+    };
+    if (round % 2 == 0) {
+      on_threads(6, ask);
+    } else {
+      schedule::run_tasks(std::vector<int>{0, 1, 2, 3, 4, 5}, 0, [&](int thread, const auto&) { ask(thread); });
+    }
+    for (const auto& contacts : found) {
+      ASSERT_TRUE(contacts);
+      test::expect_same(expected, *contacts);
+    }
+  }
+}
+
 TEST(ConcurrentQueries, OfOneSceneAgree) {
   scenes::Random random(2);
   scenes::PlacedScene placed = scenes::scattered(random, scenes::torus_knot_of(968), 8, 4);

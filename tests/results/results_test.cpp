@@ -7,11 +7,14 @@
 #include <bit>
 #include <limits>
 #include <set>
+#include <thread>
 #include <tuple>
 
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
+#include "results/row_hash.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
@@ -67,6 +70,27 @@ TEST(Hash, IsTheDocumentedOne) {
   }
 }
 
+/// Rows of every length up to some vectors', with the largest ids.
+TEST(Hash, OfARowIsTheDocumentedOneOnEveryInstructionSet) {
+  scenes::Random random(1);
+  const auto id = [&] {
+    const int any = random.integer(0, 0x7FFFFFFE);
+    return static_cast<std::uint32_t>(random.integer(0, 2) == 0 ? 0x7FFFFFFE : any);
+  };
+  const std::uint64_t key_a = 0x123456789ABCDEF0, key_b = 0xFEDCBA9876543210;
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    std::vector<results::ContactKey> row;
+    std::uint64_t sum = 0;
+    for (int size = 0; size <= 40; ++size) {
+      ASSERT_EQ(results::row_hash(row, key_a, key_b), sum) << size;
+      const std::uint32_t a = id(), b = id();
+      row.push_back(results::contact_key(a, b, static_cast<Kind>(size % 3)));
+      sum += documented::contact(key_a, a, key_b, b, static_cast<std::uint32_t>(size % 3));
+    }
+  }
+}
+
 TEST(Hash, TakesMinusZeroAsZero) {
   scenes::MeshData negative = scenes::cube();
   for (double& x : negative.xyz)
@@ -99,9 +123,9 @@ Case any_case() {
   c.keys = *rc::gen::container<std::vector<std::uint64_t>>(6, rc::gen::arbitrary<std::uint64_t>());
   for (std::uint32_t a = 0; a < 6; ++a)
     for (std::uint32_t b = a + 1; b < 6; ++b)
-      if (*rc::gen::inRange(0, 3) != 0) c.pairs.push_back({a, b, {}});
+      if (*rc::gen::inRange(0, 3) != 0) c.pairs.push_back({a, b});
   if (*rc::gen::inRange(0, 3) == 0) c.pairs.resize(std::min<std::size_t>(c.pairs.size(), 2));
-  if (c.pairs.empty()) c.pairs.push_back({0, 5, {}});
+  if (c.pairs.empty()) c.pairs.push_back({0, 5});
   const auto id = rc::gen::element<std::uint32_t>(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 1u << 30, 0x7FFFFFFE);
   std::set<std::array<std::uint32_t, 3>> known;
   const int n = *rc::gen::inRange(0, 200);  // long rows may be sorted in another way than short ones
@@ -204,11 +228,61 @@ RC_GTEST_PROP(Assemble, GivesARowForEveryPairWhenAskedFor, (std::uint64_t seed))
   }
 }
 
+void backwards(std::size_t n, const std::function<void(std::size_t)>& body) {
+  for (std::size_t i = n; i > 0; --i) body(i - 1);
+}
+
+void by_three(std::size_t n, const std::function<void(std::size_t)>& body) {
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < 3; ++t)
+    threads.emplace_back([&, t] {
+      for (std::size_t i = t; i < n; i += 3) body(i);
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
+/// Rows far longer than what one thread takes on, rows of nothing, and many short ones; ids spread out, or crowded so
+/// that some samples of a row say little of the rest.
+TEST(Assemble, GivesTheSameByManyHands) {
+  scenes::Random random(1);
+  for (const int spread : {1 << 30, 300, 2}) {
+    SCOPED_TRACE(spread);
+    Case c;
+    c.keys = {3, 1, 4, 1, 5, 9};
+    for (std::uint32_t a = 0; a < 6; ++a)
+      for (std::uint32_t b = a + 1; b < 6; ++b) c.pairs.push_back({a, b});
+    const std::array sizes{0, 5, 150000, 0, 0, 70, 40000, 1, 33000, 3, 20000, 16384, 0, 2, 0};
+    for (std::uint32_t pair = 0; pair < sizes.size(); ++pair)
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(sizes[pair]); ++i)
+        c.contacts.push_back({pair, static_cast<std::uint32_t>(random.integer(0, spread)), i, Kind::touching});
+    std::vector<test::Contact> expected;
+    for (const Found& contact : c.contacts) expected.push_back(plain(c, contact));
+    std::sort(expected.begin(), expected.end());
+    for (const std::size_t count : {expected.size(), std::size_t{150005}, std::size_t{100000}, std::size_t{7}}) {
+      expected.resize(count);
+      std::uint64_t sum = 0;
+      for (const test::Contact& p : expected) sum += documented::contact(c.keys[p[0]], p[2], c.keys[p[1]], p[3], p[4]);
+      for (const bool all_rows : {false, true}) {
+        Kept kept;
+        const Contacts alone = kept.assemble(c, {count, true, all_rows}, 1);
+        ASSERT_TRUE(all_rows || test::listed(alone) == expected);
+        ASSERT_EQ(alone.hash, sum);
+        for (const auto& hands : {backwards, by_three}) {
+          const Contacts& shared = kept.assemble(c, {count, true, all_rows, hands}, 2);
+          ASSERT_TRUE(shared.triangles == alone.triangles && shared.kinds == alone.kinds);
+          ASSERT_TRUE(shared.objects == alone.objects && shared.offsets == alone.offsets);
+          ASSERT_EQ(shared.hash, sum);
+        }
+      }
+    }
+  }
+}
+
 /// Objects renumbered and pairs turned round: the arrays change, the hash does not.
 RC_GTEST_PROP(Assemble, HashIsIndependentOfIdsAndSwap, (std::uint64_t seed)) {
   const Case c = any_case();
   Case turned{{}, {c.keys.rbegin(), c.keys.rend()}, c.contacts};
-  for (const broad::ObjectPair& pair : c.pairs) turned.pairs.push_back({5 - pair.b, 5 - pair.a, {}});
+  for (const broad::ObjectPair& pair : c.pairs) turned.pairs.push_back({5 - pair.b, 5 - pair.a});
   for (Found& contact : turned.contacts) std::swap(contact.a, contact.b);
   const auto hash = [&](const Case& x) { return Kept().assemble(x, {kNoLimit, true, false}, seed).hash; };
   RC_ASSERT(hash(c) == hash(turned));

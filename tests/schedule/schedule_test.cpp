@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <memory>
 #include <thread>
 
@@ -73,18 +74,72 @@ TEST(RunTasks, EachTaskRoundsToNearest) {
   EXPECT_TRUE(mode.is_untouched());
 }
 
-TEST(Cost, IsEquationOneWithATermForTheGrid) {
+TEST(ForEach, RunsEachOnceOnNoMoreThreadsThanAsked) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
+  for (const int threads : {0, 1, 2, 3, 16, 1000}) {
+    for (const std::size_t n : {0, 1, 2, 5, 3000}) {
+      SCOPED_TRACE(std::to_string(n) + " by " + std::to_string(threads) + " threads");
+      const auto times = std::make_unique<std::atomic<int>[]>(n);
+      std::atomic<int> at_work{0}, most{0};
+      schedule::for_each(n, threads, [&](std::size_t i) {
+        const int now = ++at_work;
+        for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {
+        }
+        times[i].fetch_add(1);
+        --at_work;
+      });
+      for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(times[i], 1);
+      EXPECT_LE(most, threads == 0 ? 16 : threads);
+    }
+  }
+}
+
+TEST(ForEach, PassesAnExceptionOn) {
+  for (const int threads : {0, 1, 2}) {
+    const auto fails = [](std::size_t i) {
+      if (i == 7) throw std::bad_alloc();
+    };
+    EXPECT_THROW(schedule::for_each(100, threads, fails), std::bad_alloc);
+  }
+}
+
+/// Its caller may hold what another task waits for, so meanwhile it must not take up that one.
+TEST(ForEach, KeepsItsCallersThreadFromOtherTasks) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
+  std::atomic<int> wrong{0};
+  schedule::PerWorker<bool> is_waiting([] { return false; });
+  schedule::run_tasks(std::vector<int>(500, 0), 0, [&](int, const auto&) {
+    if (is_waiting.local()) ++wrong;
+    is_waiting.local() = true;
+    schedule::for_each(20, 0, [](std::size_t) { std::this_thread::sleep_for(std::chrono::microseconds(20)); });
+    is_waiting.local() = false;
+  });
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(ForEach, RoundsToNearest) {
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
+  const test::CallersMode mode(FE_UPWARD, true);
+  std::atomic<int> wrong{0};
+  schedule::for_each(200, 8, [&](std::size_t) {
+    if (!test::rounds_to_nearest_with_denormals()) ++wrong;
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_TRUE(mode.is_untouched());
+}
+
+TEST(Cost, IsEquationOneWithTermsForTheGridAndExactArithmetic) {
   Statistics s;
-  s.box_tests = 1000, s.element_tests = 200, s.nodes_built = 30, s.leaf_pairs = 7;
-  EXPECT_DOUBLE_EQ(schedule::predict_seconds(s, {2e-7, 5e-8, 1e-5, 3e-6}),
-                   1000 * 2e-7 + 200 * 5e-8 + 30 * 1e-5 + 7 * 3e-6);
+  s.box_tests = 1000, s.element_tests = 200, s.nodes_built = 30, s.leaf_pairs = 7, s.exact_calls = 11;
+  EXPECT_DOUBLE_EQ(schedule::predict_seconds(s, {2e-7, 5e-8, 1e-5, 3e-6, 4e-7}),
+                   1000 * 2e-7 + 200 * 5e-8 + 30 * 1e-5 + 7 * 3e-6 + 11 * 4e-7);
   s.hierarchy_seconds = 1, s.partition_seconds = 2, s.narrow_seconds = 4, s.exact_seconds = 8;
   s.broad_seconds = 100, s.results_seconds = 100, s.total_seconds = 100;
   EXPECT_DOUBLE_EQ(schedule::modelled_seconds(s), 15);
 }
 
 TEST(Cost, ConstantsExplainTheRunsTheyWereReadFrom) {
-  Statistics building, repeated;
+  Statistics building, repeated, touching;
   repeated.box_tests = building.box_tests = 500;
   repeated.element_tests = building.element_tests = 100;
   repeated.hierarchy_seconds = 1e-3, building.hierarchy_seconds = 5e-3;
@@ -93,15 +148,18 @@ TEST(Cost, ConstantsExplainTheRunsTheyWereReadFrom) {
   building.nodes_built = 40;
   repeated.leaf_pairs = building.leaf_pairs = 20;
   repeated.partition_seconds = building.partition_seconds = 6e-3;
-  const schedule::CostConstants c = schedule::constants_from(building, repeated);
+  repeated.exact_calls = building.exact_calls = 4;
+  touching.exact_calls = 8, touching.exact_seconds = 2e-3;
+  const schedule::CostConstants c = schedule::constants_from(building, repeated, touching);
   EXPECT_DOUBLE_EQ(c.box_test, 1e-3 / 500);
-  EXPECT_DOUBLE_EQ(c.element_test, 3e-3 / 100);
+  EXPECT_DOUBLE_EQ(c.element_test, 2e-3 / 100);
   EXPECT_DOUBLE_EQ(c.node, 4e-3 / 40);
   EXPECT_DOUBLE_EQ(c.leaf_pair, 6e-3 / 20);
+  EXPECT_DOUBLE_EQ(c.exact_call, 2e-3 / 8);
   for (const Statistics& s : {building, repeated})
     EXPECT_NEAR(schedule::predict_seconds(s, c), schedule::modelled_seconds(s), 1e-12);
-  const schedule::CostConstants none = schedule::constants_from({}, {});
-  EXPECT_EQ(none.box_test + none.element_test + none.node + none.leaf_pair, 0);
+  const schedule::CostConstants none = schedule::constants_from({}, {}, {});
+  EXPECT_EQ(none.box_test + none.element_test + none.node + none.leaf_pair + none.exact_call, 0);
 }
 
 TEST(Cost, IsPredictedWhenAskedFor) {
@@ -116,8 +174,10 @@ TEST(Cost, IsPredictedWhenAskedFor) {
   EXPECT_GT(s.element_test_seconds, 0);
   EXPECT_GT(s.node_seconds, 0);
   EXPECT_GT(s.leaf_pair_seconds, 0);
-  EXPECT_DOUBLE_EQ(s.predicted_seconds, schedule::predict_seconds(s, {s.box_test_seconds, s.element_test_seconds,
-                                                                      s.node_seconds, s.leaf_pair_seconds}));
+  EXPECT_GT(s.exact_call_seconds, 0);
+  EXPECT_DOUBLE_EQ(s.predicted_seconds,
+                   schedule::predict_seconds(s, {s.box_test_seconds, s.element_test_seconds, s.node_seconds,
+                                                 s.leaf_pair_seconds, s.exact_call_seconds}));
   EXPECT_DOUBLE_EQ(s.measured_seconds, schedule::modelled_seconds(s));
   EXPECT_GT(s.total_seconds, 0);
 }
