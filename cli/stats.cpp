@@ -39,7 +39,7 @@ void print_statistics(const Statistics& s, Sink& sink) {
               cost("p: tests of two triangles, or of an edge and one", s.element_tests, s.element_test_seconds),
               cost("u: tree nodes built", s.nodes_built, s.node_seconds),
               cost("l: pairs of leaves parted into triangles", s.leaf_pairs, s.leaf_pair_seconds),
-              cost("e: pairs of triangles decided by exact arithmetic", s.exact_calls, s.exact_call_seconds),
+              cost("e: pairs of triangles left to exact arithmetic", s.exact_calls, s.exact_call_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
 }

@@ -11,7 +11,8 @@
 namespace impinge {
 namespace {
 
-/// A closed surface with bumps, so that neither the boxes nor the contacts are of one size.
+/// A closed surface with bumps, so that neither the boxes nor the contacts are of one size. Its coordinates have few
+/// digits, as those of most models: how long exact arithmetic takes depends on them.
 Mesh bumpy_sphere() {
   constexpr std::uint32_t kRings = 32, kSides = 48;
   std::vector<double> xyz;
@@ -20,8 +21,9 @@ Mesh bumpy_sphere() {
     for (std::uint32_t j = 0; j < kSides; ++j) {
       const double theta = 3.141592653589793 * i / kRings, phi = 6.283185307179586 * j / kSides;
       const double r = 1 + 0.05 * std::sin(7 * theta) * std::cos(5 * phi);
-      xyz.insert(xyz.end(),
-                 {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)});
+      for (const double x :
+           {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)})
+        xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
       if (i == kRings) continue;
       const std::uint32_t right = (j + 1) % kSides;
       const std::uint32_t a = i * kSides + j, b = i * kSides + right, c = a + kSides, d = b + kSides;

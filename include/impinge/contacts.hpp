@@ -26,7 +26,7 @@ struct Statistics {
   std::uint64_t nodes_built = 0;     ///< N_u: tree nodes made by this query
   std::uint64_t leaf_pairs = 0;      ///< N_l: pairs of leaves that the walk could not separate
   std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that the grid could not separate
-  std::uint64_t exact_calls = 0;     ///< N_e: pairs of triangles that floating point could not decide
+  std::uint64_t exact_calls = 0;     ///< N_e: pairs of triangles that the narrow phase left undecided
   double box_test_seconds = 0;       ///< C_v, calibrated on this machine; 0 unless `Options::predict_cost`
   double element_test_seconds = 0;   ///< C_p, likewise
   double node_seconds = 0;           ///< C_u, likewise

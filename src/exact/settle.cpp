@@ -37,8 +37,8 @@ Outcome finish(const PairBlock& block, std::size_t lane) {
 
 }  // namespace
 
-std::uint64_t settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
-                     std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) {
+void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
+            std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) {
   constexpr std::size_t kLanes = PairBlock::kLanes;
   std::array<PairBlock, 2> blocks;
   const auto fill_from = [&](std::size_t first, PairBlock& block) {
@@ -50,7 +50,6 @@ std::uint64_t settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData&
       fill(block, i - first, mesh_b, pair.b, 3);
     }
   };
-  std::uint64_t exact_calls = 0;
   if (!pairs.empty()) fill_from(0, blocks[0]);
   for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
     PairBlock &block = blocks[first / kLanes % 2], &next = blocks[(first / kLanes + 1) % 2];
@@ -59,11 +58,10 @@ std::uint64_t settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData&
     see(block);
     for (std::size_t i = first; i < std::min(first + kLanes, pairs.size()); ++i) {
       Outcome outcome = outcome_of(block.signs[i - first]);
-      if (outcome == Outcome::open) ++exact_calls, outcome = finish(block, i - first);
+      if (outcome == Outcome::open) outcome = finish(block, i - first);
       if (outcome != Outcome::apart) contacts.push_back({pairs[i].a, pairs[i].b, *kind_of(outcome)});
     }
   }
-  return exact_calls;
 }
 
 }  // namespace impinge::exact

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,8 +12,8 @@
 namespace impinge::exact {
 
 /// Decides pairs of triangles of two placed meshes, many at a time, and appends those that share a point, with their
-/// kinds, in the order of the pairs. Returns how many needed more than certified floating point.
-std::uint64_t settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
-                     std::span<const TrianglePair> pairs, std::vector<Contact>& contacts);
+/// kinds, in the order of the pairs.
+void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
+            std::span<const TrianglePair> pairs, std::vector<Contact>& contacts);
 
 }  // namespace impinge::exact

@@ -12,7 +12,7 @@ struct CostConstants {
   double element_test;  ///< C_p: an edge against a triangle
   double node;          ///< C_u: making a node of a tree
   double leaf_pair;     ///< C_l: laying the grid over two leaves
-  double exact_call;    ///< C_e: a pair of triangles by exact arithmetic
+  double exact_call;    ///< C_e: a pair of triangles in the exact stage
 };
 
 /// Reads the constants off two runs of one query, of which the first made the trees' nodes and the second found them

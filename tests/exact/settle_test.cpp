@@ -206,12 +206,12 @@ TEST(Settle, TakesAnyNumberOfPairs) {
     known.add({t, other}, kind);
   }
   std::vector<Contact> contacts;
-  EXPECT_EQ(exact::settle({}, {}, {}, {}, {}, contacts), 0u);  // meshes without triangles
+  exact::settle({}, {}, {}, {}, {}, contacts);  // meshes without triangles
   EXPECT_TRUE(contacts.empty());
 }
 
-/// What floating point can tell is not counted: equal corners, planes along the axes, and the general case.
-TEST(Settle, CountsThePairsThatNeedMore) {
+/// Equal corners, planes along the axes and the general case, and pairs that need more.
+TEST(Settle, KnowsPairsThatFloatingPointCanTellAndOthers) {
   const Triangle t{Point{0, 0, 0.3}, Point{4, 0, 0.3}, Point{0, 4, 0.3}};
   Known certain, open;
   certain.add({t, t}, Kind::coplanar);
@@ -223,10 +223,10 @@ TEST(Settle, CountsThePairsThatNeedMore) {
   open.add({t, {Point{1, 1, 0}, Point{1, 2, 0}, Point{1, 1, 1}}}, Kind::crossing);
   open.add({t, {Point{1, 1, 0.3}, Point{2, 1, 0.3}, Point{1, 2, 0.3}}}, Kind::coplanar);
   std::vector<Contact> contacts;
-  EXPECT_EQ(exact::settle(certain.a, {}, certain.b, {}, certain.pairs, contacts), 0u);
+  exact::settle(certain.a, {}, certain.b, {}, certain.pairs, contacts);
   expect_same(certain, contacts);
   contacts.clear();
-  EXPECT_EQ(exact::settle(open.a, {}, open.b, {}, open.pairs, contacts), 2u);
+  exact::settle(open.a, {}, open.b, {}, open.pairs, contacts);
   expect_same(open, contacts);
 }
 
