@@ -43,6 +43,9 @@ HWY_INLINE float error_of(const WideLeaf& a, const WideLeaf& b, const FrameRelat
   return 1.001f * std::max(error_a, error_b) + 0x1p-120f;
 }
 
+/// hn::Iota of Highway 1.0.3 writes its lanes one by one and waits until they can be read as one.
+alignas(64) constexpr std::uint32_t kCount[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 /// Poses B's leaf from `first` on and appends its triangles that reach A's leaf to the rows; returns their number.
 HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const FrameRelation& f, std::size_t first,
                                  std::size_t row, float error, SweepState& s) {
@@ -76,7 +79,8 @@ HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const Fram
       reaches = hn::And(reaches, hn::And(hn::Le(least, half), hn::Ge(greatest, hn::Neg(half))));
     }
     const std::uint32_t bits = mask_bits(d, reaches);
-    const auto places = hn::BitCast(d, hn::Iota(du, static_cast<std::uint32_t>(first + lane)));
+    const auto counted = hn::Add(hn::LoadU(du, kCount), hn::Set(du, static_cast<std::uint32_t>(first + lane)));
+    const auto places = hn::BitCast(d, counted);
     hn::StoreU(hn::BitCast(du, compressed(places, compress_order(bits))), du, s.rows + row + rows);
     rows += static_cast<std::size_t>(std::popcount(bits));
   }
@@ -180,7 +184,7 @@ HWY_INLINE void write_hit(const SweepState& s, std::size_t hit, PairStream& out)
   const Lanes d;
   const hn::RebindToUnsigned<Lanes> du;
   const std::uint32_t all_lanes = static_cast<std::uint32_t>((std::uint64_t{1} << hn::Lanes(d)) - 1);
-  const auto& [row, block, mask] = s.hits[hit];
+  const auto [row, block, mask] = s.hits[hit];
   const hierarchy::WideLeafPair& pair = s.pairs[s.next_pair - 1];
   const auto& member = s.group[s.next_pair - 1];
   const std::size_t stride = pair.a->stride;
