@@ -159,24 +159,28 @@ Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, con
   return result;
 }
 
+/// Where the next pairs go. There is room for all that a block may bring.
+struct Ends {
+  TreeRefPair* open;
+  WideLeafPair* leaves;
+};
+
 /// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack.
-void descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, bool b_is_one,
-             std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, WalkCounts& counts) {
+Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, bool b_is_one, Ends ends,
+             WalkCounts& counts) {
   const auto child = [&](WideTree& tree, const TreeRef& parent, int lane) {
     return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.nodes_made, walk.for_each);
   };
-  const auto found = static_cast<std::size_t>(std::popcount(bits));
-  std::size_t leaves = leaf_pairs.size(), open = stack.size();
-  stack.resize(open + found), leaf_pairs.resize(leaves + found);
   for (; bits != 0; bits &= bits - 1) {
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
     const TreeRef a = child(walk.a, pair.a, b_is_one ? lane : one), b = child(walk.b, pair.b, b_is_one ? one : lane);
     const bool both_leaves = a.is_leaf() && b.is_leaf();
-    stack[open] = {a, b};
-    if (both_leaves) leaf_pairs[leaves] = {&a.leaf(), &b.leaf()};
-    leaves += both_leaves, open += !both_leaves;
+    // Written to both, and kept in one: in which is as good as random.
+    *ends.open = {a, b};
+    *ends.leaves = {&a.leaf(), &b.leaf()};
+    ends.leaves += both_leaves, ends.open += !both_leaves;
   }
-  stack.resize(open), leaf_pairs.resize(leaves);
+  return ends;
 }
 
 HWY_INLINE void prefetch(const TreeRefPair& pair) {
@@ -203,13 +207,21 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
       if (i + kAhead < size) prefetch(block[i + kAhead]);
       relations[i] = relate_frames(frame_of(block[i].a), frame_of(block[i].b), walk.relation);
     }
-    for (std::size_t i = 0; i < size; ++i)
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < size; ++i) {
       overlaps[i] = overlaps_of(block[i], relations[i], walk.relation, limits.nearest_first, counts);
+      found += static_cast<std::size_t>(std::popcount(overlaps[i].bits));
+    }
+    const std::size_t open = stack.size(), leaves = leaf_pairs.size();
+    stack.resize(open + found), leaf_pairs.resize(leaves + found);
+    Ends ends{stack.data() + open, leaf_pairs.data() + leaves};
     for (std::size_t i = 0; i < size; ++i) {
       const auto& [bits, nearest, b_is_one] = overlaps[i];
-      descend(walk, block[i], bits & ~nearest, b_is_one, stack, leaf_pairs, counts);
-      if (nearest != 0) descend(walk, block[i], nearest, b_is_one, stack, leaf_pairs, counts);
+      ends = descend(walk, block[i], bits & ~nearest, b_is_one, ends, counts);
+      if (nearest != 0) ends = descend(walk, block[i], nearest, b_is_one, ends, counts);
     }
+    stack.resize(static_cast<std::size_t>(ends.open - stack.data()));
+    leaf_pairs.resize(static_cast<std::size_t>(ends.leaves - leaf_pairs.data()));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "partition/sweep.cpp"
@@ -26,7 +27,7 @@ using hierarchy::HWY_NAMESPACE::FrameRelation;
 using impinge::HWY_NAMESPACE::compress_order;
 using impinge::HWY_NAMESPACE::compressed;
 using impinge::HWY_NAMESPACE::mask_bits;
-using Lanes = hn::CappedTag<float, SweepState::kBlock>;
+using Lanes = hn::CappedTag<float, SweepState::kMostLanes>;
 
 /// How far either leaf's triangles, in the frame of A's, may be from where the relation's map takes the world's:
 ///   A's are off by what their leaf says, and by the double error, in which the rounding of world vertices is;
@@ -101,7 +102,10 @@ void prepare_group(SweepState& s) {
   while (s.group_size < std::min(SweepState::kGroup, s.pairs.size())) {
     const hierarchy::WideLeafPair& pair = s.pairs[s.group_size];
     if (lane + pair.b->stride > SweepState::kLanes) break;
-    if (s.group_size + kAhead < s.pairs.size()) prefetch(*s.pairs[s.group_size + kAhead].b);
+    if (s.group_size + kAhead < s.pairs.size()) {
+      prefetch(*s.pairs[s.group_size + kAhead].a);
+      prefetch(*s.pairs[s.group_size + kAhead].b);
+    }
     relations[s.group_size] = hierarchy::HWY_NAMESPACE::relate_frames(pair.a->frame, pair.b->frame, *s.relation);
     auto& member = s.group[s.group_size];
     member.error = error_of(*pair.a, *pair.b, relations[s.group_size], *s.relation);
@@ -131,94 +135,102 @@ HWY_INLINE void bound_leaf(const WideLeaf& a, SweepState& s) {
   }
 }
 
-/// A bit for each of a block of A's triangles whose boxes meet that of B's triangle.
-HWY_INLINE std::uint32_t meeting(const SweepState& s, std::size_t block, std::size_t row) {
-  const Lanes d;
+/// A bit for each of as many of A's triangles as there are lanes, from `first` on, whose cells B's triangle shares.
+std::uint32_t sharing_a_cell(const SweepState& s, std::size_t first, std::size_t row) {
   std::uint32_t bits = 0;
-  for (std::size_t lane = 0; lane < SweepState::kBlock; lane += hn::Lanes(d)) {
-    const std::size_t first = block * SweepState::kBlock + lane;
-    const auto on_axis = [&](std::size_t r) HWY_ATTR {
-      return hn::And(hn::Le(hn::Load(d, s.box_a[2 * r] + first), hn::Set(d, s.box_b[2 * r + 1][row])),
-                     hn::Ge(hn::Load(d, s.box_a[2 * r + 1] + first), hn::Set(d, s.box_b[2 * r][row])));
-    };
-    bits |= mask_bits(d, hn::And(on_axis(0), hn::And(on_axis(1), on_axis(2)))) << lane;
-  }
+  for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i)
+    bits |= std::uint32_t{(s.cells_a[first + i] & s.cells_b[row]) != 0} << i;
   return bits;
 }
 
-/// The same by the grid's cells.
-std::uint32_t sharing_a_cell(const SweepState& s, std::size_t block, std::size_t row) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < SweepState::kBlock; ++i)
-    bits |= std::uint32_t{(s.cells_a[block * SweepState::kBlock + i] & s.cells_b[row]) != 0} << i;
-  return bits;
-}
-
-/// Lists what of A's leaf each row of the next pair meets.
-void find_hits(SweepState& s) {
+/// Turns to the next leaf pair of the group.
+void open_pair(SweepState& s) {
   const auto& member = s.group[s.next_pair];
-  const WideLeaf& a = *s.pairs[s.next_pair].a;
-  ++s.next_pair;
-  s.hit_count = s.next_hit = 0;
+  const WideLeaf& a = *s.pairs[s.next_pair++].a;
+  s.next_first = s.end_first = 0;
   if (member.first_row == member.end_row) return;
   bound_leaf(a, s);
   if (s.by_grid) map_to_cells(s);
-  const std::size_t blocks = (a.count + SweepState::kBlock - 1) / SweepState::kBlock;
+  s.end_first = a.count;
+}
+
+/// Lists what the next of A's triangles, one a lane, meet of B's.
+void find_hits(SweepState& s) {
+  const Lanes d;
+  const auto& member = s.group[s.next_pair - 1];
+  const std::size_t first = std::exchange(s.next_first, s.next_first + hn::Lanes(d)), left = s.end_first - first;
+  const std::uint32_t filled = (1u << std::min(left, hn::Lanes(d))) - 1;
+  const auto load = [&](int r) HWY_ATTR { return hn::Load(d, s.box_a[r] + first); };
+  const auto lo_x = load(0), hi_x = load(1), lo_y = load(2), hi_y = load(3), lo_z = load(4), hi_z = load(5);
   std::size_t hits = 0;
   for (std::uint32_t i = member.first_row; i < member.end_row; ++i) {
     const std::uint32_t row = s.rows[i];
-    for (std::size_t block = 0; block < blocks; ++block) {
-      std::uint32_t mask = 0xFFFF;
-      if (!s.keep_all) mask = meeting(s, block, row);
-      if (s.by_grid) mask &= sharing_a_cell(s, block, row);
-      if (block + 1 == blocks) mask &= 0xFFFFu >> (blocks * SweepState::kBlock - a.count);
-      s.hits[hits] = {static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(block), mask};
-      hits += mask != 0;
-    }
+    const auto meet = [&](int r, hn::Vec<Lanes> lo, hn::Vec<Lanes> hi) HWY_ATTR {
+      return hn::And(hn::Le(lo, hn::Set(d, s.box_b[r + 1][row])), hn::Ge(hi, hn::Set(d, s.box_b[r][row])));
+    };
+    std::uint32_t mask = filled;
+    if (!s.keep_all)
+      mask &= mask_bits(d, hn::And(meet(0, lo_x, hi_x), hn::And(meet(2, lo_y, hi_y), meet(4, lo_z, hi_z))));
+    if (s.by_grid) mask &= sharing_a_cell(s, first, row);
+    s.hits[hits] = {row, mask};
+    hits += mask != 0;
   }
-  s.hit_count = hits;
+  s.next_hit = 0, s.hit_count = hits;
 }
 
-/// Writes the pairs of one hit to the stream.
-HWY_INLINE void write_hit(const SweepState& s, std::size_t hit, PairStream& out) {
+/// Writes those of the hits that come next and lie among as many of B's triangles as there are lanes: their places are
+/// listed, then each row of the stream is looked up in a row of either leaf.
+HWY_INLINE void write_tile(SweepState& s, PairStream& out) {
   const Lanes d;
   const hn::RebindToUnsigned<Lanes> du;
-  const std::uint32_t all_lanes = static_cast<std::uint32_t>((std::uint64_t{1} << hn::Lanes(d)) - 1);
-  const auto [row, block, mask] = s.hits[hit];
-  const hierarchy::WideLeafPair& pair = s.pairs[s.next_pair - 1];
+  const std::size_t lanes = hn::Lanes(d), row_b = s.hits[s.next_hit].row / lanes * lanes;
+  const auto count = hn::BitCast(d, hn::Load(du, kCount));
+  std::size_t n = 0;
+  do {
+    const auto [row, mask] = s.hits[s.next_hit];
+    hn::StoreU(hn::BitCast(du, compressed(count, compress_order(mask))), du, s.lanes_a + n);
+    hn::StoreU(hn::Set(du, static_cast<std::uint32_t>(row - row_b)), du, s.lanes_b + n);
+    n += static_cast<std::size_t>(std::popcount(mask));
+  } while (++s.next_hit < s.hit_count && s.hits[s.next_hit].row - row_b < lanes);
+
   const auto& member = s.group[s.next_pair - 1];
-  const std::size_t stride = pair.a->stride;
-  for (std::size_t lane = 0; lane < SweepState::kBlock; lane += hn::Lanes(d)) {
-    const std::uint32_t bits = mask >> lane & all_lanes;
-    const auto order = compress_order(bits);
-    const std::size_t n = out.size, from = block * SweepState::kBlock + lane;
-    const float* const coordinates = pair.a->row(0) + from;
+  const WideLeaf &a = *s.pairs[s.next_pair - 1].a, &b = *s.pairs[s.next_pair - 1].b;
+  const std::size_t first_a = s.next_first - lanes, stride = a.stride;
+  const float* const coordinates = a.row(0) + first_a;
+  for (std::size_t i = 0; i < n; i += lanes) {
+    const auto order_a = hn::IndicesFromVec(d, hn::Load(du, s.lanes_a + i));
+    const auto order_b = hn::IndicesFromVec(d, hn::Load(du, s.lanes_b + i));
+    const std::size_t to = out.size + i;
     for (std::size_t k = 0; k < 9; ++k) {
-      hn::StoreU(compressed(hn::LoadU(d, coordinates + k * stride), order), d, out.a[k] + n);
-      hn::StoreU(hn::Set(d, s.posed[k][row]), d, out.b[k] + n);
+      hn::StoreU(hn::TableLookupLanes(hn::LoadU(d, coordinates + k * stride), order_a), d, out.a[k] + to);
+      hn::StoreU(hn::TableLookupLanes(hn::Load(d, s.posed[k] + row_b), order_b), d, out.b[k] + to);
     }
-    hn::StoreU(hn::Set(d, member.error), d, out.error + n);
-    const auto ids = hn::BitCast(d, hn::LoadU(du, pair.a->ids() + from));
-    hn::StoreU(hn::BitCast(du, compressed(ids, order)), du, out.id_a + n);
-    hn::StoreU(hn::Set(du, pair.b->ids()[row - member.first_lane]), du, out.id_b + n);
-    out.size = n + static_cast<std::size_t>(std::popcount(bits));
+    const auto ids_a = hn::BitCast(d, hn::LoadU(du, a.ids() + first_a));
+    const auto ids_b = hn::BitCast(d, hn::LoadU(du, b.ids() + row_b - member.first_lane));
+    hn::StoreU(hn::BitCast(du, hn::TableLookupLanes(ids_a, order_a)), du, out.id_a + to);
+    hn::StoreU(hn::BitCast(du, hn::TableLookupLanes(ids_b, order_b)), du, out.id_b + to);
+    hn::StoreU(hn::Set(d, member.error), d, out.error + to);
   }
+  out.size += n;
 }
 
 bool fill(SweepState& s, PairStream& out) {
-  constexpr std::size_t kEnough = PairStream::kCapacity - SweepState::kBlock;
+  const std::size_t enough = PairStream::kCapacity - hn::Lanes(Lanes()) * hn::Lanes(Lanes());
   while (true) {
-    for (; s.next_hit < s.hit_count; ++s.next_hit) {
-      if (out.size > kEnough) return false;
-      write_hit(s, s.next_hit, out);
+    while (s.next_hit < s.hit_count) {
+      if (out.size > enough) return false;
+      write_tile(s, out);
     }
-    if (s.next_pair == s.group_size) {
+    if (s.next_first < s.end_first) {
+      find_hits(s);
+    } else if (s.next_pair < s.group_size) {
+      open_pair(s);
+    } else {
       s.pairs = s.pairs.subspan(s.group_size);
       s.group_size = s.next_pair = 0;
       if (s.pairs.empty()) return true;
       prepare_group(s);
     }
-    find_hits(s);
   }
 }
 

@@ -21,7 +21,7 @@ struct alignas(64) SweepState {
   static constexpr std::size_t kGroup = 8;             ///< leaf pairs at once, at most
   static constexpr std::size_t kLanes = 256;           ///< with so many triangles of B, at most
   static constexpr std::size_t kStride = kLanes + 16;  ///< rows apart; see PairStream
-  static constexpr std::size_t kBlock = 16;            ///< triangles of A to a mask
+  static constexpr std::size_t kMostLanes = 16;
 
   bool by_grid = false, keep_all = false;
   std::span<const hierarchy::WideLeafPair> pairs;  ///< what is left, from the group at hand on
@@ -42,11 +42,14 @@ struct alignas(64) SweepState {
   // The leaf pair at hand, next_pair - 1.
   alignas(64) float box_a[6][kMostInLeaf];
   Cells cells_a[kMostInLeaf], cells_b[kStride];
+  std::size_t next_first, end_first;  ///< A's triangles that are still to be looked at
   struct {
-    std::uint16_t row, block;  ///< a triangle of B and a block of A's
-    std::uint32_t mask;        ///< whose boxes meet
-  } hits[kMostInLeaf * kMostInLeaf / kBlock];
+    std::uint32_t row, mask;  ///< a triangle of B, and those of A, of as many as there are lanes, whose boxes it meets
+  } hits[kStride];
   std::size_t hit_count, next_hit;
+  /// Pairs by their lanes, and room for a vector more. Beyond the pairs there is anything, but lanes.
+  static constexpr std::size_t kTile = kMostLanes * kMostLanes + kMostLanes;
+  alignas(64) std::uint32_t lanes_a[kTile] = {}, lanes_b[kTile] = {};
 };
 
 /// Turns pairs of leaves into a stream of pairs of triangles whose boxes meet. B's leaves are taken into the frames of
@@ -60,7 +63,8 @@ class Sweep {
   /// The work: leaf pairs of two trees, and how the second lies in the first. They stay as long as the work does.
   void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation) {
     state_.pairs = pairs, state_.relation = &relation;
-    state_.group_size = state_.next_pair = state_.hit_count = state_.next_hit = 0;
+    state_.group_size = state_.next_pair = state_.next_first = state_.end_first = 0;
+    state_.hit_count = state_.next_hit = 0;
   }
 
   /// Appends to the stream until it is nearly full (false: come again) or the work is done (true).
