@@ -58,8 +58,8 @@ class Collector : public benchmark::BenchmarkReporter {
 void bench_main(const Arguments& arguments) {
   pin_to_one_core();
   std::vector<std::string> flags{"bench_micro",
-                                 arguments.quick ? "--benchmark_min_time=0.02" : "--benchmark_min_time=0.1",
-                                 arguments.quick ? "--benchmark_repetitions=3" : "--benchmark_repetitions=7"};
+                                 arguments.quick ? "--benchmark_min_time=0.02" : "--benchmark_min_time=0.04",
+                                 arguments.quick ? "--benchmark_repetitions=3" : "--benchmark_repetitions=5"};
   std::vector<char*> argv;
   for (std::string& flag : flags) argv.push_back(flag.data());
   int argc = static_cast<int>(argv.size());

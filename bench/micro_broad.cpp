@@ -102,7 +102,7 @@ void add(const std::string& name, const Work& work) {
 }
 
 void add_frames(int n) {
-  const std::string name = std::to_string(n) + " drifting spheres, a frame: ";
+  const std::string name = std::to_string(n) + " drifting spheres a frame: ";
   const auto frames = std::make_shared<std::optional<Frames>>();
   const auto add_part = [&](const std::string& what, double FrameSeconds::*part) {
     add(name + what, [n, frames, part] {
@@ -127,7 +127,7 @@ void add_frames(int n) {
 /// From nothing to the pairs.
 void add_first(const std::string& name, const std::vector<scene::PlacedObject>& objects) {
   const auto shared = std::make_shared<const std::vector<scene::PlacedObject>>(objects);
-  add(name + ", from nothing", [shared] {
+  add(name + " from nothing", [shared] {
     return seconds_of([&] {
       broad::NearPairs near_pairs;
       broad::ObjectPairs pairs;
@@ -139,7 +139,7 @@ void add_first(const std::string& name, const std::vector<scene::PlacedObject>& 
       benchmark::DoNotOptimize(pairs.data());
     });
   });
-  add(name + ", from nothing: the paper's sweep", [shared] {
+  add(name + " from nothing: the paper's sweep", [shared] {
     return seconds_of([&] {
       broad::SweepAndPrune borders;
       borders.update({*shared});
