@@ -17,8 +17,8 @@ struct TrianglePair {
 };
 
 /// What a query did and what it cost. Stage times add up the threads' own times.
-/// The cost function is the paper's equation 1 with a term for the grid and one for exact arithmetic, which came after it:
-/// T = N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e.
+/// The cost function is the paper's equation 1 with a term for the grid and one for exact arithmetic, which came after
+/// it: T = N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e.
 struct Statistics {
   std::uint64_t object_pairs = 0;    ///< survivors of the broad phase
   std::uint64_t box_tests = 0;       ///< N_v: pairs of bounding volumes tested
