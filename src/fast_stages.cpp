@@ -6,7 +6,6 @@
 
 #include "exact/settle.hpp"
 #include "on_threads.hpp"
-#include "stage_clock.hpp"
 
 namespace impinge {
 namespace {
@@ -56,8 +55,8 @@ void FastStages::configure(const Options& options) {
   sweep_.configure(options.partition);
 }
 
-void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, Statistics& statistics) {
-  StageClock clock;
+void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
+                           Statistics& statistics) {
   hierarchy::WalkCounts counts;
   leaf_pairs_.clear(), keys_.clear();
   if (fresh) pair.walk.start(stack, counts), slices_ = 0;
@@ -75,11 +74,14 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
     stream_.size = 0;
     done = sweep_.fill(stream_);
     clock.charge(statistics.partition_seconds);
+    if (stream_.size == 0) break;  // only at the end; small questions feel each look at the clock
     narrow::filter_pairs(stream_, filtered_);
     clock.charge(statistics.narrow_seconds);
     statistics.element_tests += stream_.size;
     statistics.triangle_pairs += stream_.size;
   }
+  if (filtered_.crossing.empty() && filtered_.unsure.empty()) return;
+
   contacts_.clear();
   statistics.exact_calls += filtered_.unsure.size();
   exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, filtered_.unsure, contacts_);

@@ -42,7 +42,7 @@ class Pipeline {
   Pipeline& operator=(const Pipeline&) = delete;
 
   Result<Contacts> run() {
-    StageClock total, stage;
+    StageClock total, stage = total;
     if (query_.near_pairs != nullptr)
       query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
                               {.stop = options_.stop, .for_each = on_threads(options_.threads)});
@@ -155,7 +155,7 @@ class Pipeline {
   }
 
   void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
-    w.stages.run_slice(pair, fresh, w.stack, w.statistics);
+    w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
     const std::span<const results::ContactKey> contacts = w.stages.contacts();
     if (!first_only_) return w.collector.add(object_pair, contacts);
     for (const results::ContactKey& contact : contacts) {

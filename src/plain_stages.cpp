@@ -3,7 +3,6 @@
 #include "plain_stages.hpp"
 
 #include "exact/decide.hpp"
-#include "stage_clock.hpp"
 
 namespace impinge {
 namespace {
@@ -31,8 +30,8 @@ PlainStages::PlainStages() : partitioner_(Partition::automatic), backend_(narrow
 
 void PlainStages::configure(const Options& options) { partitioner_ = partition::Partitioner(options.partition); }
 
-void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, Statistics& statistics) {
-  StageClock clock;
+void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
+                            Statistics& statistics) {
   hierarchy::WalkCounts counts;
   leaf_pairs_.clear(), keys_.clear();
   if (fresh) pair.walk.start(stack, counts);

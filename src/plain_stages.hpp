@@ -14,6 +14,7 @@
 #include "partition/partition.hpp"
 #include "query.hpp"
 #include "results/contact_key.hpp"
+#include "stage_clock.hpp"
 
 namespace impinge {
 
@@ -35,7 +36,7 @@ class PlainStages {
   void configure(const Options& options);
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
-  void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, Statistics& statistics);
+  void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
   /// Of the last slice.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 

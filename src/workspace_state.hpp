@@ -13,6 +13,7 @@
 #include "plain_stages.hpp"
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
+#include "stage_clock.hpp"
 
 namespace impinge {
 
@@ -23,6 +24,7 @@ struct Worker {
   std::vector<typename Stages::Step> stack;
   results::Collector collector;
   Statistics statistics;
+  StageClock clock;  ///< since it took up its task: stages follow each other
 };
 
 /// As many workers as threads have been at work at once.

@@ -69,8 +69,8 @@ class Mesh {
   [[nodiscard]] Point sphere_center() const noexcept;
   [[nodiscard]] double sphere_radius() const noexcept;
 
-  /// Makes the whole tree now; as yet on the calling thread alone, whatever `threads` says. Without it queries make
-  /// what they need of it. Errors: `bad_option` (a negative number).
+  /// Makes the whole tree now, on up to `threads` threads (0: all there are). Without it queries make what they need of
+  /// it. Errors: `bad_option` (a negative number).
   [[nodiscard]] Result<void> build_tree(int threads = 0) const;
   /// What the mesh holds in memory now, beyond its vertices and triangles: above all the part of its tree that is made.
   [[nodiscard]] std::size_t memory_bytes() const;

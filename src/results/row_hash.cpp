@@ -3,6 +3,7 @@
 #include "results/row_hash.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "results/row_hash.cpp"
@@ -50,7 +51,10 @@ std::uint64_t row_hash(std::span<const ContactKey> row, std::uint64_t key_a, std
     const V hashes = contact_hashes(hn::Load(d, rest), keys_a, keys_b);
     sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, row.size() - i), hashes));
   }
-  return hn::GetLane(hn::SumOfLanes(d, sum));
+  // Not hn::SumOfLanes: for AVX-512 g++ 12 adds as signed numbers, which may overflow.
+  alignas(64) std::uint64_t lanes[8];
+  hn::Store(sum, d, lanes);
+  return std::accumulate(lanes, lanes + hn::Lanes(d), std::uint64_t{0});
 }
 
 }  // namespace impinge::results::HWY_NAMESPACE
