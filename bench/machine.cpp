@@ -45,7 +45,9 @@ Table describe_machine() {
   table.add({"cores", std::to_string(std::thread::hardware_concurrency())});
   table.add({"cache", value_in("/proc/cpuinfo", "cache size", ':')});
   table.add({"memory", value_in("/proc/meminfo", "MemTotal", ':')});
-  table.add({"system", value_in("/etc/os-release", "PRETTY_NAME", '=') + " with kernel " + system.release});
+  const std::string release = system.release;
+  table.add({"system",
+             value_in("/etc/os-release", "PRETTY_NAME", '=') + " with kernel " + release.substr(0, release.find('-'))});
   table.add({"compiler", IMPINGE_COMPILER});
   table.add({"flags", flags});
   table.add({"impinge", IMPINGE_VERSION});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "hierarchy/frame.hpp"
@@ -23,7 +24,9 @@ struct alignas(64) WideLeaf {
   float inverse_error;
   std::uint32_t count, stride;
 
-  [[nodiscard]] const float* row(int i) const { return reinterpret_cast<const float*>(this + 1) + i * stride; }
+  [[nodiscard]] const float* row(int i) const {
+    return reinterpret_cast<const float*>(this + 1) + std::size_t{stride} * static_cast<unsigned>(i);
+  }
   [[nodiscard]] const std::uint32_t* ids() const { return reinterpret_cast<const std::uint32_t*>(row(9)); }
 };
 

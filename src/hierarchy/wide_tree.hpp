@@ -31,8 +31,10 @@ class TreeRef {
   explicit TreeRef(std::uintptr_t bits) : bits_(bits) {}
   [[nodiscard]] bool is_made() const { return bits_ != 0; }
   [[nodiscard]] bool is_leaf() const { return (bits_ & kLeafBit) != 0; }
+  // NOLINTBEGIN(performance-no-int-to-ptr): a bit of the address says which of the two it is
   [[nodiscard]] WideNode& node() const { return *reinterpret_cast<WideNode*>(bits_); }
   [[nodiscard]] const WideLeaf& leaf() const { return *reinterpret_cast<const WideLeaf*>(bits_ & ~kLeafBit); }
+  // NOLINTEND(performance-no-int-to-ptr)
   [[nodiscard]] std::uintptr_t bits() const { return bits_; }
   static constexpr std::uintptr_t kLeafBit = 1;
 
