@@ -34,6 +34,7 @@ class TreeRef {
   // NOLINTBEGIN(performance-no-int-to-ptr): a bit of the address says which of the two it is
   [[nodiscard]] WideNode& node() const { return *reinterpret_cast<WideNode*>(bits_); }
   [[nodiscard]] const WideLeaf& leaf() const { return *reinterpret_cast<const WideLeaf*>(bits_ & ~kLeafBit); }
+  [[nodiscard]] const void* address() const { return reinterpret_cast<const void*>(bits_ & ~kLeafBit); }
   // NOLINTEND(performance-no-int-to-ptr)
   [[nodiscard]] std::uintptr_t bits() const { return bits_; }
   static constexpr std::uintptr_t kLeafBit = 1;

@@ -185,8 +185,7 @@ Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, 
 
 HWY_INLINE void prefetch(const TreeRefPair& pair) {
   for (const TreeRef ref : {pair.a, pair.b})
-    for (std::uintptr_t byte = 0; byte < 320; byte += 64)
-      hwy::Prefetch(reinterpret_cast<const char*>((ref.bits() & ~TreeRef::kLeafBit) + byte));
+    for (std::size_t byte = 0; byte < 320; byte += 64) hwy::Prefetch(static_cast<const char*>(ref.address()) + byte);
 }
 
 void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs,

@@ -60,7 +60,7 @@ HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const Fram
   std::size_t rows = 0;
   for (std::size_t lane = 0; lane < stride; lane += hn::Lanes(d)) {
     auto reaches = hn::FirstN(d, b.count - std::min<std::size_t>(b.count, lane));
-    for (int r = 0; r < 3; ++r) {
+    for (std::size_t r = 0; r < 3; ++r) {
       const auto Cx = hn::Set(d, scale * f.columns[0][r]), Cy = hn::Set(d, scale * f.columns[1][r]),
                  Cz = hn::Set(d, scale * f.columns[2][r]), c = hn::Set(d, f.c[r]);
       const auto posed = [&](std::size_t vertex) HWY_ATTR {
@@ -68,7 +68,7 @@ HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const Fram
         const auto result =
             hn::MulAdd(Cx, hn::LoadU(d, x),
                        hn::MulAdd(Cy, hn::LoadU(d, x + stride), hn::MulAdd(Cz, hn::LoadU(d, x + 2 * stride), c)));
-        hn::StoreU(result, d, s.posed[3 * vertex + static_cast<std::size_t>(r)] + first + lane);
+        hn::StoreU(result, d, s.posed[3 * vertex + r] + first + lane);
         return result;
       };
       const auto p = posed(0), q = posed(1), t = posed(2);
@@ -90,7 +90,7 @@ HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const Fram
 
 HWY_INLINE void prefetch(const WideLeaf& leaf) {
   const char* const begin = reinterpret_cast<const char*>(&leaf);
-  for (std::size_t byte = 0; byte < sizeof(WideLeaf) + 9 * 64; byte += 64) hwy::Prefetch(begin + byte);
+  for (std::size_t byte = 0; byte < sizeof(WideLeaf) + std::size_t{9} * 64; byte += 64) hwy::Prefetch(begin + byte);
 }
 
 /// Takes up as many leaf pairs as fit.

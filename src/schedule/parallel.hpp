@@ -33,12 +33,13 @@ class HandOver {
 
  private:
   static inline std::atomic<unsigned> count_{0};
+
+ public:
 #else
   static void give() {}
   static void take() {}
 #endif
 
- public:
   /// A piece of work that was handed over.
   struct Turn {
     Turn() { take(); }
