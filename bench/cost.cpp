@@ -65,8 +65,8 @@ void bench_main(const Arguments& arguments) {
   const int poses = arguments.quick ? 10 : 40, repeats = arguments.quick ? 1 : 5;
   const Mesh any = make_mesh(torus_knot_subject(968).data);
   const Statistics constants = must(collide(any, {}, any, {}, kPredict)).statistics;
-  Table costs({"C_v ns a box test", "C_p ns an edge against a triangle", "C_u ns a tree node",
-               "C_l ns a pair of leaves", "C_e ns an exact call"});
+  Table costs({"C_v ns a box test", "C_p ns a pair of triangles", "C_u ns a tree node", "C_l ns a pair of leaves",
+               "C_e ns an exact call"});
   costs.add({nanoseconds(constants.box_test_seconds), nanoseconds(constants.element_test_seconds),
              nanoseconds(constants.node_seconds), nanoseconds(constants.leaf_pair_seconds),
              nanoseconds(constants.exact_call_seconds)});

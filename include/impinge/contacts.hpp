@@ -22,7 +22,7 @@ struct TrianglePair {
 struct Statistics {
   std::uint64_t object_pairs = 0;    ///< survivors of the broad phase
   std::uint64_t box_tests = 0;       ///< N_v: pairs of bounding volumes tested
-  std::uint64_t element_tests = 0;   ///< N_p: edges tested against triangles
+  std::uint64_t element_tests = 0;   ///< N_p: pairs of triangles tested; of an edge and one by `scalar`
   std::uint64_t nodes_built = 0;     ///< N_u: tree nodes made by this query
   std::uint64_t leaf_pairs = 0;      ///< N_l: pairs of leaves that the walk could not separate
   std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that the grid could not separate

@@ -42,5 +42,9 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
   return {columns * a[0], columns * a[1], columns * a[2]};
 }
 inline double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
+inline Mat3 inverse(const Mat3& m) {
+  const double scale = 1 / determinant(m);
+  return transpose({scale * cross(m[1], m[2]), scale * cross(m[2], m[0]), scale * cross(m[0], m[1])});
+}
 
 }  // namespace impinge

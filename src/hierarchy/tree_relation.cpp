@@ -9,11 +9,6 @@
 namespace impinge::hierarchy {
 namespace {
 
-Mat3 inverse(const Mat3& m) {
-  const double scale = 1 / determinant(m);
-  return transpose({scale * cross(m[1], m[2]), scale * cross(m[2], m[0]), scale * cross(m[0], m[1])});
-}
-
 double sum(const Vec3& v) { return v.x + v.y + v.z; }
 
 }  // namespace

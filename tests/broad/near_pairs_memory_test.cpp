@@ -1,56 +1,21 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <malloc.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
 #include "broad/all_pairs.hpp"
 #include "impinge/scene.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/broad/bodies.hpp"
+#include "tests/core/own_allocator.hpp"
 #include "tests/core/support.hpp"
-
-namespace {
-
-/// Allocations until the one that fails; negative: none does.
-std::atomic<long> countdown{-1};
-std::atomic<long> allocations{0};
-std::atomic<long> live_bytes{0};
-
-bool fails() { return countdown.load() >= 0 && countdown.fetch_sub(1) == 0; }
-
-void* allocate(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  if (fails()) throw std::bad_alloc();
-  void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  live_bytes += static_cast<long>(malloc_usable_size(memory));
-  return memory;
-}
-
-void release(void* memory) {
-  live_bytes -= static_cast<long>(malloc_usable_size(memory));
-  std::free(memory);
-}
-
-}  // namespace
-
-// Not inlined: the compiler would otherwise see free() meet new.
-[[gnu::noinline]] void* operator new(std::size_t size) { return allocate(size, 16); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return allocate(size, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 namespace impinge {
 namespace {
+
+using test::allocations;
+using test::countdown;
+using test::live_bytes;
 
 using scene::PlacedObject;
 using test::box_at;

@@ -2,37 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "scenes/shapes.hpp"
+#include "tests/core/own_allocator.hpp"
 #include "tests/hierarchy/wide_trees.hpp"
-
-namespace {
-
-/// Allocations until the one that fails; negative: none does.
-long countdown = -1;
-
-void* allocate(std::size_t size, std::size_t alignment) {
-  if (countdown >= 0 && countdown-- == 0) throw std::bad_alloc();
-  if (void* memory = std::aligned_alloc(alignment, (size + alignment) / alignment * alignment)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// Not inlined: the compiler would otherwise see free() meet new.
-[[gnu::noinline]] void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return allocate(size, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace impinge {
 namespace {
+
+using test::countdown;
 
 /// Every node and leaf is tried with one allocation more each time, until it is made: what is there stays, and in the
 /// end it is the tree that it would have been.

@@ -2,41 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "scenes/shapes.hpp"
+#include "tests/core/own_allocator.hpp"
 #include "tests/core/support.hpp"
-
-namespace {
-
-/// Allocations until the one that fails; negative: none does.
-std::atomic<long> countdown{-1};
-
-bool fails() { return countdown.load() >= 0 && countdown.fetch_sub(1) == 0; }
-
-}  // namespace
-
-// Not inlined: the compiler would otherwise see free() meet new.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (fails()) throw std::bad_alloc();
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  if (fails()) throw std::bad_alloc();
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(a, (size + a) / a * a)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace impinge {
 namespace {
+
+using test::countdown;
 
 /// Lets each allocation in turn fail, the first, the second and so on, until the call succeeds. After each failure the
 /// same mesh must still give the right answer, with the same memory: a workspace, or what the thread keeps.
