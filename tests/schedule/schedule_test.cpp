@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
 #include <chrono>
@@ -74,24 +75,33 @@ TEST(RunTasks, EachTaskRoundsToNearest) {
   EXPECT_TRUE(mode.is_untouched());
 }
 
+void sleep_microseconds(int n) { std::this_thread::sleep_for(std::chrono::microseconds(n)); }
+
+/// In an arena of 16 threads, which sleep, so that many are at work at once even on one core.
 TEST(ForEach, RunsEachOnceOnNoMoreThreadsThanAsked) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
+  int most_of_all = 0;
   for (const int threads : {0, 1, 2, 3, 16, 1000}) {
-    for (const std::size_t n : {0, 1, 2, 5, 3000}) {
+    for (const std::size_t n : {0, 1, 2, 5, 100}) {
       SCOPED_TRACE(std::to_string(n) + " by " + std::to_string(threads) + " threads");
       const auto times = std::make_unique<std::atomic<int>[]>(n);
       std::atomic<int> at_work{0}, most{0};
-      schedule::for_each(n, threads, [&](std::size_t i) {
-        const int now = ++at_work;
-        for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {
-        }
-        times[i].fetch_add(1);
-        --at_work;
+      schedule::arena_of(16).execute([&] {
+        schedule::for_each(n, threads, [&](std::size_t i) {
+          const int now = ++at_work;
+          for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {
+          }
+          sleep_microseconds(500);
+          times[i].fetch_add(1);
+          --at_work;
+        });
       });
       for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(times[i], 1);
       EXPECT_LE(most, threads == 0 ? 16 : threads);
+      most_of_all = std::max<int>(most_of_all, most);
     }
   }
+  EXPECT_GT(most_of_all, 3);  // else nothing has been tried
 }
 
 TEST(ForEach, PassesAnExceptionOn) {
@@ -108,10 +118,11 @@ TEST(ForEach, KeepsItsCallersThreadFromOtherTasks) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   std::atomic<int> wrong{0};
   schedule::PerWorker<bool> is_waiting([] { return false; });
-  schedule::run_tasks(std::vector<int>(500, 0), 0, [&](int, const auto&) {
+  schedule::run_tasks(std::vector<int>(200, 0), 8, [&](int, const auto&) {
     if (is_waiting.local()) ++wrong;
     is_waiting.local() = true;
-    schedule::for_each(20, 0, [](std::size_t) { std::this_thread::sleep_for(std::chrono::microseconds(20)); });
+    // One is long, for which the caller has to wait if another thread has it.
+    schedule::for_each(8, 8, [](std::size_t i) { sleep_microseconds(i == 0 ? 3000 : 100); });
     is_waiting.local() = false;
   });
   EXPECT_EQ(wrong, 0);
