@@ -28,7 +28,7 @@ void filter_pairs(const partition::PairStream& stream, Filtered& filtered) {
     }
   };
   for (std::size_t i = 0; i < stream.size; i += hn::Lanes(d)) {
-    const auto load = [&](const float(&rows)[9][partition::PairStream::kStride], int vertex) HWY_ATTR {
+    const auto load = [&](const float(&rows)[9][partition::PairStream::kStride], std::size_t vertex) HWY_ATTR {
       return Vec<V>{hn::Load(d, rows[3 * vertex] + i), hn::Load(d, rows[3 * vertex + 1] + i),
                     hn::Load(d, rows[3 * vertex + 2] + i)};
     };
