@@ -23,6 +23,7 @@ struct CheckArguments {
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   int threads = 0;
   std::string backend = "auto";
+  std::string device;
   std::vector<std::pair<std::string, std::string>> ignored;
   std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, all of them in `files`
   std::uint64_t max_file_bytes = 2'000'000'000;

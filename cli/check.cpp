@@ -63,6 +63,7 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.limit = arguments.limit;
   options.threads = arguments.threads;
   options.backend = arguments.backend;
+  options.device = arguments.device;
   options.predict_cost = arguments.stats;
   options.progress = &progress;
   options.stop = stop;
@@ -160,7 +161,10 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
   }
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
-  if (!arguments.quiet) warn(answer->assembly);
+  if (!arguments.quiet) {
+    warn(answer->assembly);
+    for (const std::string& warning : answer->contacts.warnings) complain(warning);
+  }
   if (target) {
     auto written = target->write(
         [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });

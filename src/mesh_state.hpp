@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "core/mesh_data.hpp"
 #include "hierarchy/obb_tree.hpp"
 #include "hierarchy/wide_tree.hpp"
@@ -10,7 +12,7 @@
 namespace impinge {
 
 /// What a `Mesh` shares: its numbers, which never change, and its trees, which grow as walks need them.
-struct MeshState {
+struct MeshState : std::enable_shared_from_this<MeshState> {
   MeshState(MeshData numbers, const TreeConfig& tree_config)
       : data(std::move(numbers)),
         config(tree_config),

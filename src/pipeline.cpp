@@ -10,6 +10,7 @@
 
 #include "broad/may_touch.hpp"
 #include "calibration.hpp"
+#include "device_part.hpp"
 #include "on_threads.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
@@ -54,7 +55,10 @@ class Pipeline {
     statistics.object_pairs = pairs().size();
     stage.charge(statistics.broad_seconds);
 
-    if (options_.threads == 1 || !work_on_first()) work_on_all();
+    if constexpr (std::is_same_v<Stages, FastStages>) {
+      if (memory_.device != nullptr) work_on_device();
+    }
+    if (memory_.device == nullptr && (options_.threads == 1 || !work_on_first())) work_on_all();
     if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
 
     double threads_wall_clock = 0;
@@ -65,6 +69,7 @@ class Pipeline {
     total.charge(statistics.total_seconds);
     if (options_.predict_cost) predict(statistics);
     contacts.statistics = statistics;
+    contacts.warnings = std::move(memory_.warnings);
     return contacts;
   }
 
@@ -124,6 +129,10 @@ class Pipeline {
     tasks.reserve(number / at_once + 1);
     for (std::uint32_t i = 0; i < number; i += at_once) tasks.push_back({i, std::min(at_once, number - i), {}});
     if (!first_stack_.empty()) tasks[0].stack = std::move(first_stack_);
+    work_on(std::move(tasks));
+  }
+
+  void work_on(std::vector<Task> tasks) {
     schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
       Worker<Stages>& worker = crew_.take(options_);
       worker.stack.assign(task.stack.begin(), task.stack.end());
@@ -136,6 +145,48 @@ class Pipeline {
       }
       crew_.give_back(worker);
     });
+  }
+
+  /// All on the device, and what it cannot take, or all if it fails, on the CPU.
+  void work_on_device() {
+    std::vector<DevicePiece> pieces;
+    for (std::uint32_t i = 0; i < pairs().size(); ++i) {
+      if (is_apart(pairs()[i])) {
+        report_done();
+      } else {
+        pieces.push_back({i});
+      }
+    }
+    std::vector<Task> tasks;
+    for (const DevicePiece& piece : on_device(pieces)) tasks.push_back({piece.object_pair, 1, {}});
+    work_on(std::move(tasks));
+  }
+
+  /// Returns what is left to the CPU.
+  std::vector<DevicePiece> on_device(const std::vector<DevicePiece>& pieces) {
+    Worker<FastStages>& worker = crew_.take(options_);
+    std::vector<DevicePiece> left;
+    try {
+      DevicePart part(query_, pairs(), memory_.device);
+      left = part.run(
+          pieces, [&](std::uint32_t object_pair, auto contacts) { collect(worker, object_pair, contacts); },
+          worker.statistics);
+      if (!left.empty())
+        memory_.warnings.push_back(device_name() + " had no room for all meshes; the CPU did the rest");
+    } catch (const gpu::Failure& failure) {
+      worker.collector.restart(options_.kinds, options_.limit);
+      worker.statistics = {};
+      for (std::size_t i = 0; i < pairs().size(); ++i)
+        memory_.pair_states[i].settled.store(false, std::memory_order_relaxed);
+      left = pieces;
+      memory_.warnings.push_back(device_name() + " failed (" + failure.what() + "); the CPU did its work");
+    }
+    crew_.give_back(worker);
+    return left;
+  }
+
+  [[nodiscard]] std::string device_name() const {
+    return std::string("the device '") + memory_.device->device.physical().properties.deviceName + "'";
   }
 
   /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
@@ -156,7 +207,10 @@ class Pipeline {
 
   void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
     w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
-    const std::span<const results::ContactKey> contacts = w.stages.contacts();
+    collect(w, object_pair, w.stages.contacts());
+  }
+
+  void collect(Worker<Stages>& w, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
     if (!first_only_) return w.collector.add(object_pair, contacts);
     for (const results::ContactKey& contact : contacts) {
       if (!w.collector.wants(results::kind_of(contact))) continue;
@@ -226,8 +280,10 @@ Result<void> validate(const Options& options) {
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
-  if (options.backend != "auto" && options.backend != "simd" && options.backend != "scalar")
-    return bad("there is no backend '" + std::string(options.backend) + "'; choose auto, simd or scalar");
+  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "hybrid"};
+  if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
+    return bad("there is no backend '" + std::string(options.backend) + "'; choose auto, simd, scalar, gpu or hybrid");
+  if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
   return {};
 }
 
@@ -239,8 +295,17 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
                      " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
                      "not be exact; scale the scene, or move it nearer to the origin"};
   }
+  memory.warnings.clear(), memory.device = nullptr;
   if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
-  return Pipeline<FastStages>(query, memory.fast, memory).run();
+  if (query.options.backend == "gpu" || query.options.backend == "hybrid") {
+    gpu::Devices::Choice choice = gpu::Devices::of_process().choose(query.options.device);
+    if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
+    if (!choice.opened) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
+    memory.device = std::move(choice.opened);
+  }
+  Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory).run();
+  memory.device = nullptr;
+  return contacts;
 }
 
 }  // namespace impinge

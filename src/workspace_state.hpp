@@ -5,10 +5,12 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "broad/object_pairs.hpp"
 #include "fast_stages.hpp"
+#include "gpu/opened.hpp"
 #include "impinge/workspace.hpp"
 #include "plain_stages.hpp"
 #include "results/assemble.hpp"
@@ -63,6 +65,8 @@ struct Workspace::State {
   std::vector<const results::Collector*> collectors;
   results::AssembleScratch assembly;
   Contacts spare;
+  std::shared_ptr<gpu::Opened> device;  ///< for the query at hand; null: none
+  std::vector<std::string> warnings;
 };
 
 /// Memory for a query: that of the caller's workspace, or the calling thread's own.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "impinge/options.hpp"
@@ -53,6 +54,7 @@ struct Contacts {
   bool truncated = false;                             ///< more contacts exist than `Options::limit` kept
   std::uint64_t hash = 0;                             ///< of the kept contacts (docs/hash.md); 0 with `Find::first`
   Statistics statistics;
+  std::vector<std::string> warnings;  ///< a device that was left out, and why; the answer is whole all the same
 };
 
 }  // namespace impinge

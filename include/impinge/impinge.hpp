@@ -5,6 +5,7 @@
 /// impinge: every pair of triangles that touch between meshes, exactly.
 #include "impinge/collide.hpp"
 #include "impinge/contacts.hpp"
+#include "impinge/devices.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/predicates.hpp"

@@ -47,8 +47,19 @@ struct Options {
   Find find = Find::all;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many in canonical order
   std::uint8_t kinds = kAllKinds;                                   ///< the kinds wanted, or-ed
-  int threads = 0;                    ///< at most so many; 0: as many as oneTBB offers, a machine's all by default
-  std::string_view backend = "auto";  ///< "auto", "simd" (what auto takes) or "scalar", the plain reference
+  int threads = 0;  ///< at most so many; 0: as many as oneTBB offers, a machine's all by default
+  /// What does the work; the answer is the same.
+  ///   "auto"    what is fastest without a device: "simd"
+  ///   "simd"    the CPU, many at a time
+  ///   "scalar"  the CPU, plainly: the paper's method as it stands, and the reference
+  ///   "gpu"     a device that Vulkan knows of (devices.hpp); what it cannot do is left to the CPU, with a warning
+  ///   "hybrid"  a device and the CPU together, so that both end at once
+  std::string_view backend = "auto";
+  /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says,
+  /// or else the first.
+  std::string_view device{};
+  /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1; below 0 it sees for itself.
+  double device_share = -1;
   Partition partition = Partition::automatic;
   bool predict_cost = false;  ///< calibrate once, and fill the predicted time
   Progress* progress = nullptr;

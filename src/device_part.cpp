@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "device_part.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "exact/settle.hpp"
+#include "fast_stages.hpp"
+#include "on_threads.hpp"
+#include "stage_clock.hpp"
+
+namespace impinge {
+
+/// Pieces whose meshes lie in the same two pages.
+struct DevicePart::Batch {
+  std::uint32_t levels = 0;
+  std::vector<gpu::DeviceRelation> relations;
+  std::vector<std::uint32_t> object_pairs;  ///< a relation's
+  std::vector<gpu::WorkItem> items;
+};
+
+/// Deals pieces into batches, and keeps their meshes on the device for as long as it lives.
+class DevicePart::Sorter {
+ public:
+  using Pages = std::pair<const gpu::Page*, const gpu::Page*>;
+
+  explicit Sorter(DevicePart& part) : part_(part), for_each_(on_threads(part.query_.options.threads)) {}
+
+  /// False if the device cannot take it.
+  bool add(const DevicePiece& piece) {
+    const broad::ObjectPair& objects = part_.pairs_[piece.object_pair];
+    const FastStages::Pair pair(part_.query_, objects);
+    const gpu::MeshStore::Use* const a = mesh_of(pair.swapped ? objects.b : objects.a);
+    const gpu::MeshStore::Use* const b = mesh_of(pair.swapped ? objects.a : objects.b);
+    if (a == nullptr || b == nullptr) return false;
+    const auto from_a = reference(**a, piece.nodes.a), from_b = reference(**b, piece.nodes.b);
+    if (!from_a || !from_b) return false;
+    Batch& batch = batches_[{(*a)->page, (*b)->page}];
+    if (batch.object_pairs.empty() || batch.object_pairs.back() != piece.object_pair) {
+      const auto relation = gpu::device_relation(pair.walk.relation, (*a)->extent, (*b)->extent);
+      if (!relation) return false;
+      batch.relations.push_back(*relation);
+      batch.object_pairs.push_back(piece.object_pair);
+    }
+    batch.levels = std::max({batch.levels, (*a)->levels, (*b)->levels});
+    batch.items.push_back({*from_a, *from_b, static_cast<gpu::uint>(batch.relations.size() - 1)});
+    return true;
+  }
+
+  [[nodiscard]] const std::map<Pages, Batch>& batches() const { return batches_; }
+
+ private:
+  const gpu::MeshStore::Use* mesh_of(std::uint32_t object) {
+    const MeshState* const mesh = part_.query_.meshes[object];
+    auto found = meshes_.find(mesh);
+    if (found == meshes_.end()) found = meshes_.emplace(mesh, bring(*mesh)).first;
+    return found->second ? &*found->second : nullptr;
+  }
+
+  std::optional<gpu::MeshStore::Use> bring(const MeshState& mesh) {
+    try {
+      return part_.opened_->meshes.use({&mesh.wide_tree, mesh.weak_from_this()}, for_each_);
+    } catch (const gpu::Failure&) {
+      if (part_.opened_->device.is_lost()) throw;
+      return std::nullopt;
+    }
+  }
+
+  static std::optional<gpu::uint> reference(const gpu::Resident& mesh, const hierarchy::TreeRef& node) {
+    if (!node.is_made()) return mesh.root;
+    const auto found = std::lower_bound(mesh.top.begin(), mesh.top.end(), std::pair(node.address(), gpu::uint{0}));
+    if (found == mesh.top.end() || found->first != node.address()) return std::nullopt;
+    return found->second;
+  }
+
+  DevicePart& part_;
+  ForEach for_each_;
+  std::unordered_map<const MeshState*, std::optional<gpu::MeshStore::Use>> meshes_;
+  std::map<Pages, Batch> batches_;
+};
+
+DevicePart::DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::Opened> opened)
+    : query_(query),
+      pairs_(pairs),
+      opened_(std::move(opened)),
+      first_only_(query.options.find == Options::Find::first) {}
+
+std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, const Sink& sink,
+                                         Statistics& statistics) {
+  std::vector<DevicePiece> left;
+  auto walk = opened_->take_walk();
+  // As many at once as the walk's list takes.
+  for (std::size_t begin = 0; begin < pieces.size(); begin += walk->most_items()) {
+    const auto some = pieces.subspan(begin, std::min<std::size_t>(pieces.size() - begin, walk->most_items()));
+    Sorter sorter(*this);
+    for (const DevicePiece& piece : some)
+      if (!sorter.add(piece)) left.push_back(piece);
+    for (const auto& [pages, batch] : sorter.batches()) {
+      if (batch.items.empty()) continue;
+      walk->start({batch.relations, batch.items, pages.first, pages.second, batch.levels,
+                   first_only_ && (query_.options.kinds & kCrossing) != 0});
+      run(batch, *walk, sink, statistics);
+      if (query_.options.stop.stop_requested()) return left;
+    }
+  }
+  opened_->give_back(std::move(walk));
+  return left;
+}
+
+void DevicePart::run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink, Statistics& statistics) {
+  for (bool more = true; more && !query_.options.stop.stop_requested();) {
+    more = walk.advance();  // and the device goes on while its last hits are taken in
+    take_in(batch, walk.hits(), sink, statistics);
+  }
+  statistics.box_tests += walk.work().box_tests;
+  statistics.leaf_pairs += walk.work().leaf_pairs;
+  statistics.triangle_pairs += walk.work().triangle_pairs;
+  statistics.element_tests += walk.work().triangle_pairs;
+}
+
+void DevicePart::take_in(const Batch& batch, std::span<const gpu::Hit> hits, const Sink& sink, Statistics& statistics) {
+  StageClock clock;
+  // By relation.
+  ends_.assign(batch.relations.size() + 1, 0);
+  for (const gpu::Hit& hit : hits)
+    if (hit.pair != gpu::kNoHit) ++ends_[hit.pair + 1];
+  for (std::size_t i = 1; i < ends_.size(); ++i) ends_[i] += ends_[i - 1];
+  sorted_.resize(ends_.back());
+  for (const gpu::Hit& hit : hits)
+    if (hit.pair != gpu::kNoHit) sorted_[ends_[hit.pair]++] = hit;  // a relation's begin moves to its end
+
+  std::uint32_t begin = 0;
+  for (std::size_t r = 0; r < batch.relations.size(); begin = ends_[r++]) {
+    if (ends_[r] == begin) continue;
+    const FastStages::Pair pair(query_, pairs_[batch.object_pairs[r]]);
+    const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
+      keys_.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
+    };
+    keys_.clear(), unsure_.clear(), contacts_.clear();
+    for (std::uint32_t i = begin; i < ends_[r]; ++i) {
+      const gpu::Hit& hit = sorted_[i];
+      if ((hit.a & gpu::kUnsureBit) != 0) {
+        unsure_.push_back({hit.a & ~gpu::kUnsureBit, hit.b});
+      } else {
+        keep(hit.a, hit.b, Kind::crossing);
+      }
+    }
+    statistics.exact_calls += unsure_.size();
+    exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, unsure_, contacts_);
+    for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
+    sink(batch.object_pairs[r], keys_);
+  }
+  clock.charge(statistics.exact_seconds);
+}
+
+}  // namespace impinge

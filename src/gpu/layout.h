@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+// What the CPU and the shaders hand each other: read as C++ and as GLSL. Nothing here is wider than a word, so that the
+// layouts are the same in both (std430). Trees are WideTree's (hierarchy/wide_tree.hpp) in arrays: lengths in the tree's
+// unit, origins from the root's.
+#ifndef IMPINGE_GPU_LAYOUT_H
+#define IMPINGE_GPU_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstdint>
+namespace impinge::gpu {
+using uint = std::uint32_t;
+#define IMPINGE_CONSTANT(name, value) inline constexpr uint name = value
+#else
+#define IMPINGE_CONSTANT(name, value) const uint name = value
+#endif
+
+IMPINGE_CONSTANT(kDeviceWidth, 8);           // children of a node
+IMPINGE_CONSTANT(kTileSize, 16);             // triangles of a leaf; a larger leaf is a node of leaves
+IMPINGE_CONSTANT(kGroupSize, 64);            // invocations of a workgroup
+IMPINGE_CONSTANT(kWalkedTogether, 16);       // pairs of nodes that a workgroup walks at a time
+IMPINGE_CONSTANT(kSweptTogether, 4);         // pairs of leaves that a workgroup sweeps at a time
+IMPINGE_CONSTANT(kLeafBit, 0x80000000u);     // in a reference: a leaf, not a node
+IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);   // in Hit::a: left to exact arithmetic
+IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);       // Hit::pair of a place that nothing was written to
+IMPINGE_CONSTANT(kStacks, 2);
+
+/// x = axes (v - origin): see hierarchy/frame.hpp.
+struct DeviceFrame {
+  float origin_hi[3], origin_lo[3];  // their sum
+  float axes[9];                     // axes[3 l + i] is component l of axis i
+  float radius;
+};
+
+struct DeviceNode {
+  float center[24], extent[24];  // x of all children, then y, then z
+  uint child[8];                 // references within the page
+  DeviceFrame frame;
+  uint size;
+  uint unused[7];
+};
+
+struct DeviceLeaf {
+  DeviceFrame frame;
+  float extent[3];
+  float error, inverse_error;  // as in hierarchy/wide_leaf.hpp
+  uint count;
+  uint unused[2];
+  float rows[144];  // nine rows of kTileSize
+  uint ids[16];
+};
+
+/// How tree B lies in tree A's space: hierarchy/tree_relation.hpp, with t from root to root.
+struct DeviceRelation {
+  float m_hi[9], m_lo[9];  // by rows
+  float t_hi[3], t_lo[3];
+  float scale, error, defect;
+};
+
+/// Two nodes or leaves that are to be held against each other, of the relation numbered `pair`.
+struct WorkItem {
+  uint a, b, pair;
+};
+
+/// Triangle a (with kUnsureBit or without) and triangle b of a pair.
+struct Hit {
+  uint a, b, pair;
+};
+
+/// What the kernels know of the work, and what the host reads back.
+struct Control {
+  uint stack_size[2];
+  uint source;        // the stack that the walk takes from now
+  uint first, take;   // which of its items
+  uint walk_groups[3], sweep_groups[3];  // for indirect dispatch
+  uint leaf_pairs;    // in the list
+  uint again;         // leaf pairs whose hits found no room
+  uint hits;          // asked for, which may be more than there is room for
+  uint box_tests, box_tests_high, triangle_pairs, triangle_pairs_high;
+};
+
+/// Sizes, in items; see `plan.comp`.
+struct WalkConfig {
+  uint stack_capacity, stack_reserve, leaf_capacity, hit_capacity;
+  uint most_groups;   // that one dispatch may have
+  uint first_only;    // a pair with a crossing is done with
+  uint only_sweep;    // for `plan.comp`: the walk's steps are over
+};
+
+/// A trial of the device's arithmetic: four numbers, and what it makes of them (shaders/probe.comp).
+struct ProbeCase {
+  float x[4];
+};
+struct ProbeAnswer {
+  float x[10];
+  uint above;
+  int sign;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(DeviceFrame) == 16 * 4 && sizeof(DeviceNode) == 80 * 4 && sizeof(DeviceLeaf) == 184 * 4);
+static_assert(sizeof(DeviceRelation) == 27 * 4 && sizeof(WorkItem) == 12 && sizeof(Hit) == 12);
+}  // namespace impinge::gpu
+#endif
+#undef IMPINGE_CONSTANT
+
+#endif  // IMPINGE_GPU_LAYOUT_H

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "gpu/opened.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+
+#include "gpu/probe.hpp"
+
+namespace impinge::gpu {
+namespace {
+
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+}  // namespace
+
+Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
+    : device(physical, limits), kernels(device), meshes(device) {}
+
+std::unique_ptr<DeviceWalk> Opened::take_walk() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!walks_.empty()) {
+      std::unique_ptr<DeviceWalk> walk = std::move(walks_.back());
+      walks_.pop_back();
+      return walk;
+    }
+  }
+  while (true) {
+    try {
+      return std::make_unique<DeviceWalk>(device, kernels);
+    } catch (const Failure& failure) {  // meshes may be uploaded again
+      if (failure.result() != VK_ERROR_OUT_OF_DEVICE_MEMORY || !meshes.drop_one()) throw;
+    }
+  }
+}
+
+void Opened::give_back(std::unique_ptr<DeviceWalk> walk) {
+  const std::lock_guard lock(mutex_);
+  walks_.push_back(std::move(walk));
+}
+
+Devices& Devices::of_process() {
+  // Never destroyed: at the program's end drivers may be gone before it.
+  static auto& devices = *new Devices;
+  return devices;
+}
+
+void Devices::look() {
+  if (instance_) return;
+  instance_ = std::make_unique<Instance>(validate_);
+  for (const PhysicalDevice& physical : instance_->devices()) slots_.push_back({.known = {physical, ""}});
+}
+
+void Devices::try_out(Slot& slot) {
+  if (slot.opened && slot.opened->device.is_lost()) {
+    slot.known.complaint = "it was lost while it worked";
+    slot.opened = nullptr;
+  }
+  if (std::exchange(slot.is_tried, true)) return;
+  try {
+    auto opened = std::make_shared<Opened>(slot.known.physical, limits_);
+    slot.known.complaint = probe(opened->device);
+    if (slot.known.complaint.empty()) slot.opened = std::move(opened);
+  } catch (const Failure& failure) {
+    slot.known.complaint = failure.what();
+  }
+}
+
+std::vector<Known> Devices::list() {
+  const std::lock_guard lock(mutex_);
+  look();
+  std::vector<Known> known;
+  for (Slot& slot : slots_) {
+    try_out(slot);
+    known.push_back(slot.known);
+  }
+  return known;
+}
+
+std::string Devices::complaint() {
+  const std::lock_guard lock(mutex_);
+  look();
+  return instance_->complaint();
+}
+
+Devices::Choice Devices::choose(std::string_view name) {
+  const std::lock_guard lock(mutex_);
+  look();
+  const char* const environment = std::getenv("IMPINGE_DEVICE");
+  const bool is_from_environment = name.empty() && environment != nullptr;
+  if (is_from_environment) name = environment;
+  if (slots_.empty()) return {nullptr, instance_->complaint()};
+  if (name.empty()) {
+    for (Slot& slot : slots_) {
+      try_out(slot);
+      if (slot.opened) return {slot.opened, ""};
+    }
+    return {nullptr, std::string(slots_[0].known.physical.properties.deviceName) + ": " + slots_[0].known.complaint};
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    const std::string own = in_lower_case(slot.known.physical.properties.deviceName);
+    if (is_number ? i != number : own.find(in_lower_case(name)) == std::string::npos) continue;
+    try_out(slot);
+    return {slot.opened,
+            slot.opened ? "" : std::string(slot.known.physical.properties.deviceName) + ": " + slot.known.complaint};
+  }
+  std::string sentence = "there is no device '" + std::string(name) + "'";
+  if (is_from_environment) sentence += ", which IMPINGE_DEVICE names";
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    sentence += (i == 0 ? "; there is " : ", ") + std::to_string(i) + " '" +
+                slots_[i].known.physical.properties.deviceName + "'";
+  return {nullptr, sentence, true};
+}
+
+void Devices::reopen(const Limits& limits, bool validate) {
+  const std::lock_guard lock(mutex_);
+  slots_.clear();
+  instance_ = nullptr;
+  limits_ = limits, validate_ = validate;
+}
+
+}  // namespace impinge::gpu

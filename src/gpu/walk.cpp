@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "gpu/walk.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include "shaders/plan.comp.h"
+#include "shaders/sweep.comp.h"
+#include "shaders/walk.comp.h"
+
+namespace impinge::gpu {
+namespace {
+
+/// As in shaders/work.glsl.
+enum Binding : std::uint32_t {
+  kNodesA,
+  kNodesB,
+  kLeavesA,
+  kLeavesB,
+  kRelations,
+  kSettled,
+  kControl,
+  kStack0,
+  kStack1,
+  kLeafPairs,
+  kAgain,
+  kHits,
+};
+
+constexpr std::uint32_t kChildren = kDeviceWidth * kDeviceWidth;
+/// The most that a sweep finds before it asks for room.
+constexpr std::uint32_t kMostHitsAtOnce = kSweptTogether * kTileSize * kTileSize;
+/// Levels of the deepest trees (hierarchy/wide_tree.cpp: 20 and log8 of 2^31 triangles, and two for large leaves), each
+/// with a reserve in the stacks (shaders/plan.comp).
+constexpr std::uint32_t kMostLevels = 36;
+constexpr std::uint32_t kReserve = kChildren * kMostLevels;
+constexpr std::uint32_t kMostSteps = 96;  ///< of a walk in one part
+
+WalkConfig config_of(const Limits& limits) {
+  const auto fit = [&](std::uint64_t wanted, std::uint64_t least, std::size_t size) {
+    return static_cast<std::uint32_t>(std::max(std::min<std::uint64_t>(wanted, limits.largest_buffer / size), least));
+  };
+  return {.stack_capacity = fit(limits.stack, kReserve + 2 * kChildren, sizeof(WorkItem)),
+          .stack_reserve = kReserve,
+          .leaf_capacity = fit(limits.leaf_pairs, 2 * kChildren, sizeof(WorkItem)),
+          .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
+          .most_groups = limits.most_groups,
+          .first_only = 0,
+          .only_sweep = 0};
+}
+
+Buffer list(Device& device, std::uint32_t items, std::size_t size, Buffer::Use use) {
+  return {device, std::uint64_t{items} * size, use};
+}
+
+/// A buffer of at least so many bytes; half as much again as before where it must grow.
+void grow(Buffer& buffer, Device& device, std::uint64_t bytes, Buffer::Use use) {
+  if (buffer.bytes() >= bytes) return;
+  const std::uint64_t more = std::min(bytes + bytes / 2, std::max(bytes, device.limits().largest_buffer));
+  buffer = Buffer();
+  buffer = Buffer(device, more, use);
+}
+
+std::uint64_t long_count(std::uint32_t low, std::uint32_t high) { return std::uint64_t{high} << 32 | low; }
+
+}  // namespace
+
+WalkKernels::WalkKernels(Device& device)
+    : plan(device, shader_plan_comp, {kControl}, sizeof(WalkConfig)),
+      walk(device, shader_walk_comp,
+           {kNodesA, kNodesB, kLeavesA, kLeavesB, kRelations, kSettled, kControl, kStack0, kStack1, kLeafPairs},
+           sizeof(WalkConfig)),
+      sweep(device, shader_sweep_comp, {kLeavesA, kLeavesB, kRelations, kSettled, kControl, kLeafPairs, kAgain, kHits},
+            sizeof(WalkConfig)) {}
+
+DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
+    : device_(device),
+      kernels_(kernels),
+      config_(config_of(device.limits())),
+      control_(device, sizeof(Control), Buffer::Use::device),
+      read_control_(device, sizeof(Control), Buffer::Use::readback),
+      stacks_{list(device, config_.stack_capacity, sizeof(WorkItem), Buffer::Use::device),
+              list(device, config_.stack_capacity, sizeof(WorkItem), Buffer::Use::device)},
+      leaf_pairs_(list(device, config_.leaf_capacity, sizeof(WorkItem), Buffer::Use::device)),
+      again_(list(device, config_.leaf_capacity, sizeof(WorkItem), Buffer::Use::device)),
+      hit_buffers_{list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback),
+                   list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback)},
+      bindings_(device, {&kernels.plan, &kernels.walk, &kernels.sweep}),
+      commands_(device) {
+  bindings_.set(kControl, control_);
+  bindings_.set(kStack0, stacks_[0]);
+  bindings_.set(kStack1, stacks_[1]);
+  bindings_.set(kLeafPairs, leaf_pairs_);
+  bindings_.set(kAgain, again_);
+}
+
+void DeviceWalk::prepare(const WalkInput& input) {
+  const std::uint64_t relation_bytes = input.relations.size_bytes(), item_bytes = input.items.size_bytes();
+  if (input.items.size() > most_items()) throw Failure("more is to be walked at once than the device's lists hold");
+  grow(upload_, device_, relation_bytes + item_bytes, Buffer::Use::upload);
+  grow(relations_, device_, relation_bytes, Buffer::Use::device);
+  grow(settled_, device_, input.relations.size() * sizeof(uint), Buffer::Use::device);
+  std::memcpy(upload_.mapped<char>(), input.relations.data(), relation_bytes);
+  std::memcpy(upload_.mapped<char>() + relation_bytes, input.items.data(), item_bytes);
+  bindings_.set(kNodesA, input.a->nodes), bindings_.set(kNodesB, input.b->nodes);
+  bindings_.set(kLeavesA, input.a->leaves), bindings_.set(kLeavesB, input.b->leaves);
+  bindings_.set(kRelations, relations_), bindings_.set(kSettled, settled_);
+}
+
+void DeviceWalk::start(const WalkInput& input) {
+  commands_.wait();  // a walk that was left before its end
+  prepare(input);
+  relation_count_ = input.relations.size(), item_count_ = input.items.size();
+  config_.first_only = input.first_only ? 1 : 0;
+  // Breadth first a step takes a level; where the lists are short, or the beginning is broad, a level takes several.
+  const std::uint32_t pieces = static_cast<std::uint32_t>(item_count_ / (config_.stack_capacity / (2 * kChildren) + 1));
+  steps_ = std::min(input.levels + 1 + pieces, kMostSteps);
+  next_ = {};
+  next_.stack_size[0] = static_cast<uint>(item_count_);
+  next_.source = 1;  // the other one was written to last
+  part_ = 0, hits_ = {}, work_ = {};
+  bindings_.set(kHits, hit_buffers_[0]);
+  commands_.start([&](VkCommandBuffer commands) { record(commands, true); });
+}
+
+bool DeviceWalk::advance() {
+  commands_.wait();
+  const Control done = *read_control_.mapped<const Control>();
+  work_.box_tests += long_count(done.box_tests, done.box_tests_high);
+  work_.triangle_pairs += long_count(done.triangle_pairs, done.triangle_pairs_high);
+  work_.leaf_pairs += done.leaf_pairs - done.again;
+  hits_ = {hit_buffers_[part_ % 2].mapped<const Hit>(), std::min(done.hits, config_.hit_capacity)};
+  if (done.stack_size[0] == 0 && done.stack_size[1] == 0 && done.again == 0) return false;
+  next_ = {};
+  next_.stack_size[0] = done.stack_size[0], next_.stack_size[1] = done.stack_size[1];
+  next_.source = done.source;
+  next_.leaf_pairs = done.again;
+  steps_ = kMostSteps;
+  ++part_;
+  bindings_.set(kHits, hit_buffers_[part_ % 2]);
+  commands_.start([&](VkCommandBuffer commands) { record(commands, false); });
+  return true;
+}
+
+void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
+  const auto run = [&](const Kernel& kernel, const WalkConfig& config) {
+    kernel.bind(commands, bindings_.of(kernel), &config);
+  };
+  if (is_first) {
+    const std::uint64_t relation_bytes = relation_count_ * sizeof(DeviceRelation);
+    copy(commands, upload_, 0, relations_, 0, relation_bytes);
+    copy(commands, upload_, relation_bytes, stacks_[0], 0, item_count_ * sizeof(WorkItem));
+    vkCmdFillBuffer(commands, settled_.handle(), 0, VK_WHOLE_SIZE, 0);
+  } else {
+    copy(commands, again_, 0, leaf_pairs_, 0, next_.leaf_pairs * sizeof(WorkItem));
+  }
+  vkCmdUpdateBuffer(commands, control_.handle(), 0, sizeof next_, &next_);
+  barrier(commands);
+  for (std::uint32_t step = 0; step < steps_; ++step) {
+    run(kernels_.plan, config_);
+    vkCmdDispatch(commands, 1, 1, 1);
+    barrier(commands);
+    run(kernels_.walk, config_);
+    vkCmdDispatchIndirect(commands, control_.handle(), offsetof(Control, walk_groups));
+    barrier(commands);
+  }
+  WalkConfig last = config_;
+  last.only_sweep = 1;
+  run(kernels_.plan, last);
+  vkCmdDispatch(commands, 1, 1, 1);
+  barrier(commands);
+  run(kernels_.sweep, config_);
+  vkCmdDispatchIndirect(commands, control_.handle(), offsetof(Control, sweep_groups));
+  barrier(commands);
+  copy(commands, control_, 0, read_control_, 0, sizeof(Control));
+  hand_to_host(commands);
+}
+
+}  // namespace impinge::gpu

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// CONTRACT 9 on a device: whole answers, held against the plain reference's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "impinge/io.hpp"
+#include "scenes/contact_depth.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+#include "tests/gpu/environment.hpp"
+#include "tests/pipeline/crowd.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OnDevice : public testing::TestWithParam<const char*> {
+ protected:
+  static Options options(Options::Find find = Options::Find::all) { return {.find = find, .backend = GetParam()}; }
+
+  static void expect_same(const Contacts& expected, const Result<Contacts>& found) {
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
+    test::expect_same(expected, *found);
+  }
+};
+
+TEST_P(OnDevice, HardFamiliesAreAnsweredAsByTheReference) {
+  std::uint64_t tests = 0, unsure = 0;
+  for (std::uint64_t seed = 1; seed <= (test::is_smaller_set() ? 1 : 3); ++seed) {
+    test::Seeded seeded(seed);
+    for (const test::NamedScene& named : test::hard_scenes(seeded.random, 40)) {
+      SCOPED_TRACE(named.name);
+      const Contacts expected = test::scene_of(named.scene).collide({.backend = "scalar"}).value();
+      for (const std::uint32_t leaf_size : {0u, 1u, 100u}) {
+        const auto found = test::scene_of(named.scene, leaf_size).collide(options());
+        expect_same(expected, found);
+        tests += found->statistics.triangle_pairs, unsure += found->statistics.exact_calls;
+      }
+    }
+  }
+  std::cout << "left to exact arithmetic: " << unsure << " of " << tests << " pairs of triangles\n";
+}
+
+/// Meshes whose numbers are the same but for a power of two, and a translation that leaves them few digits.
+TEST_P(OnDevice, TinyHugeAndFarScenesAreAnsweredAsByTheReference) {
+  test::Seeded seeded(7);
+  for (const int exponent : {-340, -149, -126, -30, 0, 40, 126, 270}) {
+    for (const double away : {0.0, 1.0, 0x1p20}) {
+      SCOPED_TRACE("2^" + std::to_string(exponent) + ", moved by " + std::to_string(away));
+      const double scale = std::ldexp(1.0, exponent);
+      scenes::PlacedScene scene;
+      scene.meshes = {scenes::torus_knot_of(600), scenes::integer_soup(seeded.random, 60, 3)};
+      for (scenes::MeshData& mesh : scene.meshes)
+        for (double& x : mesh.xyz) x = scale * (std::round(x * 0x1p10) * 0x1p-10 + away);
+      for (std::uint32_t i = 0; i < 2; ++i) scene.objects.push_back({.mesh = i});
+      scene.objects.push_back({.mesh = 0, .pose = {.t = {0.125 * scale, -0.25 * scale, 0}}});
+      const auto expected = test::scene_of(scene).collide({.backend = "scalar"});
+      ASSERT_TRUE(expected) << expected.error().message;
+      EXPECT_GT(expected->triangles.size(), 100u);
+      expect_same(*expected, test::scene_of(scene).collide(options()));
+    }
+  }
+}
+
+TEST_P(OnDevice, AUnitMayBeAThousandthOfTheOthers) {
+  test::Seeded seeded(8);
+  scenes::PlacedScene scene;
+  scene.meshes = {scenes::bumpy_grid(24, 24, 0.25), scenes::torus_knot_of(900)};
+  scene.objects = {{.mesh = 0}};
+  for (const double size : {1e-3, 1e-6, 1e-12, 1e-30}) {
+    scenes::MeshData small = scene.meshes[1];
+    for (double& x : small.xyz) x *= size;
+    scene.meshes.push_back(small);
+    // Where the grid has a vertex, so that something touches however small it is.
+    const auto& grid = scene.meshes[0].xyz;
+    scene.objects.push_back({.mesh = static_cast<std::uint32_t>(scene.meshes.size() - 1),
+                             .pose = {.t = {grid[300], grid[301], grid[302]}}});
+  }
+  const Contacts expected = test::scene_of(scene).collide({.backend = "scalar"}).value();
+  EXPECT_GT(expected.triangles.size(), 100u);
+  expect_same(expected, test::scene_of(scene).collide(options()));
+}
+
+TEST_P(OnDevice, ACrowdIsAnsweredAsByTheReference) {
+  const scenes::PlacedScene placed = test::crowd(2);
+  const Scene scene = test::scene_of(placed);
+  const Contacts expected = scene.collide({.backend = "scalar"}).value();
+  for (const int threads : {0, 1, 2, 8}) {
+    Options some = options();
+    some.threads = threads;
+    expect_same(expected, scene.collide(some));
+  }
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{7}, expected.triangles.size() - 1}) {
+    Options some = options();
+    some.limit = limit;
+    expect_same(scene.collide({.limit = limit, .backend = "scalar"}).value(), scene.collide(some));
+  }
+  for (const std::uint8_t kinds : {kCrossing, kTouching, kCoplanar}) {
+    Options some = options();
+    some.kinds = kinds;
+    expect_same(scene.collide({.kinds = kinds, .backend = "scalar"}).value(), scene.collide(some));
+  }
+}
+
+TEST_P(OnDevice, TheFirstContactIsATrueOne) {
+  const scenes::PlacedScene placed = test::crowd(5);
+  const Scene scene = test::scene_of(placed);
+  for (const std::uint8_t kinds : {kAllKinds, kCrossing, kTouching, kCoplanar}) {
+    Options some = options(Options::Find::first);
+    some.kinds = kinds;
+    const Contacts all = scene.collide({.kinds = kinds, .backend = "scalar"}).value();
+    const Contacts first = scene.collide(some).value();
+    EXPECT_EQ(first.objects, all.objects);
+    EXPECT_EQ(first.triangles.size(), all.objects.size());
+    EXPECT_EQ(first.hash, 0u);
+    const auto every = test::listed(all);
+    for (const test::Contact& witness : test::listed(first))
+      EXPECT_TRUE(std::binary_search(every.begin(), every.end(), witness));
+  }
+}
+
+TEST_P(OnDevice, ManyPosesAreAnsweredAtOnce) {
+  test::Seeded seeded(9);
+  const Mesh a = test::mesh_of(scenes::torus_knot_of(968)), b = test::mesh_of(scenes::bumpy_grid(12, 12, 0.25));
+  std::vector<Pose> poses;
+  for (int i = 0; i < (test::is_smaller_set() ? 50 : 300); ++i) {
+    poses.push_back(scenes::random_motion(seeded.random, i % 4 == 0 ? 20 : 2));
+    if (i % 3 == 0) poses.back().R = scenes::stretched_rotation(seeded.random);
+    if (i % 5 == 0) poses.back() = {};
+  }
+  const Pose still;
+  expect_same(collide_poses(a, poses, b, {&still, 1}, {.backend = "scalar"}).value(),
+              collide_poses(a, poses, b, {&still, 1}, options()));
+  expect_same(collide_poses(b, {&still, 1}, a, poses, {.backend = "scalar"}).value(),
+              collide_poses(b, {&still, 1}, a, poses, options()));
+}
+
+io::Model model_of(const fs::path& file) {
+  auto model = io::read(file, {.importer = IMPINGE_IMPORTER});
+  EXPECT_TRUE(model) << model.error().message;
+  return model ? *std::move(model) : io::Model{};
+}
+
+TEST_P(OnDevice, RealMeshesAreAnsweredAsByTheReference) {
+  for (const char* name : {"elephant.off", "mech-holes-shark.off", "rotor.off"}) {
+    SCOPED_TRACE(name);
+    const io::Model model = model_of(fs::path(IMPINGE_DATA_DIR) / "cgal/data/meshes" / name);
+    ASSERT_EQ(model.objects.size(), 1u);
+    const Mesh& mesh = model.objects[0].mesh;
+    scenes::Random random(3);
+    for (const double depth : {-0.01, 0.0005, 0.03}) {
+      SCOPED_TRACE(depth);
+      const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
+      ASSERT_TRUE(poses);
+      const Contacts expected = collide(mesh, poses->a, mesh, poses->b, {.backend = "scalar"}).value();
+      EXPECT_EQ(expected.triangles.empty(), depth < 0);
+      expect_same(expected, collide(mesh, poses->a, mesh, poses->b, options()));
+    }
+    if (test::is_smaller_set()) break;
+  }
+}
+
+TEST_P(OnDevice, AssembliesAreAnsweredAsByTheReference) {
+  for (const char* name : {"glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb", "IFC/AC14-FZK-Haus.ifc"}) {
+    SCOPED_TRACE(name);
+    Scene scene;
+    for (const io::Object& object : model_of(fs::path(IMPINGE_MODELS_DIR) / name).objects)
+      ASSERT_TRUE(scene.add(object.mesh, object.pose));
+    ASSERT_TRUE(scene.update());
+    const Contacts expected = scene.collide({.backend = "scalar"}).value();
+    EXPECT_GT(expected.objects.size(), 50u);
+    expect_same(expected, scene.collide(options()));
+    if (test::is_smaller_set()) break;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, OnDevice, testing::Values("gpu", "hybrid"),
+                         [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// Devices that are lost, run out of memory, or have little room: the answer is the same.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+#include "tests/gpu/environment.hpp"
+#include "tests/pipeline/crowd.hpp"
+
+namespace impinge {
+namespace {
+
+using test::WithLimits;
+
+const scenes::PlacedScene& placed() {
+  static const scenes::PlacedScene scene = test::crowd(3);
+  return scene;
+}
+const Contacts& expected() {
+  static const Contacts contacts = test::scene_of(placed()).collide({.backend = "scalar"}).value();
+  return contacts;
+}
+
+TEST(DeviceFailures, ListsThatAreTooShortAreFilledAgainAndAgain) {
+  for (const std::uint32_t leaf_pairs : {1u, 300u}) {
+    for (const std::uint32_t hits : {1u, 2000u}) {
+      const WithLimits limits({.stack = 1, .leaf_pairs = leaf_pairs, .hits = hits, .most_groups = 2});
+      const auto found = test::scene_of(placed()).collide({.backend = "gpu"});
+      ASSERT_TRUE(found);
+      EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
+      test::expect_same(expected(), *found);
+    }
+  }
+}
+
+/// Of the first allocations and submissions, each fails once.
+TEST(DeviceFailures, TheCpuFinishesWhatALostDeviceOrMissingMemoryLeaves) {
+  for (const bool is_loss : {false, true}) {
+    int warned = 0;
+    for (int at = 0; at < 40; ++at) {
+      SCOPED_TRACE((is_loss ? "lost at submission " : "no memory at allocation ") + std::to_string(at));
+      std::atomic<int> countdown(at);
+      gpu::Limits limits;
+      (is_loss ? limits.lose_device : limits.fail_allocation) = &countdown;
+      const WithLimits with(limits);
+      const auto found = test::scene_of(placed()).collide({.backend = "gpu"});
+      ASSERT_TRUE(found) << found.error().message;
+      test::expect_same(expected(), *found);
+      warned += static_cast<int>(found->warnings.size());
+      if (countdown >= 0) break;  // nothing failed: there are no more
+      // A device that was lost stays so; one that ran out of memory is asked again.
+      const auto again = test::scene_of(placed()).collide({.backend = "gpu"});
+      ASSERT_TRUE(again);
+      test::expect_same(expected(), *again);
+    }
+    EXPECT_GT(warned, 3);
+  }
+}
+
+TEST(DeviceFailures, AMeshThatFitsInNoBufferIsLeftToTheCpu) {
+  const WithLimits limits({.largest_buffer = 400'000, .page = 400'000});
+  scenes::PlacedScene scene = placed();
+  scene.meshes.push_back(scenes::torus_knot_of(20'000));
+  scene.objects.push_back({.mesh = static_cast<std::uint32_t>(scene.meshes.size() - 1)});
+  const auto found = test::scene_of(scene).collide({.backend = "gpu"});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->warnings.size(), 1u);
+  EXPECT_NE(found->warnings[0].find("room"), std::string::npos) << found->warnings[0];
+  test::expect_same(test::scene_of(scene).collide().value(), *found);
+}
+
+/// With room for a few meshes, those that were not used for long make way, and come back when they are asked for.
+TEST(DeviceFailures, MeshesMakeWayForOthers) {
+  const WithLimits limits(
+      {.budget = 2'500'000, .page = 400'000, .stack = 20'000, .leaf_pairs = 10'000, .hits = 10'000});
+  std::vector<Mesh> meshes;
+  for (int i = 0; i < 12; ++i) meshes.push_back(test::mesh_of(scenes::torus_knot_of(2000 + 16 * i)));
+  const auto opened = gpu::Devices::of_process().choose("").opened;
+  ASSERT_TRUE(opened);
+  std::size_t most = 0;
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i + 1 < meshes.size(); ++i) {
+      const Pose pose{.t = {0.5, 0.25, 0}};
+      const auto found = collide(meshes[i], {}, meshes[i + 1], pose, {.backend = "gpu"});
+      ASSERT_TRUE(found);
+      ASSERT_TRUE(found->warnings.empty()) << found->warnings[0];
+      test::expect_same(collide(meshes[i], {}, meshes[i + 1], pose).value(), *found);
+      most = std::max(most, opened->meshes.size());
+      EXPECT_LE(opened->device.bytes_in_use(), 2'500'000u);
+    }
+  }
+  EXPECT_LT(most, meshes.size());
+  EXPECT_GT(most, 2u);
+  meshes.clear();
+  EXPECT_EQ(opened->meshes.size(), 0u);
+}
+
+TEST(DeviceFailures, AThousandQueriesUseNoMoreMemoryThanTen) {
+  const WithLimits limits({});
+  const Scene kept = test::scene_of(placed());
+  std::uint64_t after_ten = 0;
+  const int queries = test::is_smaller_set() ? 100 : 1000;
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(100));
+  for (int i = 0; i < queries; ++i) {
+    // A mesh of its own each time, beside one that stays.
+    const Mesh mesh = test::mesh_of(scenes::torus_knot_of(100));
+    const auto found = collide(mesh, {}, knot, {.t = {0.1, 0.2, 0.3}}, {.backend = "gpu"});
+    ASSERT_TRUE(found);
+    ASSERT_TRUE(found->warnings.empty());
+    const auto opened = gpu::Devices::of_process().choose("").opened;
+    if (i == 10) after_ten = opened->device.bytes_in_use();
+    if (i > 10) {
+      ASSERT_EQ(opened->device.bytes_in_use(), after_ten);
+    }
+  }
+}
+
+TEST(DeviceFailures, EightThreadsShareADevice) {
+  const WithLimits limits({});
+  const Scene scene = test::scene_of(placed());
+  const Contacts& wanted = expected();
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&, i] {
+      for (int round = 0; round < 3; ++round) {
+        const auto found = scene.collide({.threads = 1 + i % 2, .backend = i % 2 == 0 ? "gpu" : "hybrid"});
+        ASSERT_TRUE(found);
+        EXPECT_TRUE(found->warnings.empty());
+        test::expect_same(wanted, *found);
+      }
+    });
+  }
+}
+
+TEST(DeviceFailures, ADeviceThatIsNotThereIsNamedWithThoseThatAre) {
+  for (const char* name : {"Voodoo 2", "17"}) {
+    const auto found = test::scene_of(placed()).collide({.backend = "gpu", .device = name});
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().code, Code::no_device);
+    EXPECT_NE(found.error().message.find("0 '"), std::string::npos) << found.error().message;
+  }
+  EXPECT_TRUE(test::scene_of(placed()).collide({.backend = "gpu", .device = "0"}));
+}
+
+}  // namespace
+}  // namespace impinge
