@@ -4,29 +4,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <string>
 #include <vector>
 
+#include "device_part.hpp"
+
 #include "impinge/collide.hpp"
+#include "mesh_state.hpp"
+#include "scene/scene_view.hpp"
+#include "stage_clock.hpp"
 
 namespace impinge {
 namespace {
 
 /// A closed surface with bumps, so that neither the boxes nor the contacts are of one size. Its coordinates have few
 /// digits, as those of most models: how long exact arithmetic takes depends on them.
-Mesh bumpy_sphere() {
-  constexpr std::uint32_t kRings = 32, kSides = 48;
+Mesh bumpy_sphere(std::uint32_t rings) {
+  const std::uint32_t sides = rings * 3 / 2;
   std::vector<double> xyz;
   std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i <= kRings; ++i) {
-    for (std::uint32_t j = 0; j < kSides; ++j) {
-      const double theta = 3.141592653589793 * i / kRings, phi = 6.283185307179586 * j / kSides;
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    for (std::uint32_t j = 0; j < sides; ++j) {
+      const double theta = 3.141592653589793 * i / rings, phi = 6.283185307179586 * j / sides;
       const double r = 1 + 0.05 * std::sin(7 * theta) * std::cos(5 * phi);
       for (const double x :
            {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)})
         xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
-      if (i == kRings) continue;
-      const std::uint32_t right = (j + 1) % kSides;
-      const std::uint32_t a = i * kSides + j, b = i * kSides + right, c = a + kSides, d = b + kSides;
+      if (i == rings) continue;
+      const std::uint32_t right = (j + 1) % sides;
+      const std::uint32_t a = i * sides + j, b = i * sides + right, c = a + sides, d = b + sides;
       triangles.insert(triangles.end(), {a, c, b, b, c, d});
     }
   }
@@ -45,7 +54,7 @@ schedule::CostConstants calibrate(std::string_view backend) {
   pose.t = {1.2, 0.3, 0.1};
   const Options one_thread{.threads = 1, .backend = backend};
   for (int round = 0; round < kRounds; ++round) {
-    const Mesh mesh = bumpy_sphere();  // anew, so that its tree is made anew
+    const Mesh mesh = bumpy_sphere(32);  // anew, so that its tree is made anew
     const Statistics building = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
     const Statistics repeated = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
     const Statistics touching = collide(mesh, {}, mesh, {}, one_thread).value().statistics;
@@ -59,7 +68,90 @@ schedule::CostConstants calibrate(std::string_view backend) {
   return {median(box_test), median(element_test), median(node), median(leaf_pair), median(exact_call)};
 }
 
+/// Questions to a device as a query would put them: the sphere against itself, a number of times.
+class Asking {
+ public:
+  explicit Asking(std::shared_ptr<gpu::Opened> device) : device_(std::move(device)), mesh_(bumpy_sphere(96)) {}
+
+  struct Answer {
+    double seconds;
+    Statistics counts;
+  };
+  /// The quickest of some.
+  Answer ask(const Point& t, std::size_t times) {
+    const Pose poses[2] = {{}, {.t = {t.x, t.y, t.z}}};
+    std::vector<scene::PlacedObject> placed;
+    for (const Pose& pose : poses) placed.push_back(scene::place(mesh_.state().data, pose, 0));
+    const MeshState* const meshes[2] = {&mesh_.state(), &mesh_.state()};
+    const broad::ObjectPairs pairs(times, {0, 1});
+    const Options options{.threads = 1};
+    std::vector<DevicePiece> pieces;
+    for (std::uint32_t i = 0; i < times; ++i) pieces.push_back({i});
+    const Query query{{placed, nullptr}, meshes, nullptr, &pairs, true, options};
+    DevicePart part(query, pairs, device_);
+    Answer best{std::numeric_limits<double>::infinity(), {}};
+    for (int round = 0; round < 3; ++round) {
+      Statistics counts;
+      part.run(pieces, [](std::uint32_t, auto) {}, counts);
+      if (counts.device_seconds < best.seconds) best = {counts.device_seconds, counts};
+    }
+    return best;
+  }
+  /// So often that asking counts for little, but no longer than a person would not notice.
+  Answer ask_long(const Point& t, double question) {
+    Answer answer = ask(t, 1);
+    for (std::size_t times = 4; times <= 256 && answer.seconds < std::min(8 * question, 0.02); times *= 4)
+      answer = ask(t, times);
+    return answer;
+  }
+  [[nodiscard]] double triangles() const { return static_cast<double>(mesh_.triangle_count()); }
+
+ private:
+  std::shared_ptr<gpu::Opened> device_;
+  Mesh mesh_;
+};
+
+// The device's C_0 is the time of a question whose answer is clear at the roots; C_v and C_p follow from two questions, one
+// of which is nearly all walk and one rich in contacts. Where noise makes one of them negative, both sides' constants are
+// taken to be in one proportion.
+schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::Opened>& device) {
+  Asking asking(device);
+  StageClock clock;
+  double first = 0;
+  asking.ask({10, 0, 0}, 1);  // uploads the mesh, and makes the programs ready
+  clock.charge(first);
+  schedule::DeviceConstants constants;
+  constants.question = asking.ask({10, 0, 0}, 1).seconds;
+  constants.mesh_triangle = std::max(0.0, first - 4 * constants.question) / asking.triangles();
+  const Asking::Answer light = asking.ask_long({1.97, 0.1, 0.1}, constants.question);
+  const Asking::Answer deep = asking.ask_long({0.3, 0.1, 0.05}, constants.question);
+  const auto v = [](const Asking::Answer& a) { return static_cast<double>(a.counts.box_tests); };
+  const auto p = [](const Asking::Answer& a) { return static_cast<double>(a.counts.element_tests); };
+  const double light_seconds = std::max(light.seconds - constants.question, 1e-9);
+  const double deep_seconds = std::max(deep.seconds - constants.question, 1e-9);
+  const double determinant = v(light) * p(deep) - v(deep) * p(light);
+  constants.box_test = (light_seconds * p(deep) - deep_seconds * p(light)) / determinant;
+  constants.element_test = (v(light) * deep_seconds - v(deep) * light_seconds) / determinant;
+  if (!(constants.box_test > 0) || !(constants.element_test > 0)) {
+    const schedule::CostConstants& cpu = calibrated_constants("simd");
+    const double scale = deep_seconds / schedule::predict_seconds(deep.counts, cpu);
+    constants.box_test = scale * cpu.box_test, constants.element_test = scale * cpu.element_test;
+    constants.leaf_pair = scale * cpu.leaf_pair;
+  }
+  return constants;
+}
+
 }  // namespace
+
+const schedule::DeviceConstants& calibrated_device(const std::shared_ptr<gpu::Opened>& device) {
+  static std::mutex mutex;
+  static std::map<std::string, schedule::DeviceConstants> known;
+  const gpu::PhysicalDevice& physical = device->device.physical();
+  const std::lock_guard lock(mutex);
+  const std::string name = std::string(physical.properties.deviceName) + ", " + physical.driver;
+  const auto found = known.find(name);
+  return found != known.end() ? found->second : known.emplace(name, calibrate(device)).first->second;
+}
 
 const schedule::CostConstants& calibrated_constants(std::string_view backend) {
   if (backend == "scalar") {

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "exact/settle.hpp"
 #include "fast_stages.hpp"
@@ -71,8 +72,8 @@ class DevicePart::Sorter {
 
   static std::optional<gpu::uint> reference(const gpu::Resident& mesh, const hierarchy::TreeRef& node) {
     if (!node.is_made()) return mesh.root;
-    const auto found = std::lower_bound(mesh.top.begin(), mesh.top.end(), std::pair(node.address(), gpu::uint{0}));
-    if (found == mesh.top.end() || found->first != node.address()) return std::nullopt;
+    const auto found = std::lower_bound(mesh.places.begin(), mesh.places.end(), std::pair(node.address(), gpu::uint{0}));
+    if (found == mesh.places.end() || found->first != node.address()) return std::nullopt;
     return found->second;
   }
 
@@ -96,6 +97,7 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
   for (std::size_t begin = 0; begin < pieces.size(); begin += walk->most_items()) {
     const auto some = pieces.subspan(begin, std::min<std::size_t>(pieces.size() - begin, walk->most_items()));
     Sorter sorter(*this);
+    StageClock clock;
     for (const DevicePiece& piece : some)
       if (!sorter.add(piece)) left.push_back(piece);
     for (const auto& [pages, batch] : sorter.batches()) {
@@ -105,9 +107,22 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
       run(batch, *walk, sink, statistics);
       if (query_.options.stop.stop_requested()) return left;
     }
+    clock.charge(statistics.device_seconds);
   }
   opened_->give_back(std::move(walk));
   return left;
+}
+
+std::size_t DevicePart::triangles_to_bring(std::span<const DevicePiece> pieces) const {
+  std::size_t triangles = 0;
+  std::unordered_set<const MeshState*> seen;
+  for (const DevicePiece& piece : pieces) {
+    for (const std::uint32_t object : {pairs_[piece.object_pair].a, pairs_[piece.object_pair].b}) {
+      const MeshState* const mesh = query_.meshes[object];
+      if (seen.insert(mesh).second && !opened_->meshes.holds(&mesh->wide_tree)) triangles += mesh->data.triangles.size();
+    }
+  }
+  return triangles;
 }
 
 void DevicePart::run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink, Statistics& statistics) {

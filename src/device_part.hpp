@@ -38,6 +38,10 @@ class DevicePart {
   /// their meshes, or their numbers are beyond its range.
   std::vector<DevicePiece> run(std::span<const DevicePiece> pieces, const Sink& sink, Statistics& statistics);
 
+  /// Of the pieces' meshes that are not on the device yet.
+  [[nodiscard]] std::size_t triangles_to_bring(std::span<const DevicePiece> pieces) const;
+  [[nodiscard]] const std::shared_ptr<gpu::Opened>& device() const { return opened_; }
+
  private:
   class Sorter;
   struct Batch;

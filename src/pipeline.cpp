@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "broad/may_touch.hpp"
 #include "calibration.hpp"
-#include "device_part.hpp"
+#include "device_driver.hpp"
 #include "on_threads.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
@@ -25,7 +28,13 @@ void add(Statistics& sum, const Statistics& s) {
   sum.leaf_pairs += s.leaf_pairs, sum.triangle_pairs += s.triangle_pairs, sum.exact_calls += s.exact_calls;
   sum.hierarchy_seconds += s.hierarchy_seconds, sum.partition_seconds += s.partition_seconds;
   sum.narrow_seconds += s.narrow_seconds, sum.exact_seconds += s.exact_seconds;
+  sum.device_seconds += s.device_seconds, sum.device_predicted_seconds += s.device_predicted_seconds;
 }
+
+// Where a device takes part: so many pairs of objects are enough pieces to share, and fewer are walked until there are
+// enough; and so many tests of boxes tell what a query is like.
+constexpr std::size_t kManyPairs = 256, kPieces = 256;
+constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 
 /// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
 /// at a time, then the results.
@@ -55,10 +64,11 @@ class Pipeline {
     statistics.object_pairs = pairs().size();
     stage.charge(statistics.broad_seconds);
 
+    memory_.device_found.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
-      if (memory_.device != nullptr) work_on_device();
+      if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
     }
-    if (memory_.device == nullptr && (options_.threads == 1 || !work_on_first())) work_on_all();
+    if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
     if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
 
     double threads_wall_clock = 0;
@@ -157,36 +167,133 @@ class Pipeline {
         pieces.push_back({i});
       }
     }
-    std::vector<Task> tasks;
-    for (const DevicePiece& piece : on_device(pieces)) tasks.push_back({piece.object_pair, 1, {}});
-    work_on(std::move(tasks));
+    share_with_device(std::move(pieces), 1, {});
   }
 
-  /// Returns what is left to the CPU.
-  std::vector<DevicePiece> on_device(const std::vector<DevicePiece>& pieces) {
-    Worker<FastStages>& worker = crew_.take(options_);
-    std::vector<DevicePiece> left;
-    try {
-      DevicePart part(query_, pairs(), memory_.device);
-      left = part.run(
-          pieces, [&](std::uint32_t object_pair, auto contacts) { collect(worker, object_pair, contacts); },
-          worker.statistics);
-      if (!left.empty())
-        memory_.warnings.push_back(device_name() + " had no room for all meshes; the CPU did the rest");
-    } catch (const gpu::Failure& failure) {
-      worker.collector.restart(options_.kinds, options_.limit);
-      worker.statistics = {};
-      for (std::size_t i = 0; i < pairs().size(); ++i)
-        memory_.pair_states[i].settled.store(false, std::memory_order_relaxed);
-      left = pieces;
-      memory_.warnings.push_back(device_name() + " failed (" + failure.what() + "); the CPU did its work");
+  /// The CPU begins. Where it has much left to do, it shares that with the device.
+  void work_together() {
+    std::vector<DevicePiece> pieces;
+    Worker<Stages>& worker = crew_.take(options_);
+    for (std::uint32_t i = 0; i < pairs().size() && !options_.stop.stop_requested(); ++i) {
+      if (is_apart(pairs()[i])) {
+        report_done();
+        continue;
+      }
+      if (pairs().size() < kManyPairs) {
+        open_up(i, worker, pieces);
+      } else {
+        pieces.push_back({i});
+      }
     }
+    // What has been done tells what the rest is like; where nothing has, the first of many pairs do.
+    for (; pairs().size() >= kManyPairs && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix;
+         pieces.pop_back())
+      run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
+    const Statistics mix = worker.statistics;
     crew_.give_back(worker);
-    return left;
+    share_with_device(std::move(pieces), options_.device_share, mix);
   }
 
-  [[nodiscard]] std::string device_name() const {
-    return std::string("the device '") + memory_.device->device.physical().properties.deviceName + "'";
+  /// Walks on a pair of objects until there are pieces enough to share, or nothing is left.
+  void open_up(std::uint32_t object_pair, Worker<Stages>& worker, std::vector<DevicePiece>& pieces) {
+    const typename Stages::Pair pair(query_, pairs()[object_pair]);
+    const std::size_t enough = std::max<std::size_t>(kPieces / pairs().size(), 1);
+    bool fresh = true;
+    do {
+      run_slice(pair, object_pair, fresh, worker);
+      fresh = false;
+    } while (!worker.stack.empty() && worker.stack.size() < enough && !settled(object_pair) &&
+             !options_.stop.stop_requested());
+    if (settled(object_pair)) worker.stack.clear();
+    for (const hierarchy::TreeRefPair& nodes : worker.stack) pieces.push_back({object_pair, nodes});
+    if (worker.stack.empty()) {
+      report_done();
+    } else {
+      memory_.pair_states[object_pair].open_tasks = static_cast<std::uint32_t>(worker.stack.size());
+    }
+    worker.stack.clear();
+  }
+
+  /// Triangles below both nodes: what work there is grows with them. Pairs of many objects count alike.
+  static double weight_of(const DevicePiece& piece) {
+    const auto below = [](const hierarchy::TreeRef& ref) {
+      if (ref.is_leaf()) return static_cast<double>(ref.leaf().count);
+      return static_cast<double>(std::accumulate(ref.node().count, ref.node().count + ref.node().size, 0u));
+    };
+    return piece.nodes.a.is_made() ? below(piece.nodes.a) + below(piece.nodes.b) : 1;
+  }
+
+  void share_with_device(std::vector<DevicePiece> pieces, double share, const Statistics& mix) {
+    if (pieces.empty()) return;
+    std::vector<double> weights(pieces.size());
+    std::transform(pieces.begin(), pieces.end(), weights.begin(), weight_of);
+    SharedWork work(std::move(pieces), weights);
+    DeviceDriver driver(query_, pairs(), work, memory_.device, mix);
+    const auto sink = [&](std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
+      collect(memory_.device_found, object_pair, contacts);
+    };
+    if (share >= 0) driver.reserve(share);
+    if (share == 1) {
+      driver.drive(sink);
+    } else {
+      const std::jthread device([&] { driver.drive(sink); });
+      StageClock clock;
+      work_on_shared(work);
+      clock.charge(cpu_seconds_);
+    }
+    finish(driver);
+  }
+
+  /// The CPU's side: each thread takes pieces from the back, fewer as the work runs out.
+  void work_on_shared(SharedWork& work) {
+    const int threads = schedule::concurrency(options_.threads);
+    std::vector<Task> tasks(static_cast<std::size_t>(threads), Task{0, 0, {}});
+    schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
+      Worker<Stages>& worker = crew_.take(options_);
+      const auto share = [&](std::uint32_t object_pair, Worker<Stages>& w) {
+        if (threads == 1 || w.stack.size() < 2) return;
+        memory_.pair_states[object_pair].open_tasks.fetch_add(1);
+        spawn(Task{object_pair, 1, cut_off_half(w.stack)});
+      };
+      if (task.count > 0) {  // a part of a piece
+        worker.stack.assign(task.stack.begin(), task.stack.end());
+        run(task.first_pair, worker, share);
+      }
+      while (task.count == 0) {
+        const auto range = work.row.take_back(work.row.left() / (8 * threads));
+        if (range.empty()) break;
+        for (std::size_t i = range.end; i-- > range.begin;) {
+          if (work.pieces[i].nodes.a.is_made()) worker.stack.push_back(work.pieces[i].nodes);
+          run(work.pieces[i].object_pair, worker, share);
+        }
+        work.cpu_done.fetch_add(range.weight);
+      }
+      crew_.give_back(worker);
+    });
+  }
+
+  /// Takes over the device's results, or its work.
+  void finish(const DeviceDriver& driver) {
+    std::span<const DevicePiece> undone = driver.left();
+    if (!driver.complaint().empty()) {
+      undone = driver.done();
+      if (first_only_)
+        for (const results::Run& run : memory_.device_found.runs()) memory_.pair_states[run.object_pair].settled = false;
+      memory_.device_found.restart(options_.kinds, options_.limit);
+      memory_.warnings.push_back(driver.complaint() + "; the CPU did its work");
+    } else {
+      device_statistics_ = driver.statistics();
+      if (options_.predict_cost) device_statistics_.device_predicted_seconds = driver.predict_seconds();
+      if (!undone.empty()) memory_.warnings.push_back(driver.device_name() + " had no room for all meshes; the CPU did the rest");
+      for (const DevicePiece& piece : undone) memory_.pair_states[piece.object_pair].open_tasks.fetch_add(1);
+      for (const DevicePiece& piece : driver.done()) close(piece.object_pair);
+    }
+    std::vector<Task> tasks;
+    for (const DevicePiece& piece : undone) {
+      tasks.push_back({piece.object_pair, 1, {}});
+      if (piece.nodes.a.is_made()) tasks.back().stack.push_back(piece.nodes);
+    }
+    work_on(std::move(tasks));
   }
 
   /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
@@ -202,19 +309,24 @@ class Pipeline {
       }
       worker.stack.clear();
     }
+    close(object_pair);
+  }
+
+  /// One of a pair's tasks is done.
+  void close(std::uint32_t object_pair) {
     if (memory_.pair_states[object_pair].open_tasks.fetch_sub(1) == 1) report_done();
   }
 
   void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
     w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
-    collect(w, object_pair, w.stages.contacts());
+    collect(w.collector, object_pair, w.stages.contacts());
   }
 
-  void collect(Worker<Stages>& w, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
-    if (!first_only_) return w.collector.add(object_pair, contacts);
+  void collect(results::Collector& to, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
+    if (!first_only_) return to.add(object_pair, contacts);
     for (const results::ContactKey& contact : contacts) {
-      if (!w.collector.wants(results::kind_of(contact))) continue;
-      if (!memory_.pair_states[object_pair].settled.exchange(true)) w.collector.add(object_pair, {&contact, 1});
+      if (!to.wants(results::kind_of(contact))) continue;
+      if (!memory_.pair_states[object_pair].settled.exchange(true)) to.add(object_pair, {&contact, 1});
       return;
     }
   }
@@ -228,6 +340,11 @@ class Pipeline {
     for (const Worker<Stages>* worker : crew_.at_work()) {
       add(statistics, worker->statistics);
       memory_.collectors.push_back(&worker->collector);
+    }
+    if (memory_.asks_device) {
+      add(statistics, device_statistics_);
+      statistics.cpu_seconds = cpu_seconds_;
+      memory_.collectors.push_back(&memory_.device_found);
     }
     for (const scene::PlacedObject& object : query_.view.objects) memory_.keys.push_back(object.key);
     Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
@@ -268,6 +385,8 @@ class Pipeline {
   Workspace::State& memory_;
   std::vector<typename Stages::Step> first_stack_;
   bool first_only_;
+  Statistics device_statistics_;  ///< of the device's part
+  double cpu_seconds_ = 0;        ///< of the CPU's beside it
 };
 
 }  // namespace
@@ -295,12 +414,16 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
                      " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
                      "not be exact; scale the scene, or move it nearer to the origin"};
   }
-  memory.warnings.clear(), memory.device = nullptr;
+  memory.warnings.clear(), memory.asks_device = false;
   if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
   if (query.options.backend == "gpu" || query.options.backend == "hybrid") {
-    gpu::Devices::Choice choice = gpu::Devices::of_process().choose(query.options.device);
+    // A hybrid query opens a device only when that is worth it.
+    gpu::Devices& devices = gpu::Devices::of_process();
+    const bool is_sure = query.options.backend == "gpu" || query.options.device_share >= 0;
+    gpu::Devices::Choice choice = is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
     if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
-    if (!choice.opened) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
+    if (!choice.complaint.empty()) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
+    memory.asks_device = choice.complaint.empty();
     memory.device = std::move(choice.opened);
   }
   Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory).run();

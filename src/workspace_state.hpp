@@ -65,7 +65,9 @@ struct Workspace::State {
   std::vector<const results::Collector*> collectors;
   results::AssembleScratch assembly;
   Contacts spare;
-  std::shared_ptr<gpu::Opened> device;  ///< for the query at hand; null: none
+  bool asks_device = false;             ///< in the query at hand
+  std::shared_ptr<gpu::Opened> device;  ///< then; null: not opened yet
+  results::Collector device_found;
   std::vector<std::string> warnings;
 };
 

@@ -35,6 +35,9 @@ struct Statistics {
   double exact_call_seconds = 0;     ///< C_e, likewise
   double predicted_seconds = 0;      ///< T; 0 unless `Options::predict_cost`
   double measured_seconds = 0;       ///< hierarchy, partition, narrow and exact: the part that T speaks of
+  double device_predicted_seconds = 0;  ///< of the device's part, by constants of its own; 0 unless `predict_cost`
+  double device_seconds = 0;            ///< what the device's part took, by the clock; the counts above include it
+  double cpu_seconds = 0;               ///< what the CPU's part took beside it, by the clock; 0 unless "hybrid"
   double broad_seconds = 0;
   double hierarchy_seconds = 0;
   double partition_seconds = 0;

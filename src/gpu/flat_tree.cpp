@@ -15,9 +15,6 @@ using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 using hierarchy::WideNode;
 
-/// Levels whose nodes are in FlatTree::top: enough for work to be cut into thousands of pieces.
-constexpr std::uint32_t kTopLevels = 4;
-
 class Flattener {
  public:
   Flattener(hierarchy::WideTree& tree, FlatTree& flat) : tree_(tree), flat_(flat) {}
@@ -26,7 +23,7 @@ class Flattener {
   uint add(const TreeRef& ref, std::uint32_t level) {
     flat_.levels = std::max(flat_.levels, level + 1);
     const uint added = ref.is_leaf() ? add_leaf(ref.leaf(), level) : add_node(ref.node(), level);
-    if (level < kTopLevels) flat_.top.emplace_back(ref.address(), added);
+    flat_.places.emplace_back(ref.address(), added);
     return added;
   }
 
@@ -128,7 +125,7 @@ FlatTree flatten(hierarchy::WideTree& tree, const ForEach& for_each) {
   const Frame& frame = root.is_leaf() ? root.leaf().frame : root.node().frame;
   FlatTree flat{.root = 0, .base = {frame.origin[0], frame.origin[1], frame.origin[2]}, .reach = 0, .levels = 0};
   flat.root = Flattener(tree, flat).add(root, 0);
-  std::sort(flat.top.begin(), flat.top.end());
+  std::sort(flat.places.begin(), flat.places.end());
   return flat;
 }
 

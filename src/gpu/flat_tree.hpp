@@ -22,8 +22,8 @@ struct FlatTree {
   Vec3 base;             ///< the origin of the root, from which the others are counted, in the tree's unit
   double reach;          ///< the farthest of those, in the largest coordinate
   std::uint32_t levels;  ///< steps that a walk takes from the root to the deepest leaf, at most
-  /// Nodes and leaves of the first levels by their address, sorted.
-  std::vector<std::pair<const void*, uint>> top;
+  /// Nodes and leaves by their address, sorted.
+  std::vector<std::pair<const void*, uint>> places;
 };
 
 /// Makes all of the tree that is not made yet.

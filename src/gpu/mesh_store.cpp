@@ -30,8 +30,7 @@ MeshStore::Use::~Use() {
 MeshStore::Use MeshStore::use(const MeshSource& source, const ForEach& for_each) {
   const std::lock_guard lock(mutex_);
   drop_dead();
-  auto found = std::find_if(meshes_.begin(), meshes_.end(),
-                            [&](const Resident& mesh) { return mesh.source.tree == source.tree; });
+  auto found = find(source.tree);
   if (found == meshes_.end()) {
     FlatTree flat = flatten(*source.tree, for_each);
     Resident mesh = place(source, flat);
@@ -49,6 +48,16 @@ MeshStore::Use MeshStore::use(const MeshSource& source, const ForEach& for_each)
   found->last_use = ++uses_;
   ++found->users;
   return {*this, *found};
+}
+
+std::list<Resident>::iterator MeshStore::find(const hierarchy::WideTree* tree) {
+  return std::find_if(meshes_.begin(), meshes_.end(), [&](const Resident& mesh) { return mesh.source.tree == tree; });
+}
+
+bool MeshStore::holds(const hierarchy::WideTree* tree) {
+  const std::lock_guard lock(mutex_);
+  drop_dead();
+  return find(tree) != meshes_.end();
 }
 
 std::size_t MeshStore::size() {
@@ -129,8 +138,8 @@ Resident MeshStore::place(const MeshSource& source, const FlatTree& flat) {
     make_room_for([&] { pages_.emplace_back(device_, nodes, leaves); });
   }
   mesh.root = moved(flat.root, mesh.first_node, mesh.first_leaf);
-  mesh.top = flat.top;
-  for (auto& [address, reference] : mesh.top) reference = moved(reference, mesh.first_node, mesh.first_leaf);
+  mesh.places = flat.places;
+  for (auto& [address, reference] : mesh.places) reference = moved(reference, mesh.first_node, mesh.first_leaf);
   return mesh;
 }
 

@@ -38,7 +38,7 @@ struct Resident {
   uint root;
   TreeExtent extent;
   std::uint32_t levels;
-  std::vector<std::pair<const void*, uint>> top;  ///< FlatTree's
+  std::vector<std::pair<const void*, uint>> places;  ///< FlatTree's
   std::uint64_t last_use;
   std::uint32_t users;
 };
@@ -69,11 +69,13 @@ class MeshStore {
   /// Throws a Failure if there is no room even after all that is not in use has gone.
   Use use(const MeshSource& source, const ForEach& for_each);
 
+  [[nodiscard]] bool holds(const hierarchy::WideTree* tree);
   [[nodiscard]] std::size_t size();
   /// Frees the memory of the mesh that was used longest ago; false if all are in use.
   bool drop_one();
 
  private:
+  std::list<Resident>::iterator find(const hierarchy::WideTree* tree);
   void drop(std::list<Resident>::iterator mesh);
   void drop_dead();
   bool drop_oldest();

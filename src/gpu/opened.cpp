@@ -90,7 +90,10 @@ std::string Devices::complaint() {
   return instance_->complaint();
 }
 
-Devices::Choice Devices::choose(std::string_view name) {
+Devices::Choice Devices::choose(std::string_view name) { return choose(name, true); }
+Devices::Choice Devices::look_up(std::string_view name) { return choose(name, false); }
+
+Devices::Choice Devices::choose(std::string_view name, bool may_open) {
   const std::lock_guard lock(mutex_);
   look();
   const char* const environment = std::getenv("IMPINGE_DEVICE");
@@ -99,8 +102,8 @@ Devices::Choice Devices::choose(std::string_view name) {
   if (slots_.empty()) return {nullptr, instance_->complaint()};
   if (name.empty()) {
     for (Slot& slot : slots_) {
-      try_out(slot);
-      if (slot.opened) return {slot.opened, ""};
+      if (may_open || slot.is_tried) try_out(slot);
+      if (slot.opened || !slot.is_tried) return {slot.opened, ""};
     }
     return {nullptr, std::string(slots_[0].known.physical.properties.deviceName) + ": " + slots_[0].known.complaint};
   }

@@ -55,6 +55,8 @@ class Devices {
   /// By number in the list or part of the name, whatever the case of its letters; empty: IMPINGE_DEVICE, or else the
   /// first that can be used.
   Choice choose(std::string_view name);
+  /// What would come of that as far as can be told without opening anything; `opened` only if it is open.
+  Choice look_up(std::string_view name);
 
   /// For tests: forgets what is open, and opens devices so from now on.
   void reopen(const Limits& limits, bool validate);
@@ -67,6 +69,7 @@ class Devices {
   };
   void look();
   void try_out(Slot& slot);
+  Choice choose(std::string_view name, bool may_open);
 
   std::mutex mutex_;
   std::unique_ptr<Instance> instance_;

@@ -21,4 +21,6 @@ tbb::task_arena& arena_of(int threads) {
   return arenas.try_emplace(size, size).first->second;
 }
 
+int concurrency(int threads) { return threads == 0 ? tbb::this_task_arena::max_concurrency() : threads; }
+
 }  // namespace impinge::schedule

@@ -60,6 +60,9 @@ class HandOver {
 /// ends.
 tbb::task_arena& arena_of(int threads);
 
+/// How many threads that is, 0 being all there are.
+int concurrency(int threads);
+
 /// Runs body(0) to body(n - 1) on the caller's and other threads of its arena, up to `threads` in all (0: all there
 /// are). Meanwhile the caller's thread does nothing else (in TBB's words, is isolated): it may hold what other tasks
 /// wait for.

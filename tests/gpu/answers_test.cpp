@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -180,6 +181,42 @@ TEST_P(OnDevice, AssembliesAreAnsweredAsByTheReference) {
     EXPECT_GT(expected.objects.size(), 50u);
     expect_same(expected, scene.collide(options()));
     if (test::is_smaller_set()) break;
+  }
+}
+
+/// However the work is split, in one large pair, in a crowd, and in many poses.
+TEST(Hybrid, EverySplitGivesTheSameAnswer) {
+  test::Seeded seeded(12);
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(40'000)), small = test::mesh_of(scenes::torus_knot_of(200));
+  const Pose moved{.t = {0.3, 0.2, 0.1}};
+  std::vector<Pose> poses;
+  for (int i = 0; i < 300; ++i) poses.push_back(scenes::random_motion(seeded.random, i % 4 == 0 ? 20 : 1));
+  const Scene scene = test::scene_of(test::crowd(2));
+  const auto large = [&](const Options& options) { return collide(knot, {}, knot, moved, options).value(); };
+  const auto many = [&](const Options& options) {
+    return collide_poses(small, poses, small, {&moved, 1}, options).value();
+  };
+  const auto crowd = [&](const Options& options) { return scene.collide(options).value(); };
+  const std::vector<std::function<Contacts(const Options&)>> questions{large, many, crowd};
+  for (const auto& question : questions) {
+    const Contacts expected = question({.backend = "scalar"});
+    test::expect_same(expected, question({.backend = "hybrid"}));  // as it sees fit
+    const Contacts first = question({.find = Options::Find::first, .backend = "scalar"});
+    EXPECT_GT(expected.triangles.size(), 1000u);
+    for (int tenths = 0; tenths <= 10; ++tenths) {
+      SCOPED_TRACE("share " + std::to_string(tenths) + "/10");
+      for (const int threads : {1, 2}) {
+        Options options{.threads = threads, .backend = "hybrid", .device_share = tenths / 10.0};
+        const Contacts found = question(options);
+        EXPECT_TRUE(found.warnings.empty());
+        test::expect_same(expected, found);
+        const bool is_large = found.statistics.object_pairs == 1 || found.statistics.object_pairs >= 256;
+        EXPECT_EQ(found.statistics.device_seconds > 0, tenths > 0 && is_large);
+        options.find = Options::Find::first;
+        EXPECT_EQ(question(options).objects, first.objects);
+      }
+      if (test::is_smaller_set()) tenths += 4;
+    }
   }
 }
 
