@@ -30,6 +30,7 @@ struct Parser {
   CLI::App app{"impinge", "impinge"};
   CLI::App* check = nullptr;
   CLI::App* info = nullptr;
+  CLI::App* devices = nullptr;
 };
 
 Error bad(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
@@ -110,6 +111,7 @@ std::string help_page(const Parser& parser) {
   const std::size_t width = width_of(STDOUT_FILENO).value_or(80);
   if (parser.check->parsed()) return check_help(options_of(*parser.check), width);
   if (parser.info->parsed()) return info_help(options_of(*parser.info), width);
+  if (parser.devices->parsed()) return devices_help(width);
   return general_help(width);
 }
 
@@ -117,16 +119,19 @@ std::string help_page(const Parser& parser) {
 std::string help_command(const Parser& parser) {
   if (parser.check->parsed()) return "impinge check --help";
   if (parser.info->parsed()) return "impinge info --help";
+  if (parser.devices->parsed()) return "impinge devices --help";
   return "impinge --help";
 }
 
 Error unexpected(const Parser& parser, const std::string& word) {
-  const bool in_command = parser.check->parsed() || parser.info->parsed();
+  const bool in_command = parser.check->parsed() || parser.info->parsed() || parser.devices->parsed();
   const bool option = word.starts_with('-');
   if (!in_command && !option) {
     return bad(fmt::format(
         "there is no command '{}'; impinge check FILE... finds what touches, impinge --help tells more", word));
   }
+  if (parser.devices->parsed() && !option)
+    return bad("impinge devices takes no file, and no word such as '" + word + "'");
   // An option and its value may have come as one word.
   const std::string name = word.substr(0, word.find('='));
   std::string nearest;
@@ -250,6 +255,8 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   parser.app.allow_extras();
   parser.check = parser.app.add_subcommand("check")->allow_extras();
   parser.info = parser.app.add_subcommand("info")->allow_extras();
+  parser.devices = parser.app.add_subcommand("devices")->allow_extras();
+  parser.devices->set_help_flag("--help,-h", "this page");
   add_check(*parser.check, raw);
   add_info(*parser.info, raw);
 
@@ -271,9 +278,11 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
     return bad(fmt::format("{}; see {}", in_plain_words(parser, error), help_command(parser)));
   }
   if (const auto extra = extras(parser); !extra.empty()) return unexpected(parser, extra.front());
-  if (parser.check->parsed() && parser.info->parsed()) return bad("check and info cannot be asked for at once");
+  if (parser.check->parsed() + parser.info->parsed() + parser.devices->parsed() > 1)
+    return bad("check, info and devices cannot be asked for at once");
   if (parser.check->parsed()) return finish_check(raw);
   if (parser.info->parsed()) return finish_info(raw);
+  if (parser.devices->parsed()) return Command(DevicesArguments{});
   return bad("no command is given; impinge check FILE... finds what touches, impinge --help tells more");
 }
 

@@ -37,12 +37,14 @@ struct InfoArguments {
   std::uint64_t max_file_bytes = 2'000'000'000;
 };
 
+struct DevicesArguments {};
+
 /// A text to print on standard output: the help or the version.
 struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, InfoArguments, Notice>;
+using Command = std::variant<CheckArguments, InfoArguments, DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "assembly.hpp"
+#include "calibration_cache.hpp"
 #include "ignore.hpp"
 #include "impinge/scene.hpp"
 #include "json_writer.hpp"
@@ -57,6 +58,8 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   if (auto ignored = ignore_pairs(assembly, arguments.ignored, ids, scene); !ignored) return ignored.error();
   if (auto updated = scene.update(); !updated) return updated.error();
 
+  std::optional<CalibrationCache> cache;
+  if (arguments.backend == "hybrid") cache.emplace();
   Progress progress;
   Options options;
   options.find = arguments.first ? Options::Find::first : Options::Find::all;

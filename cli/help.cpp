@@ -77,6 +77,7 @@ std::string general_help(std::size_t width) {
           "tolerance, nothing missed, nothing made up. Triangles that share a single point touch.")
       .section("Usage:", {{"impinge check FILE...", "which objects touch, and in how many triangles"},
                           {"impinge info FILE...", "what the files hold: objects, triangles, open surfaces, warnings"},
+                          {"impinge devices", "the GPUs that --backend gpu and hybrid can use"},
                           {"impinge check --help", "all about a command, with examples"},
                           {"impinge --version", "which version this is"}})
       .paragraph(
@@ -126,6 +127,31 @@ std::string info_help(const std::vector<HelpEntry>& options, std::size_t width) 
                  {"impinge info engine.obj --json -", "The same as JSON on standard output."}})
       .section("Exit codes:",
                {{"0", "all files were read"}, {"2", "an error or an interruption; the other files are still listed"}})
+      .text();
+}
+
+std::string devices_help(std::size_t width) {
+  return Page(width)
+      .paragraph("impinge devices")
+      .paragraph(
+          "Lists the devices that Vulkan knows of, the likely fastest first: graphics processors, and programs that "
+          "play "
+          "one on the CPU. Vulkan is what graphics drivers offer to programs; Debian has it in libvulkan1, and the "
+          "drivers "
+          "of AMD, Intel and software in mesa-vulkan-drivers; NVIDIA's comes with its own driver. Nothing else needs "
+          "to "
+          "be installed.")
+      .paragraph(
+          "Each device's arithmetic is tried out at the borders of rounding. One that fails is left out: answers are "
+          "exact on every device that is used, and the same as on the CPU.")
+      .section("Where they are used:",
+               {{"--backend gpu", "the device does the work, and the CPU what cannot be decided in floating point"},
+                {"--backend hybrid", "both share it, so that they end together; small questions stay on the CPU"},
+                {"--device N|NAME", "which device, by its number in the list or part of its name"},
+                {"IMPINGE_DEVICE", "a variable that says the same for every run"}})
+      .examples({{"impinge devices", "Is there a device that can be used?"}})
+      .section("Exit codes:", {{"0", "there is a device that can be used"},
+                               {"2", "there is none, or an error; a sentence on standard error says why"}})
       .text();
 }
 

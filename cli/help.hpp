@@ -20,4 +20,6 @@ std::string general_help(std::size_t width);
 std::string check_help(const std::vector<HelpEntry>& options, std::size_t width);
 std::string info_help(const std::vector<HelpEntry>& options, std::size_t width);
 
+std::string devices_help(std::size_t width);
+
 }  // namespace impinge::cli

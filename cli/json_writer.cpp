@@ -70,6 +70,9 @@ void write_statistics(Sink& sink, const Statistics& s) {
                   json_number(s.box_test_seconds), json_number(s.element_test_seconds), json_number(s.node_seconds),
                   json_number(s.leaf_pair_seconds), json_number(s.exact_call_seconds), json_number(s.predicted_seconds),
                   json_number(s.measured_seconds)));
+  sink.write(fmt::format("\"device_predicted_seconds\":{},\"device_seconds\":{},\"cpu_seconds\":{},",
+                         json_number(s.device_predicted_seconds), json_number(s.device_seconds),
+                         json_number(s.cpu_seconds)));
   sink.write(
       fmt::format("\"broad_seconds\":{},\"hierarchy_seconds\":{},\"partition_seconds\":{},\"narrow_seconds\":{},"
                   "\"exact_seconds\":{},\"results_seconds\":{},\"total_seconds\":{}}}",

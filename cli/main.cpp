@@ -7,6 +7,7 @@
 
 #include "arguments.hpp"
 #include "check.hpp"
+#include "devices.hpp"
 #include "info.hpp"
 #include "interrupt.hpp"
 #include "sink.hpp"
@@ -34,6 +35,12 @@ int run(int argc, char** argv) {
   const Result<Command> command = parse_command_line(argc, argv);
   if (!command) return failed(command.error());
   if (const auto* notice = std::get_if<Notice>(&*command)) return print_notice(*notice);
+
+  if (std::holds_alternative<DevicesArguments>(*command)) {
+    const Result<bool> usable = list_devices();
+    if (!usable.has_value()) return failed(usable.error());
+    return *usable ? 0 : kFailed;
+  }
 
   const Interrupt interrupt;
   if (const auto* arguments = std::get_if<CheckArguments>(&*command)) {

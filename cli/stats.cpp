@@ -42,6 +42,11 @@ void print_statistics(const Statistics& s, Sink& sink) {
               cost("e: pairs of triangles left to exact arithmetic", s.exact_calls, s.exact_call_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
+  if (s.device_seconds == 0) return;
+  sink.write("\nSides (by the clock; the counts above are both sides' together, T is the CPU's)\n");
+  print_rows(sink, {{"side", text}, {"predicted", number}, {"time", number}},
+             {{"device", duration(s.device_predicted_seconds), duration(s.device_seconds)},
+              {"CPU beside it", "", duration(s.cpu_seconds)}});
 }
 
 }  // namespace impinge::cli

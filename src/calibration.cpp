@@ -3,7 +3,9 @@
 #include "calibration.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -11,8 +13,8 @@
 #include <vector>
 
 #include "device_part.hpp"
-
 #include "impinge/collide.hpp"
+#include "impinge/devices.hpp"
 #include "mesh_state.hpp"
 #include "scene/scene_view.hpp"
 #include "stage_clock.hpp"
@@ -92,7 +94,8 @@ class Asking {
     Answer best{std::numeric_limits<double>::infinity(), {}};
     for (int round = 0; round < 3; ++round) {
       Statistics counts;
-      part.run(pieces, [](std::uint32_t, auto) {}, counts);
+      part.run(
+          pieces, [](std::uint32_t, auto) {}, counts);
       if (counts.device_seconds < best.seconds) best = {counts.device_seconds, counts};
     }
     return best;
@@ -111,9 +114,9 @@ class Asking {
   Mesh mesh_;
 };
 
-// The device's C_0 is the time of a question whose answer is clear at the roots; C_v and C_p follow from two questions, one
-// of which is nearly all walk and one rich in contacts. Where noise makes one of them negative, both sides' constants are
-// taken to be in one proportion.
+// The device's C_0 is the time of a question whose answer is clear at the roots; C_v and C_p follow from two questions,
+// one of which is nearly all walk and one rich in contacts. Where noise makes one of them negative, both sides'
+// constants are taken to be in one proportion.
 schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::Opened>& device) {
   Asking asking(device);
   StageClock clock;
@@ -141,16 +144,80 @@ schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::Opened>& device) 
   return constants;
 }
 
+struct KnownDevices {
+  std::mutex mutex;
+  std::map<std::string, schedule::DeviceConstants, std::less<>> constants;  ///< by name and driver
+};
+KnownDevices& known_devices() {
+  static KnownDevices known;
+  return known;
+}
+
+std::string name_of(const gpu::Opened& device) {
+  const gpu::PhysicalDevice& physical = device.device.physical();
+  return std::string(physical.properties.deviceName) + ", " + physical.driver;
+}
+
+/// The first line of a calibration's text: others are of other versions.
+constexpr std::string_view kCalibrationTitle = "impinge calibration 1";
+
 }  // namespace
 
-const schedule::DeviceConstants& calibrated_device(const std::shared_ptr<gpu::Opened>& device) {
-  static std::mutex mutex;
-  static std::map<std::string, schedule::DeviceConstants> known;
-  const gpu::PhysicalDevice& physical = device->device.physical();
-  const std::lock_guard lock(mutex);
-  const std::string name = std::string(physical.properties.deviceName) + ", " + physical.driver;
-  const auto found = known.find(name);
-  return found != known.end() ? found->second : known.emplace(name, calibrate(device)).first->second;
+schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::Opened>& device) {
+  KnownDevices& known = known_devices();
+  const std::string name = name_of(*device);
+  const std::lock_guard lock(known.mutex);
+  const auto found = known.constants.find(name);
+  return found != known.constants.end() ? found->second : known.constants[name] = calibrate(device);
+}
+
+void refine_calibration(const std::shared_ptr<gpu::Opened>& device, double predicted_seconds, double seconds) {
+  if (!(predicted_seconds > 0) || !(seconds > 0)) return;
+  const double factor = std::pow(std::clamp(seconds / predicted_seconds, 0.1, 10.0), 0.25);
+  KnownDevices& known = known_devices();
+  const std::lock_guard lock(known.mutex);
+  schedule::DeviceConstants& constants = known.constants[name_of(*device)];
+  constants.box_test *= factor, constants.element_test *= factor, constants.leaf_pair *= factor;
+}
+
+std::string calibration() {
+  KnownDevices& known = known_devices();
+  const std::lock_guard lock(known.mutex);
+  if (known.constants.empty()) return {};
+  std::string text = std::string(kCalibrationTitle) + "\n";
+  for (const auto& [name, c] : known.constants) {
+    char numbers[160];
+    std::snprintf(numbers, sizeof numbers, "%.6e %.6e %.6e %.6e %.6e ", c.question, c.box_test, c.element_test,
+                  c.leaf_pair, c.mesh_triangle);
+    text += numbers + name + "\n";
+  }
+  return text;
+}
+
+void set_calibration(std::string_view text) {
+  const auto next_line = [&] {
+    const std::string line(text.substr(0, text.find('\n')));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    return line;
+  };
+  if (next_line() != kCalibrationTitle) return;
+  KnownDevices& known = known_devices();
+  const std::lock_guard lock(known.mutex);
+  while (!text.empty()) {
+    const std::string line = next_line();
+    schedule::DeviceConstants c;
+    const char* at = line.data();
+    bool is_sound = true;
+    for (double* const constant : {&c.question, &c.box_test, &c.element_test, &c.leaf_pair, &c.mesh_triangle}) {
+      const auto [end, error] = std::from_chars(at, line.data() + line.size(), *constant);
+      is_sound =
+          is_sound && error == std::errc() && *constant >= 0 && *constant < 1 && end != line.data() + line.size();
+      if (!is_sound) break;
+      at = end + 1;  // a blank
+    }
+    if (is_sound && c.box_test > 0 && c.element_test > 0)
+      known.constants[std::string(at, line.data() + line.size())] = c;
+  }
 }
 
 const schedule::CostConstants& calibrated_constants(std::string_view backend) {

@@ -58,18 +58,19 @@ bool DeviceDriver::open() {
   return device_ != nullptr;
 }
 
-// The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is then
-// left would take it longer than the device takes to be asked.
+// The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is
+// then left would take it longer than the device takes to be asked.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatience && !is_over())
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));
   if (is_over() || !open()) return;
-  const schedule::DeviceConstants& constants = calibrated_device(part_->device());
+  const schedule::DeviceConstants constants = calibrated_device(part_->device());
   const double threads = schedule::concurrency(query_.options.threads);
   const double mix_cpu = schedule::predict_seconds(mix_, calibrated_constants("simd")) / threads;
   const double mix_device = schedule::predict_seconds(mix_, constants);
-  const double upload = static_cast<double>(part_->triangles_to_bring(work_.pieces)) * constants.mesh_triangle;
+  const std::size_t to_bring = part_->triangles_to_bring(work_.pieces);
+  const double upload = static_cast<double>(to_bring) * constants.mesh_triangle;
   schedule::Speeds speeds{.question = constants.question + upload};
   double device_done = 0, device_seconds = 0;
   for (double portion = kFirstPortion; !is_over();) {
@@ -82,19 +83,24 @@ void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
     speeds.device = device_done > 0 ? device_done / device_seconds : speeds.cpu * mix_cpu / mix_device;
     const double wanted = portion * schedule::device_portion(work_.row.left(), speeds);
     const auto range = work_.row.take_front(wanted);
-    if (range.empty()) return;
+    if (range.empty()) break;
     const Clock::time_point start = Clock::now();
     run(range, sink);
     device_done += range.weight, device_seconds += std::max(seconds_since(start) - speeds.question, 1e-9);
     speeds.question = constants.question, portion = kNextPortion;
   }
+  if (to_bring == 0) refine_calibration(device_, predict_seconds(), statistics_.device_seconds);
 }
 
 double DeviceDriver::predict_seconds() const {
   if (portions_ == 0) return 0;
-  const schedule::DeviceConstants& constants = calibrated_device(device_);
-  return portions_ * constants.question + schedule::predict_seconds(statistics_, constants) +
-         static_cast<double>(statistics_.exact_calls) * calibrated_constants("simd").exact_call;
+  try {
+    const schedule::DeviceConstants constants = calibrated_device(device_);
+    return portions_ * constants.question + schedule::predict_seconds(statistics_, constants) +
+           static_cast<double>(statistics_.exact_calls) * calibrated_constants("simd").exact_call;
+  } catch (const gpu::Failure&) {  // lost just now
+    return 0;
+  }
 }
 
 bool DeviceDriver::is_over() const { return work_.row.left() == 0 || query_.options.stop.stop_requested(); }
@@ -102,7 +108,8 @@ bool DeviceDriver::is_over() const { return work_.row.left() == 0 || query_.opti
 void DeviceDriver::run(const schedule::TwoEnded::Range& range, const DevicePart::Sink& sink) {
   if (range.empty()) return;
   taken_ = range.end, ++portions_;
-  const auto undone = part_->run(std::span(work_.pieces).subspan(range.begin, range.end - range.begin), sink, statistics_);
+  const auto undone =
+      part_->run(std::span(work_.pieces).subspan(range.begin, range.end - range.begin), sink, statistics_);
   left_.insert(left_.end(), undone.begin(), undone.end());
 }
 

@@ -18,10 +18,9 @@ namespace impinge {
 
 /// What the CPU's threads and the device share in a hybrid query.
 struct SharedWork {
-  SharedWork(std::vector<DevicePiece> all, const std::vector<double>& weights)
-      : pieces(std::move(all)), row(weights) {}
+  SharedWork(std::vector<DevicePiece> all, const std::vector<double>& weights) : pieces(std::move(all)), row(weights) {}
   const std::vector<DevicePiece> pieces;
-  schedule::TwoEnded row;  ///< the device takes from the front, the CPU from the back
+  schedule::TwoEnded row;           ///< the device takes from the front, the CPU from the back
   std::atomic<double> cpu_done{0};  ///< in weight
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
@@ -35,8 +34,8 @@ class DeviceDriver {
                std::shared_ptr<gpu::Opened> device, const Statistics& mix)
       : query_(query), pairs_(pairs), work_(work), device_(std::move(device)), mix_(mix) {}
 
-  /// Sets so much of all work aside for the device, before others take from it. Without it, the device takes what it sees
-  /// fit.
+  /// Sets so much of all work aside for the device, before others take from it. Without it, the device takes what it
+  /// sees fit.
   void reserve(double share) { reserved_ = work_.row.take_front(share * work_.row.total()); }
 
   /// Returns when the device's part is done. Whatever goes wrong is in `complaint`.

@@ -72,7 +72,8 @@ class DevicePart::Sorter {
 
   static std::optional<gpu::uint> reference(const gpu::Resident& mesh, const hierarchy::TreeRef& node) {
     if (!node.is_made()) return mesh.root;
-    const auto found = std::lower_bound(mesh.places.begin(), mesh.places.end(), std::pair(node.address(), gpu::uint{0}));
+    const auto found =
+        std::lower_bound(mesh.places.begin(), mesh.places.end(), std::pair(node.address(), gpu::uint{0}));
     if (found == mesh.places.end() || found->first != node.address()) return std::nullopt;
     return found->second;
   }
@@ -119,7 +120,8 @@ std::size_t DevicePart::triangles_to_bring(std::span<const DevicePiece> pieces) 
   for (const DevicePiece& piece : pieces) {
     for (const std::uint32_t object : {pairs_[piece.object_pair].a, pairs_[piece.object_pair].b}) {
       const MeshState* const mesh = query_.meshes[object];
-      if (seen.insert(mesh).second && !opened_->meshes.holds(&mesh->wide_tree)) triangles += mesh->data.triangles.size();
+      if (seen.insert(mesh).second && !opened_->meshes.holds(&mesh->wide_tree))
+        triangles += mesh->data.triangles.size();
     }
   }
   return triangles;

@@ -75,7 +75,7 @@ class Pipeline {
     stage.charge(threads_wall_clock);
     Contacts contacts = gather(statistics);
     stage.charge(statistics.results_seconds);
-    statistics.measured_seconds = schedule::modelled_seconds(statistics);
+    statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
     total.charge(statistics.total_seconds);
     if (options_.predict_cost) predict(statistics);
     contacts.statistics = statistics;
@@ -186,7 +186,8 @@ class Pipeline {
       }
     }
     // What has been done tells what the rest is like; where nothing has, the first of many pairs do.
-    for (; pairs().size() >= kManyPairs && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix;
+    for (;
+         pairs().size() >= kManyPairs && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix;
          pieces.pop_back())
       run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
     const Statistics mix = worker.statistics;
@@ -278,13 +279,15 @@ class Pipeline {
     if (!driver.complaint().empty()) {
       undone = driver.done();
       if (first_only_)
-        for (const results::Run& run : memory_.device_found.runs()) memory_.pair_states[run.object_pair].settled = false;
+        for (const results::Run& run : memory_.device_found.runs())
+          memory_.pair_states[run.object_pair].settled = false;
       memory_.device_found.restart(options_.kinds, options_.limit);
       memory_.warnings.push_back(driver.complaint() + "; the CPU did its work");
     } else {
       device_statistics_ = driver.statistics();
       if (options_.predict_cost) device_statistics_.device_predicted_seconds = driver.predict_seconds();
-      if (!undone.empty()) memory_.warnings.push_back(driver.device_name() + " had no room for all meshes; the CPU did the rest");
+      if (!undone.empty())
+        memory_.warnings.push_back(driver.device_name() + " had no room for all meshes; the CPU did the rest");
       for (const DevicePiece& piece : undone) memory_.pair_states[piece.object_pair].open_tasks.fetch_add(1);
       for (const DevicePiece& piece : driver.done()) close(piece.object_pair);
     }
@@ -341,6 +344,7 @@ class Pipeline {
       add(statistics, worker->statistics);
       memory_.collectors.push_back(&worker->collector);
     }
+    cpu_statistics_ = statistics;
     if (memory_.asks_device) {
       add(statistics, device_statistics_);
       statistics.cpu_seconds = cpu_seconds_;
@@ -361,7 +365,7 @@ class Pipeline {
     s.node_seconds = constants.node;
     s.leaf_pair_seconds = constants.leaf_pair;
     s.exact_call_seconds = constants.exact_call;
-    s.predicted_seconds = schedule::predict_seconds(s, constants);
+    s.predicted_seconds = schedule::predict_seconds(cpu_statistics_, constants);
   }
 
   /// The older half of the stack: the larger subtrees.
@@ -385,8 +389,8 @@ class Pipeline {
   Workspace::State& memory_;
   std::vector<typename Stages::Step> first_stack_;
   bool first_only_;
-  Statistics device_statistics_;  ///< of the device's part
-  double cpu_seconds_ = 0;        ///< of the CPU's beside it
+  Statistics cpu_statistics_, device_statistics_;  ///< of either's part
+  double cpu_seconds_ = 0;                         ///< the CPU's, beside the device
 };
 
 }  // namespace
@@ -420,7 +424,8 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
     // A hybrid query opens a device only when that is worth it.
     gpu::Devices& devices = gpu::Devices::of_process();
     const bool is_sure = query.options.backend == "gpu" || query.options.device_share >= 0;
-    gpu::Devices::Choice choice = is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
+    gpu::Devices::Choice choice =
+        is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
     if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
     if (!choice.complaint.empty()) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
     memory.asks_device = choice.complaint.empty();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "impinge/result.hpp"
@@ -27,5 +28,11 @@ struct DeviceInfo {
 /// `Options::device` takes a number in this list, or a part of a name. Error: `no_device`, with the reason and the
 /// mend.
 Result<std::vector<DeviceInfo>> devices();
+
+/// What has been measured of devices so far, by which "hybrid" splits its work: some lines of text that another run may
+/// be given, so that it need not measure again. Empty: nothing yet.
+std::string calibration();
+/// Takes what another run has measured. Lines that are not understood are passed over.
+void set_calibration(std::string_view text);
 
 }  // namespace impinge
