@@ -17,21 +17,21 @@ foreach(line ${volk_lines})
 endforeach()
 file(CONFIGURE OUTPUT ${IMPINGE_GENERATED_DIR}/volk_names.h CONTENT "${volk_names}" @ONLY)
 
-# impinge_shaders(TARGET shader...): compiles src/gpu/shaders/<shader> to SPIR-V and embeds it as an array, kShader<Name>,
-# in shaders/<shader>.h. Whatever lies in the folder may be included by any of them.
+# impinge_shaders(TARGET shader...): compiles each shader to SPIR-V and embeds it as an array, shader_<name>_<ending>, in
+# shaders/<name>.<ending>.h. Whatever lies in src/gpu/shaders may be included by any of them.
 function(impinge_shaders target)
-  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/gpu)
+  set(folder ${PROJECT_SOURCE_DIR}/src/gpu)
   file(GLOB included CONFIGURE_DEPENDS ${folder}/shaders/*.glsl)
+  set(compile ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.2 -g0 -I${folder} -I${folder}/shaders)
   foreach(shader ${ARGN})
-    string(MAKE_C_IDENTIFIER ${shader} name)
-    set(header ${IMPINGE_GENERATED_DIR}/shaders/${shader}.h)
-    set(binary ${IMPINGE_GENERATED_DIR}/shaders/${shader}.spv)
+    cmake_path(GET shader FILENAME file)
+    string(MAKE_C_IDENTIFIER ${file} name)
+    set(header ${IMPINGE_GENERATED_DIR}/shaders/${file}.h)
+    set(binary ${IMPINGE_GENERATED_DIR}/shaders/${file}.spv)
     add_custom_command(OUTPUT ${header} ${binary}
-      COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.2 -g0 -I${folder} -I${folder}/shaders
-              --vn shader_${name} -o ${header} ${folder}/shaders/${shader}
-      COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.2 -g0 -I${folder} -I${folder}/shaders
-              -o ${binary} ${folder}/shaders/${shader}
-      DEPENDS ${folder}/shaders/${shader} ${included} ${folder}/layout.h VERBATIM)
+      COMMAND ${compile} --vn shader_${name} -o ${header} ${shader}
+      COMMAND ${compile} -o ${binary} ${shader}
+      DEPENDS ${shader} ${included} ${folder}/layout.h VERBATIM)
     target_sources(${target} PRIVATE ${header})
   endforeach()
   target_include_directories(${target} PRIVATE ${IMPINGE_GENERATED_DIR})

@@ -7,6 +7,10 @@
 namespace impinge::gpu {
 namespace {
 
+/// What follows a buffer where tests look for writes beyond its end.
+constexpr std::uint64_t kGuard = 4096;
+constexpr std::uint32_t kSentinel = 0xA5C3961E;
+
 /// True once, when the counter that a test has set runs out.
 bool is_time_for(std::atomic<int>* counter) { return counter != nullptr && counter->fetch_sub(1) == 0; }
 
@@ -89,7 +93,8 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, Buffer::Use use) const 
 }
 
 Buffer::Buffer(Device& device, std::uint64_t bytes, Use use)
-    : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 4)) {
+    : device_(&device), bytes_((std::max<std::uint64_t>(bytes, 4) + 3) / 4 * 4) {
+  if (device.limits().overruns != nullptr) guard_ = kGuard;
   if (bytes_ > device.limits().largest_buffer)
     throw Failure("a buffer of " + std::to_string(bytes_) + " bytes is more than the device allows");
   if (device.bytes_in_use_.fetch_add(bytes_) + bytes_ > device.limits().budget) {
@@ -98,23 +103,28 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, Use use)
   }
   try {
     if (is_time_for(device.limits().fail_allocation)) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "allocating memory");
-    VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                               VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-    const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes_, .usage = usage};
-    check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "making a buffer");
-    VkMemoryRequirements needs;
-    vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                          .allocationSize = needs.size,
-                                          .memoryTypeIndex = device.memory_type(needs.memoryTypeBits, use)};
-    check(vkAllocateMemory(device.handle(), &allocation, nullptr, &memory_), "allocating memory");
-    check(vkBindBufferMemory(device.handle(), buffer_, memory_, 0), "binding memory");
-    if (use != Use::device)
-      check(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping memory");
+    allocate(use);
+    if (guard_ > 0) set_guard();
   } catch (...) {
     release();
     throw;
   }
+}
+
+void Buffer::allocate(Use use) {
+  constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                        VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+  const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = shown_bytes(), .usage = kUsage};
+  check(vkCreateBuffer(device_->handle(), &info, nullptr, &buffer_), "making a buffer");
+  VkMemoryRequirements needs;
+  vkGetBufferMemoryRequirements(device_->handle(), buffer_, &needs);
+  const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                        .allocationSize = needs.size,
+                                        .memoryTypeIndex = device_->memory_type(needs.memoryTypeBits, use)};
+  check(vkAllocateMemory(device_->handle(), &allocation, nullptr, &memory_), "allocating memory");
+  check(vkBindBufferMemory(device_->handle(), buffer_, memory_, 0), "binding memory");
+  if (use != Use::device)
+    check(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping memory");
 }
 
 Buffer::~Buffer() { release(); }
@@ -125,11 +135,40 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(memory_, other.memory_);
   std::swap(mapped_, other.mapped_);
   std::swap(bytes_, other.bytes_);
+  std::swap(guard_, other.guard_);
   return *this;
+}
+
+// A guard is written and read by copies through a buffer of the host's, which has none: only in tests.
+void Buffer::set_guard() {
+  Commands commands(*device_);
+  commands.start([&](VkCommandBuffer buffer) {
+    vkCmdFillBuffer(buffer, buffer_, bytes_, VK_WHOLE_SIZE, kSentinel);
+    barrier(buffer);
+  });
+  commands.wait();
+}
+
+bool Buffer::guard_is_whole() {
+  Buffer seen;
+  seen.device_ = device_, seen.bytes_ = guard_;
+  device_->bytes_in_use_ += guard_;
+  seen.allocate(Use::readback);
+  Commands commands(*device_);
+  commands.start([&](VkCommandBuffer buffer) {
+    barrier(buffer);
+    copy(buffer, *this, bytes_, seen, 0, guard_);
+    hand_to_host(buffer);
+  });
+  commands.wait();
+  const auto* const words = seen.mapped<const std::uint32_t>();
+  return std::all_of(words, words + guard_ / 4, [](std::uint32_t word) { return word == kSentinel; });
 }
 
 void Buffer::release() {
   if (device_ == nullptr) return;
+  if (guard_ > 0 && memory_ != VK_NULL_HANDLE && !device_->is_lost() && !guard_is_whole())
+    ++*device_->limits().overruns;
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);
   vkFreeMemory(device_->handle(), memory_, nullptr);  // unmaps it
   device_->bytes_in_use_ -= bytes_;

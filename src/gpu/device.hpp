@@ -21,6 +21,7 @@ struct Limits {
   std::uint32_t most_groups = 0;                      ///< of a dispatch; 0: what the device allows
   std::atomic<int>* fail_allocation = nullptr;        ///< counts down; at 0 an allocation fails
   std::atomic<int>* lose_device = nullptr;            ///< counts down; at 0 a submission loses the device
+  std::atomic<int>* overruns = nullptr;               ///< counts the buffers beyond whose ends something was written
 };
 
 class Device;
@@ -43,6 +44,9 @@ class Buffer {
 
   [[nodiscard]] VkBuffer handle() const { return buffer_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// What a shader is shown of it: with the guard behind it, if there is one, so that nothing but the shader's own care
+  /// keeps it from there.
+  [[nodiscard]] std::uint64_t shown_bytes() const { return bytes_ + guard_; }
   /// Not of a device's own buffer.
   template <class T>
   [[nodiscard]] T* mapped() const {
@@ -50,9 +54,13 @@ class Buffer {
   }
 
  private:
+  void allocate(Use use);
   void release();
+  void set_guard();
+  [[nodiscard]] bool guard_is_whole();
 
   Device* device_ = nullptr;
+  std::uint64_t guard_ = 0;
   VkBuffer buffer_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   void* mapped_ = nullptr;

@@ -90,7 +90,7 @@ Bindings::Bindings(Device& device, std::vector<const Kernel*> kernels) : device_
 Bindings::~Bindings() { vkDestroyDescriptorPool(device_.handle(), pool_, nullptr); }
 
 void Bindings::set(std::uint32_t binding, const Buffer& buffer) {
-  const VkDescriptorBufferInfo info{.buffer = buffer.handle(), .offset = 0, .range = buffer.bytes()};
+  const VkDescriptorBufferInfo info{.buffer = buffer.handle(), .offset = 0, .range = buffer.shown_bytes()};
   for (std::size_t i = 0; i < kernels_.size(); ++i) {
     const auto& declared = kernels_[i]->bindings();
     if (std::find(declared.begin(), declared.end(), binding) == declared.end()) continue;

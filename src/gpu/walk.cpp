@@ -152,7 +152,7 @@ void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
     const std::uint64_t relation_bytes = relation_count_ * sizeof(DeviceRelation);
     copy(commands, upload_, 0, relations_, 0, relation_bytes);
     copy(commands, upload_, relation_bytes, stacks_[0], 0, item_count_ * sizeof(WorkItem));
-    vkCmdFillBuffer(commands, settled_.handle(), 0, VK_WHOLE_SIZE, 0);
+    vkCmdFillBuffer(commands, settled_.handle(), 0, settled_.bytes(), 0);
   } else {
     copy(commands, again_, 0, leaf_pairs_, 0, next_.leaf_pairs * sizeof(WorkItem));
   }

@@ -12,7 +12,8 @@
 namespace impinge::test {
 namespace {
 
-const std::vector<std::vector<std::string>> kPages = {{"--help"}, {"check", "--help"}, {"info", "--help"}};
+const std::vector<std::vector<std::string>> kPages = {
+    {"--help"}, {"check", "--help"}, {"info", "--help"}, {"devices", "--help"}};
 
 /// The lines that begin with the program's name between "Examples:" and the next empty line.
 std::vector<std::string> examples_of(const std::string& page) {
@@ -42,7 +43,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 9U);
+  EXPECT_EQ(count, 10U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 

@@ -9,12 +9,12 @@
 #include <functional>
 #include <iostream>
 #include <memory>
-#include <optional>
+#include <span>
 
-#include "impinge/predicates.hpp"
 #include "scenes/random.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
+#include "tests/narrow/filter_attacks.hpp"
 
 /// The certified filter attacked at its border: triangles that touch in a point or all but do, stored as far from where
 /// they are as the stream's error allows, in the direction that deceives most.
@@ -22,17 +22,8 @@ namespace impinge {
 namespace {
 
 using partition::PairStream;
+using namespace test::filter;
 using scenes::Random;
-
-enum class Verdict { no, unsure, crossing };
-
-/// Three vertices as a stream stores them.
-using Stored = std::array<std::array<float, 3>, 3>;
-
-struct Pair {
-  Stored a, b;
-  float error;
-};
 
 void put(const Pair& pair, std::size_t lane, PairStream& stream) {
   for (std::size_t vertex = 0; vertex < 3; ++vertex) {
@@ -76,190 +67,18 @@ std::vector<Verdict> verdicts(const std::vector<Pair>& pairs) {
   return found;
 }
 
-/// The exact triangles, and what is stored of them.
-struct Attack {
-  Triangle a, b;
-  Pair pair;
-};
-
-/// `coordinate` moved by up to `shift`, which is at most the error in magnitude, and rounded towards `coordinate`.
-float stored(double coordinate, double shift, float error) {
-  auto value = static_cast<float>(coordinate + shift);
-  for (int i = 0; i < 4 && std::abs(static_cast<long double>(value) - coordinate) > error; ++i)
-    value = std::nextafter(value, static_cast<float>(coordinate));
-  return value;
-}
-
-/// Whether single precision can hold the triangle within the error at all.
-bool is_within(const Triangle& exact, const Stored& s, float error) {
-  for (std::size_t v = 0; v < 3; ++v) {
-    const std::array<double, 3> x{exact[v].x, exact[v].y, exact[v].z};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (std::abs(static_cast<long double>(s[v][i]) - x[i]) > error) return false;
-  }
-  return true;
-}
-
-/// By how much to move vertex `v`'s coordinate `i` in units of the error, from -1 to 1.
-using Shift = std::function<double(std::size_t v, std::size_t i)>;
-
-Stored store(const Triangle& exact, const Shift& shift, float error) {
-  Stored s;
-  for (std::size_t v = 0; v < 3; ++v) {
-    const std::array<double, 3> x{exact[v].x, exact[v].y, exact[v].z};
-    for (std::size_t i = 0; i < 3; ++i) s[v][i] = stored(x[i], shift(v, i) * error, error);
-  }
-  return s;
-}
-
-/// The stored numbers in several ways: as near as can be; the triangles shifted apart or into each other along each of
-/// the cube's diagonals; any corner of what the error allows.
-std::vector<Attack> attacks_on(const Triangle& a, const Triangle& b, float error, Random& random) {
-  std::vector<Attack> attacks;
-  const auto add = [&](const Shift& of_a, const Shift& of_b) {
-    const Pair pair{store(a, of_a, error), store(b, of_b, error), error};
-    if (is_within(a, pair.a, error) && is_within(b, pair.b, error)) attacks.push_back({a, b, pair});
-  };
-  const auto none = [](std::size_t, std::size_t) { return 0.0; };
-  add(none, none);
-  if (error == 0) return attacks;
-  for (unsigned signs = 0; signs < 8; ++signs) {
-    const auto towards = [signs](std::size_t, std::size_t i) { return signs >> i & 1 ? 1.0 : -1.0; };
-    add(towards, [&](std::size_t v, std::size_t i) { return -towards(v, i); });
-  }
-  for (int i = 0; i < 6; ++i) {
-    std::array<double, 18> corner;
-    for (double& x : corner) x = random.integer(0, 1) == 0 ? -1 : 1;
-    add([&](std::size_t v, std::size_t k) { return corner[3 * v + k]; },
-        [&](std::size_t v, std::size_t k) { return corner[9 + 3 * v + k]; });
-  }
-  return attacks;
-}
-
-/// How often each verdict was given.
-struct Counts {
-  std::array<int, 3> of{};
-};
-
 /// Fails where a verdict is not true of the exact triangles.
 void expect_true(const std::vector<Attack>& attacks, Counts& counts) {
   for (std::size_t begin = 0; begin < attacks.size(); begin += PairStream::kCapacity) {
-    const std::size_t end = std::min(attacks.size(), begin + PairStream::kCapacity);
+    const std::span some(attacks.data() + begin, std::min(attacks.size() - begin, PairStream::kCapacity));
     std::vector<Pair> pairs;
-    for (std::size_t i = begin; i < end; ++i) pairs.push_back(attacks[i].pair);
-    const std::vector<Verdict> found = verdicts(pairs);
-    for (std::size_t i = begin; i < end; ++i) {
-      ++counts.of[static_cast<std::size_t>(found[i - begin])];
-      if (found[i - begin] == Verdict::unsure) continue;
-      const auto exact = intersects(attacks[i].a, attacks[i].b);
-      ASSERT_EQ(exact, found[i - begin] == Verdict::no ? std::nullopt : std::optional(Kind::crossing))
-          << "error " << attacks[i].pair.error << ", first vertex " << attacks[i].a[0].x << ' ' << attacks[i].a[0].y;
-    }
+    for (const Attack& one : some) pairs.push_back(one.pair);
+    ASSERT_NO_FATAL_FAILURE(expect_true(some, verdicts(pairs), counts));
   }
 }
 
-// --- pairs at the border
-// ------------------------------------------------------------------------------------------------
-
-Point moved(const Point& p, const Point& by) { return {p.x + by.x, p.y + by.y, p.z + by.z}; }
-
-/// Integers times 64, so that points between them are exact; `reach` in units of 64.
-Point lattice(Random& random, int reach) {
-  const auto coordinate = [&] { return 64.0 * random.integer(-reach, reach); };
-  const double x = coordinate(), y = coordinate();
-  return {x, y, coordinate()};
-}
-/// Some with all edges along diagonals, whose determinants errors sway most.
-Triangle lattice_triangle(Random& random, int reach) {
-  const Point p = lattice(random, reach), q = lattice(random, reach);
-  if (random.integer(0, 2) != 0) return {p, q, lattice(random, reach)};
-  const double length = 64.0 * random.integer(1, reach);
-  const auto sign = [&] { return random.integer(0, 1) == 0 ? -length : length; };
-  const double third = random.integer(0, 1) * sign();
-  Triangle t{p, moved(p, {sign(), sign(), sign()}), moved(p, {sign(), sign(), third})};
-  std::rotate(t.begin(), t.begin() + random.integer(0, 2), t.end());
-  return t;
-}
-/// p + i/8 (q - p), exactly.
-Point between(const Point& p, const Point& q, int i) {
-  return {p.x + i * (q.x - p.x) / 8, p.y + i * (q.y - p.y) / 8, p.z + i * (q.z - p.z) / 8};
-}
-
-/// Two triangles with just enough in common, or not quite.
-std::pair<Triangle, Triangle> border_pair(Random& random) {
-  const int reach = std::array{16, 16, 1000, 16000}[static_cast<std::size_t>(random.integer(0, 3))];
-  const Triangle a = lattice_triangle(random, reach);
-  Triangle b = lattice_triangle(random, reach);
-  const auto shift_to = [&](const Point& from, const Point& to) {
-    const Point by{to.x - from.x, to.y - from.y, to.z - from.z};
-    for (Point& p : b) p = moved(p, by);
-  };
-  const Point on_edge = between(a[0], a[1], random.integer(0, 8));
-  switch (random.integer(0, 9)) {
-    case 0:  // a vertex on a vertex
-      shift_to(b[0], a[0]);
-      break;
-    case 1:  // a vertex on an edge
-      shift_to(b[0], on_edge);
-      break;
-    case 2:  // a vertex inside
-      shift_to(b[0], between(on_edge, a[2], random.integer(0, 8)));
-      break;
-    case 3:  // an edge through an edge
-      shift_to(between(b[0], b[1], random.integer(0, 8)), on_edge);
-      break;
-    case 4:  // an edge through the inside, near its end
-      shift_to(between(b[0], b[1], random.integer(0, 1)), between(on_edge, a[2], random.integer(0, 8)));
-      break;
-    case 5:  // a common edge
-      b[0] = a[0], b[1] = a[1];
-      break;
-    case 6:  // in one plane
-      for (Point& p : b) p = between(between(a[0], a[1], random.integer(-8, 16)), a[2], random.integer(-8, 16));
-      break;
-    case 7:  // the same
-      b = a;
-      break;
-    case 8:  // without area
-      b[2] = between(b[0], b[1], random.integer(-8, 16));
-      shift_to(b[0], on_edge);
-      break;
-    default:  // as they come
-      break;
-  }
-  // A hair off, so that they are apart or cross.
-  if (random.integer(0, 2) == 0) {
-    Point hair = lattice(random, 1);
-    const double length = std::ldexp(1.0, -random.integer(6, 40));
-    for (double* x : {&hair.x, &hair.y, &hair.z}) *x *= length;
-    for (Point& p : b) p = moved(p, hair);
-  }
-  return {a, b};
-}
-
-Triangle scaled(Triangle t, double scale, const Point& offset) {
-  for (Point& p : t) p = {scale * p.x + offset.x, scale * p.y + offset.y, scale * p.z + offset.z};
-  return t;
-}
-
-/// For triangles of about 1000.
-constexpr std::array kErrors{0.0,    0x1p-40, 0.0, 0x1p-20, 0x1p-14, 0.0, 0x1p-11,
-                             0x1p-6, 0.0,     1.0, 64.0,    4096.0,  0.0, 0x1p30};
-
-/// The pairs are scaled by `scale` and moved by `off`, the errors scaled by `scale` and by `finer`.
-void attack(double scale, double off, const std::function<std::pair<Triangle, Triangle>(Random&)>& any, int rounds,
-            Counts& counts, double finer = 1) {
-  test::Seeded seeded(static_cast<std::uint64_t>(std::abs(std::ilogb(scale))) + static_cast<std::uint64_t>(off));
-  std::vector<Attack> attacks;
-  for (int round = 0; round < rounds; ++round) {
-    auto [a, b] = any(seeded.random);
-    const Point offset{scale * off, -scale * off, scale * off / 2};
-    a = scaled(a, scale, offset), b = scaled(b, scale, offset);
-    if (seeded.random.integer(0, 1) == 1) std::swap(a, b);
-    const double error = scale * finer * kErrors[static_cast<std::size_t>(round) % kErrors.size()];
-    const auto more = attacks_on(a, b, static_cast<float>(error), seeded.random);
-    attacks.insert(attacks.end(), more.begin(), more.end());
-  }
+void attack(double scale, double off, const AnyPair& any, int rounds, Counts& counts, double finer = 1) {
+  const std::vector<Attack> attacks = attacks_of(scale, off, any, rounds, finer);
   for (const std::int64_t set : test::instruction_sets()) {
     SCOPED_TRACE("scale " + std::to_string(scale));
     const test::OnInstructionSet on(set);

@@ -3,7 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What the device's arithmetic is like: one case an invocation, judged by the host (gpu/probe.cpp).
+// What the device's arithmetic is like: one case an invocation, whole workgroups of them, judged by the host
+// (gpu/probe.cpp).
 
 #include "layout.h"
 #include "triangle_pair.glsl"
@@ -16,7 +17,6 @@ layout(set = 0, binding = 1, std430) writeonly buffer Answers { ProbeAnswer answ
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
-  if (i >= cases.length()) return;
   const float a = cases[i].x[0], b = cases[i].x[1], c = cases[i].x[2], d = cases[i].x[3];
   precise float sum = a + b;
   precise float difference = a - b;

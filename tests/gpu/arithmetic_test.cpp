@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// What a device's arithmetic is trusted for: the trials that it must pass, and the certified filter at its border.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <iostream>
+
+#include "gpu/kernel.hpp"
+#include "gpu/probe.hpp"
+#include "shaders/pairs.comp.h"
+#include "tests/gpu/environment.hpp"
+#include "tests/narrow/filter_attacks.hpp"
+
+namespace impinge {
+namespace {
+
+using namespace test::filter;
+
+// --- the trials
+// ---------------------------------------------------------------------------------------------------------
+
+/// What an arithmetic of IEEE 754 answers.
+std::vector<gpu::ProbeAnswer> right_answers(const std::vector<gpu::ProbeCase>& cases) {
+  std::vector<gpu::ProbeAnswer> answers;
+  for (const auto& [x] : cases) {
+    const float sum = x[0] + x[1], product = x[0] * x[1];
+    const double long_sum = double{x[0]} + double{x[1]};
+    const double long_product = (double{x[0]} + double{x[2]}) * (double{x[1]} + double{x[3]});
+    const auto high = static_cast<float>(long_product);
+    answers.push_back({{sum, x[0] - x[1], product, product - x[2], sum, static_cast<float>(long_sum - double{sum}),
+                        high, static_cast<float>(long_product - double{high}), std::max(x[0], x[1]), std::abs(x[0])},
+                       x[0] > x[1],
+                       x[0] > std::abs(x[1])    ? 1
+                       : x[0] < -std::abs(x[1]) ? -1
+                                                : 0});
+  }
+  return answers;
+}
+
+TEST(Probe, FindsNothingWrongWithIeee754) {
+  const auto cases = gpu::probe_cases();
+  EXPECT_EQ(gpu::judge(cases, right_answers(cases)), "");
+}
+
+/// Each liberty that a device might take is noticed.
+TEST(Probe, FindsEveryFault) {
+  const auto cases = gpu::probe_cases();
+  const auto with = [&](const auto& change) {
+    auto answers = right_answers(cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) change(cases[i].x, answers[i]);
+    return gpu::judge(cases, answers);
+  };
+  const auto two_off = [](float x) { return std::nextafter(std::nextafter(x, 1e30f), 1e30f); };
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[0] = two_off(a.x[0]); }).find("sum"), std::string::npos);
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[1] = two_off(a.x[1]); }).find("difference"), std::string::npos);
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[2] = two_off(a.x[2]); }).find("product"), std::string::npos);
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[3] = std::fma(x[0], x[1], -x[2]); }).find("fuses"), std::string::npos);
+  EXPECT_NE(with([](auto&, auto& a) { a.x[5] = 0; }).find("sum of two"), std::string::npos);
+  EXPECT_NE(with([](auto&, auto& a) { a.x[7] = 0; }).find("product of two"), std::string::npos);
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[8] = std::min(x[0], x[1]); }), "");
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[9] = x[0]; }), "");
+  EXPECT_NE(with([](auto&, auto& a) { a.above ^= 1; }), "");
+  EXPECT_NE(with([](auto&, auto& a) { a.sign = -a.sign; }), "");
+  // Half precision, as "relaxed" arithmetic has it.
+  EXPECT_NE(with([](auto&, auto& a) { a.x[2] = std::ldexp(std::round(std::ldexp(a.x[2], 10)), -10); }), "");
+}
+
+/// What a device may do: round either way, and take for nothing what is below 2^-126.
+TEST(Probe, AllowsEveryDirectionOfRoundingAndNoDenormals) {
+  const auto cases = gpu::probe_cases();
+  for (const float towards : {-1e30f, 1e30f}) {
+    auto answers = right_answers(cases);
+    const auto flushed = [](float x) { return std::abs(x) < 0x1p-126f ? 0.0f : x; };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const double x = cases[i].x[0], y = cases[i].x[1];
+      const auto directed = [&](float nearest, double exact) {
+        const bool is_beyond = towards > 0 ? double{nearest} < exact : double{nearest} > exact;
+        return flushed(is_beyond ? std::nextafter(nearest, towards) : nearest);
+      };
+      answers[i].x[0] = directed(answers[i].x[0], x + y);
+      answers[i].x[1] = directed(answers[i].x[1], x - y);
+      answers[i].x[2] = directed(answers[i].x[2], x * y);
+    }
+    EXPECT_EQ(gpu::judge(cases, answers), "");
+  }
+}
+
+// --- the filter
+// ---------------------------------------------------------------------------------------------------------
+
+std::vector<Verdict> verdicts(const std::vector<Attack>& attacks) {
+  struct StoredPair {
+    float a[9], b[9], error;
+  };
+  const auto opened = gpu::Devices::of_process().choose("").opened;
+  EXPECT_TRUE(opened);
+  gpu::Device& device = opened->device;
+  static_assert(sizeof(Stored) == 36);
+  std::vector<StoredPair> pairs(attacks.size());
+  for (std::size_t i = 0; i < attacks.size(); ++i) {
+    std::memcpy(pairs[i].a, &attacks[i].pair.a, sizeof(Stored));
+    std::memcpy(pairs[i].b, &attacks[i].pair.b, sizeof(Stored));
+    pairs[i].error = attacks[i].pair.error;
+  }
+  const std::size_t bytes = pairs.size() * sizeof(StoredPair);
+  const gpu::Buffer upload(device, bytes, gpu::Buffer::Use::upload), input(device, bytes, gpu::Buffer::Use::device);
+  const gpu::Buffer output(device, pairs.size() * 4, gpu::Buffer::Use::readback);
+  const gpu::Kernel kernel(device, shader_pairs_comp, {0, 1}, 0);
+  gpu::Bindings bindings(device, {&kernel});
+  bindings.set(0, input), bindings.set(1, output);
+  std::memcpy(upload.mapped<char>(), pairs.data(), bytes);
+  gpu::Commands commands(device);
+  commands.start([&](VkCommandBuffer buffer) {
+    gpu::copy(buffer, upload, 0, input, 0, bytes);
+    gpu::barrier(buffer);
+    kernel.bind(buffer, bindings.of(kernel), nullptr);
+    vkCmdDispatch(buffer, static_cast<std::uint32_t>((pairs.size() + 63) / 64), 1, 1);
+    gpu::hand_to_host(buffer);
+  });
+  commands.wait();
+  constexpr std::array kMeaning{Verdict::no, Verdict::crossing, Verdict::unsure};  // as in triangle_pair.glsl
+  std::vector<Verdict> found;
+  for (std::size_t i = 0; i < pairs.size(); ++i) found.push_back(kMeaning.at(output.mapped<const std::uint32_t>()[i]));
+  return found;
+}
+
+int rounds(int wanted) { return test::is_smaller_set() ? wanted / 8 : wanted; }
+
+void attack(double scale, double off, const AnyPair& any, int wanted, Counts& counts, double finer = 1) {
+  SCOPED_TRACE("scale " + std::to_string(scale));
+  const std::vector<Attack> attacks = attacks_of(scale, off, any, rounds(wanted), finer);
+  expect_true(attacks, verdicts(attacks), counts);
+}
+
+TEST(DeviceFilter, IsRightAtItsBorder) {
+  Counts counts;
+  for (const double off : {0.0, 64.0 * 1024, 0x1p20})
+    ASSERT_NO_FATAL_FAILURE(attack(1, off, border_pair, 12000, counts));
+  for (const double scale : {0x1p-20, 0x1p-10, 1.0 / 3, 0x1p8})
+    ASSERT_NO_FATAL_FAILURE(attack(scale, 0, border_pair, 6000, counts));
+  std::cout << counts.of[0] << " no, " << counts.of[1] << " unsure, " << counts.of[2] << " crossing\n";
+  for (const int n : counts.of) EXPECT_GT(n, rounds(8000));
+}
+
+/// Where products vanish, vertices are denormal, and the tiny of the bounds is all that is left.
+TEST(DeviceFilter, IsRightOfTinyTriangles) {
+  Counts counts;
+  for (const int exponent : {-30, -45, -50, -60, -100, -140, -150, -155})
+    ASSERT_NO_FATAL_FAILURE(attack(std::ldexp(1.0, exponent), 0, border_pair, 1500, counts));
+  EXPECT_GT(counts.of[1], rounds(20000));
+}
+
+TEST(DeviceFilter, IsRightOfTrianglesOfDifferentSizes) {
+  for (const int exponent : {-3, -8, -15, -30, -60}) {
+    Counts counts;
+    const double small = std::ldexp(1.0, exponent);
+    const auto pair = [&](Random& random) {
+      auto [a, b] = border_pair(random);
+      const Point at = between(a[0], a[1], random.integer(0, 8)), from = between(b[0], b[1], random.integer(0, 8));
+      for (Point& p : b)
+        p = {at.x + small * (p.x - from.x), at.y + small * (p.y - from.y), at.z + small * (p.z - from.z)};
+      return std::pair{a, b};
+    };
+    ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 4000, counts));
+    ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 2000, counts, small));
+    EXPECT_GT(counts.of[1], rounds(2000));
+  }
+}
+
+/// A filter that never decided would be right as well. Errors as leaves have them on a device: 2^-18 of the extent.
+TEST(DeviceFilter, IsSeldomUnsureInGeneralPosition) {
+  Random random(1);
+  std::vector<Attack> pairs(static_cast<std::size_t>(rounds(50'000)));
+  const auto any_triangle = [&] {
+    const std::array<double, 3> center{random.unit(), random.unit(), random.unit()};
+    Stored t;
+    for (auto& vertex : t)
+      for (std::size_t i = 0; i < 3; ++i) vertex[i] = static_cast<float>(center[i] + random.uniform(-0.4, 0.4));
+    return t;
+  };
+  for (Attack& pair : pairs) pair.pair = {any_triangle(), any_triangle(), 0x1p-18f};
+  std::array<std::size_t, 3> count{};
+  for (const Verdict verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
+  std::cout << "unsure of " << count[1] << " of " << pairs.size() << " pairs in general position\n";
+  EXPECT_LT(count[static_cast<std::size_t>(Verdict::unsure)], pairs.size() / 200);
+  EXPECT_GT(count[static_cast<std::size_t>(Verdict::crossing)], pairs.size() / 200);
+}
+
+}  // namespace
+}  // namespace impinge
