@@ -88,26 +88,35 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, Buffer::Use use) const 
   return found;
 }
 
+void Device::reserve(std::uint64_t bytes) {
+  if (bytes_in_use_.fetch_add(bytes) + bytes <= limits_.budget) return;
+  bytes_in_use_ -= bytes;
+  throw Failure("the memory set aside for meshes is used up", VK_ERROR_OUT_OF_DEVICE_MEMORY);
+}
+
+VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, Buffer::Use use) const {
+  if (is_time_for(limits_.fail_allocation)) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "allocating memory");
+  const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                  .allocationSize = needs.size,
+                                  .memoryTypeIndex = memory_type(needs.memoryTypeBits, use)};
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  check(vkAllocateMemory(device_, &info, nullptr, &memory), "allocating memory");
+  return memory;
+}
+
 Buffer::Buffer(Device& device, std::uint64_t bytes, Use use)
     : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 4)) {
   if (bytes_ > device.limits().largest_buffer)
     throw Failure("a buffer of " + std::to_string(bytes_) + " bytes is more than the device allows");
-  if (device.bytes_in_use_.fetch_add(bytes_) + bytes_ > device.limits().budget) {
-    device.bytes_in_use_ -= bytes_;
-    throw Failure("the memory set aside for meshes is used up", VK_ERROR_OUT_OF_DEVICE_MEMORY);
-  }
+  device.reserve(bytes_);
   try {
-    if (is_time_for(device.limits().fail_allocation)) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "allocating memory");
     VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
     const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes_, .usage = usage};
     check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "making a buffer");
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                          .allocationSize = needs.size,
-                                          .memoryTypeIndex = device.memory_type(needs.memoryTypeBits, use)};
-    check(vkAllocateMemory(device.handle(), &allocation, nullptr, &memory_), "allocating memory");
+    memory_ = device.allocate(needs, use);
     check(vkBindBufferMemory(device.handle(), buffer_, memory_, 0), "binding memory");
     if (use != Use::device)
       check(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping memory");
