@@ -40,7 +40,7 @@ TEST(DeviceFailures, ListsThatAreTooShortAreFilledAgainAndAgain) {
 }
 
 /// Of the first allocations and submissions, each fails once.
-TEST(DeviceFailures, TheCpuFinishesWhatALostDeviceOrMissingMemoryLeaves) {
+void lose_and_starve(const char* backend) {
   for (const bool is_loss : {false, true}) {
     int warned = 0;
     for (int at = 0; at < 40; ++at) {
@@ -49,19 +49,22 @@ TEST(DeviceFailures, TheCpuFinishesWhatALostDeviceOrMissingMemoryLeaves) {
       gpu::Limits limits;
       (is_loss ? limits.lose_device : limits.fail_allocation) = &countdown;
       const WithLimits with(limits);
-      const auto found = test::scene_of(placed()).collide({.backend = "gpu"});
+      const auto found = test::scene_of(placed()).collide({.backend = backend});
       ASSERT_TRUE(found) << found.error().message;
       test::expect_same(expected(), *found);
       warned += static_cast<int>(found->warnings.size());
       if (countdown >= 0) break;  // nothing failed: there are no more
       // A device that was lost stays so; one that ran out of memory is asked again.
-      const auto again = test::scene_of(placed()).collide({.backend = "gpu"});
+      const auto again = test::scene_of(placed()).collide({.backend = backend});
       ASSERT_TRUE(again);
       test::expect_same(expected(), *again);
     }
     EXPECT_GT(warned, 3);
   }
 }
+
+TEST(DeviceFailures, TheCpuFinishesWhatALostDeviceOrMissingMemoryLeaves) { lose_and_starve("gpu"); }
+TEST(DeviceFailures, TheCpuFinishesWhatALostDeviceOrMissingMemoryLeavesUndrawn) { lose_and_starve("raster"); }
 
 TEST(DeviceFailures, AMeshThatFitsInNoBufferIsLeftToTheCpu) {
   const WithLimits limits({.largest_buffer = 400'000, .page = 400'000});
@@ -125,11 +128,12 @@ TEST(DeviceFailures, EightThreadsShareADevice) {
   const WithLimits limits({});
   const Scene scene = test::scene_of(placed());
   const Contacts& wanted = expected();
+  constexpr std::string_view backends[] = {"gpu", "raster", "hybrid"};
   std::vector<std::jthread> threads;
   for (int i = 0; i < 8; ++i) {
     threads.emplace_back([&, i] {
       for (int round = 0; round < 3; ++round) {
-        const auto found = scene.collide({.threads = 1 + i % 2, .backend = i % 2 == 0 ? "gpu" : "hybrid"});
+        const auto found = scene.collide({.threads = 1 + i % 2, .backend = backends[i % 3]});
         ASSERT_TRUE(found);
         EXPECT_TRUE(found->warnings.empty());
         test::expect_same(wanted, *found);

@@ -17,10 +17,13 @@
 //   by at most 6 (e_p QR + e_q PR + e_r PQ) from its inputs, for it has six terms;
 //   by at most 29 u PQR from its arithmetic: see narrow/triangle_pair-inl.hpp.
 // Sides of the plane, det(a, b, p), with A of a and b, and E of p and q: A (6 (2 triangle_error E + edge_error A) + 29 u A E).
-// Sides of the triangle's edges, det(v, w, q - p), v and w from p to two corners, with V of these and D of q - p:
-//   V (6 (2 e_v D + e_d V) + 29 u V D), e_v = triangle_error + edge_error + u V, e_d = 2 edge_error + u D.
+// Sides of the triangle's edges, det(v, w, q - p), v from p to a corner, w along the edge from there (which is what the
+// plain form's det is with the next corner, and keeps its digits where the triangle is small beside the edge), with V of
+// v, W of w and D of q - p:
+//   6 (e_v W D + e_w V D + e_d V W) + 29 u V W D,
+//   e_v = triangle_error + edge_error + u V, e_w = 2 triangle_error + u W, e_d = 2 edge_error + u D.
 // The factors are rounded up by enough for the arithmetic of the bounds, by 1 part in 60 where some ten roundings of u
-// matter, and by an eighth in e_v and e_d, which also makes up for differences taken for zero. Whatever else underflows
+// matter, and by an eighth in e_v, e_w and e_d, which also makes up for differences taken for zero. Whatever else underflows
 // is less than kTiny.
 uint test_edge(vec3 p, vec3 q, float edge_error, vec3 a, vec3 b, float triangle_error) {
   const float u = kTwoToMinus23;
@@ -32,17 +35,20 @@ uint test_edge(vec3 p, vec3 q, float edge_error, vec3 a, vec3 b, float triangle_
   const int to = sign_beyond(along(plane, q), plane_bound);
   if (from * to > 0) return kTestApart;
 
-  const vec3 v0 = -p, v1 = minus(a, p), v2 = minus(b, p), d = minus(q, p);
+  const vec3 v0 = -p, v1 = minus(a, p), v2 = minus(b, p), w = minus(b, a), d = minus(q, p);
   precise float V = max(largest(v0), max(largest(v1), largest(v2)));
+  precise float W = max(largest(w), max(largest(a), largest(b)));
   precise float D = largest(d);
   precise float e_v = 1.125 * (triangle_error + edge_error) + 1.125 * u * V;
+  precise float e_w = 2.25 * triangle_error + 1.125 * u * W;
   precise float e_d = 2.25 * edge_error + 1.125 * u * D;
   V = V + e_v;
+  W = W + e_w;
   D = D + e_d;
-  precise float bound = V * (6.1 * (2.0 * e_v * D + e_d * V) + 30.0 * u * V * D) + kTiny;
-  const int s0 = sign_beyond(along(perpendicular(v0, v1), d), bound);
-  const int s1 = sign_beyond(along(perpendicular(v1, v2), d), bound);
-  const int s2 = sign_beyond(along(perpendicular(v2, v0), d), bound);
+  precise float bound = 6.1 * (e_v * W * D + e_w * V * D + e_d * V * W) + 30.0 * u * V * W * D + kTiny;
+  const int s0 = sign_beyond(along(perpendicular(v0, a), d), bound);
+  const int s1 = sign_beyond(along(perpendicular(v1, w), d), bound);
+  const int s2 = sign_beyond(along(perpendicular(v2, -b), d), bound);
   if (s0 * s1 < 0 || s0 * s2 < 0 || s1 * s2 < 0) return kTestApart;
   return from * to < 0 && s0 * s1 * s2 != 0 ? kTestCrossing : kTestUnsure;
 }
