@@ -155,7 +155,7 @@ DrawingBindings::DrawingBindings(const Drawing& drawing) : device_(drawing.devic
                                         .poolSizeCount = is_image ? 2u : 1u,
                                         .pPoolSizes = sizes};
   check(vkCreateDescriptorPool(device_.handle(), &pool, nullptr, &pool_), "making room for a shader's buffers");
-  const VkDescriptorSetLayout layout = drawing.layout();
+  VkDescriptorSetLayout layout = drawing.layout();
   const VkDescriptorSetAllocateInfo set{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
                                         .descriptorPool = pool_,
                                         .descriptorSetCount = 1,

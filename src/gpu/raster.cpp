@@ -26,7 +26,7 @@ struct EdgeTexels {
   float from[3], from_error;
   float to[3], to_error;
 };
-static_assert(sizeof(EdgeTexels) == kTexelsPerTest * Image::kTexelBytes);
+static_assert(sizeof(EdgeTexels) == std::size_t{kTexelsPerTest} * Image::kTexelBytes);
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 

@@ -157,5 +157,21 @@ TEST(Raster, IsCertainOfWhatIsPlain) {
   }
 }
 
+/// Devices that compute without drawing, or whose fragments write nowhere, are told apart before anything is drawn.
+TEST(Raster, ADeviceThatCannotDrawTestsSaysWhy) {
+  const auto opened = gpu::Devices::of_process().choose("").opened;
+  for (const bool draws : {false, true}) {
+    gpu::PhysicalDevice physical = opened->device.physical();
+    physical.draws = draws, physical.fragments_store = !draws;
+    gpu::Opened poor(physical, {});
+    try {
+      (void)poor.take_raster();
+      ADD_FAILURE() << "it drew";
+    } catch (const gpu::Failure& failure) {
+      EXPECT_NE(std::string_view(failure.what()).find(draws ? "buffers" : "draw"), std::string_view::npos);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace impinge

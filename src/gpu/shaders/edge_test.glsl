@@ -16,15 +16,16 @@
 // most e_p, e_q and e_r (P, Q and R taken larger by that), det(p, q, r) is off
 //   by at most 6 (e_p QR + e_q PR + e_r PQ) from its inputs, for it has six terms;
 //   by at most 29 u PQR from its arithmetic: see narrow/triangle_pair-inl.hpp.
-// Sides of the plane, det(a, b, p), with A of a and b, and E of p and q: A (6 (2 triangle_error E + edge_error A) + 29 u A E).
+// Sides of the plane, det(a, b, p), with A of a and b, and E of p and q:
+//   A (6 (2 triangle_error E + edge_error A) + 29 u A E).
 // Sides of the triangle's edges, det(v, w, q - p), v from p to a corner, w along the edge from there (which is what the
 // plain form's det is with the next corner, and keeps its digits where the triangle is small beside the edge), with V of
 // v, W of w and D of q - p:
 //   6 (e_v W D + e_w V D + e_d V W) + 29 u V W D,
 //   e_v = triangle_error + edge_error + u V, e_w = 2 triangle_error + u W, e_d = 2 edge_error + u D.
-// The factors are rounded up by enough for the arithmetic of the bounds, by 1 part in 60 where some ten roundings of u
-// matter, and by an eighth in e_v, e_w and e_d, which also makes up for differences taken for zero. Whatever else underflows
-// is less than kTiny.
+// The factors are rounded up by enough for the arithmetic of the bounds: by a sixtieth at least where some ten roundings
+// of u matter, to 6.1 and 30, and by an eighth in e_v, e_w and e_d, which also makes up for differences taken for zero.
+// Whatever else underflows is less than kTiny, for a coordinate is at most 2 and a determinant has six terms.
 uint test_edge(vec3 p, vec3 q, float edge_error, vec3 a, vec3 b, float triangle_error) {
   const float u = kTwoToMinus23;
   precise float A = max(largest(a), largest(b)) + triangle_error;

@@ -16,6 +16,7 @@ void main() {
   const uint first = runs[gl_InstanceIndex].first, count = runs[gl_InstanceIndex].count;
   const uint x = first % kRasterWidth + (gl_VertexIndex & 1) * count;
   const uint y = first / kRasterWidth + (gl_VertexIndex >> 1);
-  gl_Position = vec4(float(x) * (2.0 / float(kRasterWidth)) - 1.0, float(y) * (2.0 / float(kRasterHeight)) - 1.0, 0.0, 1.0);
+  gl_Position = vec4(float(x) * (2.0 / float(kRasterWidth)) - 1.0, float(y) * (2.0 / float(kRasterHeight)) - 1.0, 0.0,
+                     1.0);
   run_index = uint(gl_InstanceIndex);
 }
