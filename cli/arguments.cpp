@@ -65,14 +65,17 @@ void add_check(CLI::App& command, Raw& raw) {
   command.add_option("--threads", raw.threads, "work on N threads, 0 for as many as the machine has (default: 0)")
       ->type_name("N");
   command
-      .add_option("--backend", to.backend,
-                  "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), or hybrid "
-                  "(a device and the CPU together); the answer is the same")
+      .add_option(
+          "--backend", to.backend,
+          "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
+          "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is the "
+          "same")
       ->type_name("NAME");
   command
-      .add_option("--device", to.device,
-                  "which device gpu and hybrid use: its number or part of its name, see impinge devices (default: "
-                  "IMPINGE_DEVICE, or the first)")
+      .add_option(
+          "--device", to.device,
+          "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices (default: "
+          "IMPINGE_DEVICE, or the first)")
       ->type_name("N|NAME");
   command
       .add_option("--ignore", raw.ignored,
@@ -229,9 +232,9 @@ Result<Command> finish_check(Raw& raw) {
       return bad(fmt::format("--threads takes a whole number from 0 to 1024, not '{}'", raw.threads));
     to.threads = static_cast<int>(*threads);
   }
-  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "hybrid"};
+  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), to.backend) == std::end(kBackends))
-    return bad(fmt::format("--backend is auto, simd, scalar, gpu or hybrid, not '{}'", to.backend));
+    return bad(fmt::format("--backend is auto, simd, scalar, gpu, raster or hybrid, not '{}'", to.backend));
   for (std::size_t i = 0; i + 1 < raw.ignored.size(); i += 2)
     to.ignored.emplace_back(raw.ignored[i], raw.ignored[i + 1]);
   if (auto taken = take_scales(raw.scales, to); !taken) return taken.error();

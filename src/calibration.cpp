@@ -225,6 +225,10 @@ const schedule::CostConstants& calibrated_constants(std::string_view backend) {
     static const schedule::CostConstants scalar = calibrate("scalar");
     return scalar;
   }
+  if (backend == "raster") {  // on the device that is taken where none is named
+    static const schedule::CostConstants raster = calibrate("raster");
+    return raster;
+  }
   static const schedule::CostConstants simd = calibrate("simd");
   return simd;
 }

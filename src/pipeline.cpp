@@ -299,6 +299,13 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
+  /// Of a device that the plain stages had, once a query.
+  void warn(const std::string& complaint) {
+    if (complaint.empty() || !memory_.warnings.empty()) return;
+    memory_.warnings.push_back(std::string("the device '") + crew_.device->device.physical().properties.deviceName +
+                               "' failed (" + complaint + "); the CPU did its work");
+  }
+
   /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
   template <class Share>
   void run(std::uint32_t object_pair, Worker<Stages>& worker, const Share& share) {
@@ -341,6 +348,7 @@ class Pipeline {
   Contacts gather(Statistics& statistics) {
     memory_.collectors.clear(), memory_.keys.clear();
     for (const Worker<Stages>* worker : crew_.at_work()) {
+      if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
       add(statistics, worker->statistics);
       memory_.collectors.push_back(&worker->collector);
     }
@@ -403,9 +411,10 @@ Result<void> validate(const Options& options) {
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
-  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "hybrid"};
+  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
-    return bad("there is no backend '" + std::string(options.backend) + "'; choose auto, simd, scalar, gpu or hybrid");
+    return bad("there is no backend '" + std::string(options.backend) +
+               "'; choose auto, simd, scalar, gpu, raster or hybrid");
   if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
   return {};
 }
@@ -419,17 +428,24 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
                      "not be exact; scale the scene, or move it nearer to the origin"};
   }
   memory.warnings.clear(), memory.asks_device = false;
+  memory.plain.device = nullptr;
   if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
-  if (query.options.backend == "gpu" || query.options.backend == "hybrid") {
+  if (query.options.backend == "gpu" || query.options.backend == "raster" || query.options.backend == "hybrid") {
     // A hybrid query opens a device only when that is worth it.
     gpu::Devices& devices = gpu::Devices::of_process();
-    const bool is_sure = query.options.backend == "gpu" || query.options.device_share >= 0;
+    const bool is_sure = query.options.backend != "hybrid" || query.options.device_share >= 0;
     gpu::Devices::Choice choice =
         is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
     if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
     if (!choice.complaint.empty()) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
-    memory.asks_device = choice.complaint.empty();
+    memory.asks_device = choice.complaint.empty() && query.options.backend != "raster";
     memory.device = std::move(choice.opened);
+  }
+  if (query.options.backend == "raster") {
+    memory.plain.device = std::move(memory.device);
+    Result<Contacts> contacts = Pipeline<PlainStages>(query, memory.plain, memory).run();
+    memory.plain.device = nullptr;
+    return contacts;
   }
   Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory).run();
   memory.device = nullptr;

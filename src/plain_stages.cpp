@@ -26,9 +26,33 @@ PlainStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
       placed{*query.view.objects[objects.a].mesh, query.view.objects[objects.a].pose,
              *query.view.objects[objects.b].mesh, query.view.objects[objects.b].pose} {}
 
-PlainStages::PlainStages() : partitioner_(Partition::automatic), backend_(narrow::make_scalar_backend()) {}
+PlainStages::PlainStages() : partitioner_(Partition::automatic), scalar_(narrow::make_scalar_backend()) {}
 
-void PlainStages::configure(const Options& options) { partitioner_ = partition::Partitioner(options.partition); }
+void PlainStages::configure(const Options& options, gpu::Opened* device) {
+  partitioner_ = partition::Partitioner(options.partition);
+  first_only_ = options.find == Options::Find::first;
+  device_ = device;
+  complaint_.clear();
+}
+
+/// On the device while there is one; the batch at which it fails is done anew.
+void PlainStages::test_batch() {
+  if (device_ != nullptr && !batch_.tests.empty()) {
+    try {
+      std::unique_ptr<gpu::RasterBackend> raster = device_->take_raster();
+      raster->ask_first(first_only_);
+      raster->submit(batch_);
+      narrow::fold(batch_, raster->wait(), verdicts_);
+      device_->give_back(std::move(raster));
+      return;
+    } catch (const gpu::Failure& failure) {
+      complaint_ = failure.what();
+      device_ = nullptr;
+    }
+  }
+  scalar_->submit(batch_);
+  narrow::fold(batch_, scalar_->wait(), verdicts_);
+}
 
 void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
                             Statistics& statistics) {
@@ -50,8 +74,7 @@ void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& sta
     statistics.element_tests += batch_.tests.size();
     statistics.triangle_pairs += batch_.pairs.size();
 
-    backend_->submit(batch_);
-    narrow::fold(batch_, backend_->wait(), verdicts_);
+    test_batch();
     clock.charge(statistics.narrow_seconds);
 
     contacts_.clear();

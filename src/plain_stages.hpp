@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "exact/contact.hpp"
+#include "gpu/opened.hpp"
 #include "hierarchy/dual_walk.hpp"
 #include "impinge/contacts.hpp"
 #include "narrow/backend.hpp"
@@ -33,18 +35,26 @@ class PlainStages {
   };
 
   PlainStages();
-  void configure(const Options& options);
+  /// `device`: draws the tests, and outlives the query; null: none.
+  void configure(const Options& options, gpu::Opened* device);
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
   /// Of the last slice.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
+  /// Why the device was given up since `configure`; empty: it was not.
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
  private:
+  void test_batch();
+
   hierarchy::LeafPairs leaf_pairs_;
   partition::Partitioner partitioner_;
   partition::Batch batch_;
-  std::unique_ptr<narrow::Backend> backend_;
+  std::unique_ptr<narrow::Backend> scalar_;
+  gpu::Opened* device_ = nullptr;
+  bool first_only_ = false;
+  std::string complaint_;
   std::vector<narrow::Verdict> verdicts_;
   std::vector<exact::Contact> contacts_;
   std::vector<results::ContactKey> keys_;

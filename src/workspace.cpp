@@ -39,7 +39,11 @@ Worker<Stages>& Crew<Stages>::take(const Options& options) {
     at_work_.reserve(all_.capacity()), idle_.reserve(all_.capacity());
   }
   Worker<Stages>& worker = *all_[next];
-  worker.stages.configure(options);
+  if constexpr (std::is_same_v<Stages, PlainStages>) {
+    worker.stages.configure(options, device.get());
+  } else {
+    worker.stages.configure(options);
+  }
   worker.stack.clear();
   worker.collector.restart(options.kinds, options.limit);
   worker.statistics = {};

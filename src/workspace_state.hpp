@@ -39,6 +39,8 @@ class Crew {
   [[nodiscard]] const std::vector<Worker<Stages>*>& at_work() const { return at_work_; }
   void release();
 
+  std::shared_ptr<gpu::Opened> device;  ///< for the plain stages of the query at hand; null: none
+
  private:
   std::mutex mutex_;
   std::vector<std::unique_ptr<Worker<Stages>>> all_;

@@ -25,7 +25,7 @@ inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
 /// How the triangles of two leaves are parted before they are tested against each other.
 enum class Partition : std::uint8_t {
-  automatic,  ///< `sweep` with the backend "simd", `grid` with "scalar": what is fastest there
+  automatic,  ///< `grid` with the backends "scalar" and "raster", else `sweep`: what is fastest there
   grid,       ///< the paper's uniform grid over the overlap: those that share a cell, and whose boxes meet
   sweep,      ///< those whose boxes meet
   all,        ///< not at all
@@ -53,6 +53,8 @@ struct Options {
   ///   "simd"    the CPU, many at a time
   ///   "scalar"  the CPU, plainly: the paper's method as it stands, and the reference
   ///   "gpu"     a device that Vulkan knows of (devices.hpp); what it cannot do is left to the CPU, with a warning
+  ///   "raster"  the paper's image space: as "scalar", with the tests of edges and triangles drawn by a device's
+  ///             rasterizer
   ///   "hybrid"  a device and the CPU together, so that both end at once
   std::string_view backend = "auto";
   /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says,

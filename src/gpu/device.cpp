@@ -92,17 +92,29 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, Buffer::Use use) const 
   return found;
 }
 
+void Device::reserve(std::uint64_t bytes) {
+  if (bytes_in_use_.fetch_add(bytes) + bytes <= limits_.budget) return;
+  bytes_in_use_ -= bytes;
+  throw Failure("the memory set aside for meshes is used up", VK_ERROR_OUT_OF_DEVICE_MEMORY);
+}
+
+VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, Buffer::Use use) const {
+  if (is_time_for(limits_.fail_allocation)) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "allocating memory");
+  const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                  .allocationSize = needs.size,
+                                  .memoryTypeIndex = memory_type(needs.memoryTypeBits, use)};
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  check(vkAllocateMemory(device_, &info, nullptr, &memory), "allocating memory");
+  return memory;
+}
+
 Buffer::Buffer(Device& device, std::uint64_t bytes, Use use)
     : device_(&device), bytes_((std::max<std::uint64_t>(bytes, 4) + 3) / 4 * 4) {
   if (device.limits().overruns != nullptr) guard_ = kGuard;
   if (bytes_ > device.limits().largest_buffer)
     throw Failure("a buffer of " + std::to_string(bytes_) + " bytes is more than the device allows");
-  if (device.bytes_in_use_.fetch_add(bytes_) + bytes_ > device.limits().budget) {
-    device.bytes_in_use_ -= bytes_;
-    throw Failure("the memory set aside for meshes is used up", VK_ERROR_OUT_OF_DEVICE_MEMORY);
-  }
+  device.reserve(bytes_);
   try {
-    if (is_time_for(device.limits().fail_allocation)) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "allocating memory");
     allocate(use);
     if (guard_ > 0) set_guard();
   } catch (...) {
@@ -118,10 +130,7 @@ void Buffer::allocate(Use use) {
   check(vkCreateBuffer(device_->handle(), &info, nullptr, &buffer_), "making a buffer");
   VkMemoryRequirements needs;
   vkGetBufferMemoryRequirements(device_->handle(), buffer_, &needs);
-  const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                        .allocationSize = needs.size,
-                                        .memoryTypeIndex = device_->memory_type(needs.memoryTypeBits, use)};
-  check(vkAllocateMemory(device_->handle(), &allocation, nullptr, &memory_), "allocating memory");
+  memory_ = device_->allocate(needs, use);
   check(vkBindBufferMemory(device_->handle(), buffer_, memory_, 0), "binding memory");
   if (use != Use::device)
     check(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping memory");

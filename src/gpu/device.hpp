@@ -87,7 +87,11 @@ class Device {
 
  private:
   friend class Buffer;
+  friend class Image;
   [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, Buffer::Use use) const;
+  /// Within the budget, which the bytes count to until they are taken off it.
+  void reserve(std::uint64_t bytes);
+  [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs, Buffer::Use use) const;
 
   PhysicalDevice physical_;
   Limits limits_;

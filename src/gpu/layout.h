@@ -25,6 +25,11 @@ IMPINGE_CONSTANT(kLeafBit, 0x80000000u);     // in a reference: a leaf, not a no
 IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);   // in Hit::a: left to exact arithmetic
 IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);       // Hit::pair of a place that nothing was written to
 IMPINGE_CONSTANT(kStacks, 2);
+IMPINGE_CONSTANT(kRasterWidth, 2048);        // tests in a row of an image; its edge texture has two texels a test
+IMPINGE_CONSTANT(kRasterHeight, 16);
+IMPINGE_CONSTANT(kTestApart, 0);             // as narrow::Verdict
+IMPINGE_CONSTANT(kTestUnsure, 1);
+IMPINGE_CONSTANT(kTestCrossing, 2);
 
 /// x = axes (v - origin): see hierarchy/frame.hpp.
 struct DeviceFrame {
@@ -86,6 +91,14 @@ struct WalkConfig {
   uint most_groups;   // that one dispatch may have
   uint first_only;    // a pair with a crossing is done with
   uint only_sweep;    // for `plan.comp`: the walk's steps are over
+};
+
+/// In one image of backend "raster": tests of one triangle that follow one another in a row. The triangle's second and
+/// third corner as seen from the first, each coordinate within `error`.
+struct RasterRun {
+  float a[3], b[3];
+  float error;
+  uint first, count;
 };
 
 /// A trial of the device's arithmetic: four numbers, and what it makes of them (shaders/probe.comp).

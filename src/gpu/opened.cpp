@@ -18,32 +18,67 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
+/// The last that was given back; null: there is none.
+template <class T>
+std::unique_ptr<T> take_from(std::vector<std::unique_ptr<T>>& kept, std::mutex& mutex) {
+  const std::lock_guard lock(mutex);
+  if (kept.empty()) return nullptr;
+  std::unique_ptr<T> last = std::move(kept.back());
+  kept.pop_back();
+  return last;
+}
+
 }  // namespace
 
 Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
     : device(physical, limits), kernels(device), meshes(device) {}
 
-std::unique_ptr<DeviceWalk> Opened::take_walk() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!walks_.empty()) {
-      std::unique_ptr<DeviceWalk> walk = std::move(walks_.back());
-      walks_.pop_back();
-      return walk;
-    }
-  }
+template <class Make>
+auto Opened::with_room(const Make& make) {
   while (true) {
     try {
-      return std::make_unique<DeviceWalk>(device, kernels);
-    } catch (const Failure& failure) {  // meshes may be uploaded again
+      return make();
+    } catch (const Failure& failure) {
       if (failure.result() != VK_ERROR_OUT_OF_DEVICE_MEMORY || !meshes.drop_one()) throw;
     }
   }
 }
 
+std::unique_ptr<DeviceWalk> Opened::take_walk() {
+  if (auto kept = take_from(walks_, mutex_)) return kept;
+  return with_room([&] { return std::make_unique<DeviceWalk>(device, kernels); });
+}
+
 void Opened::give_back(std::unique_ptr<DeviceWalk> walk) {
   const std::lock_guard lock(mutex_);
   walks_.push_back(std::move(walk));
+}
+
+const Drawing& Opened::raster_drawing() {
+  const std::lock_guard lock(drawing_mutex_);
+  if (drawing_) return *drawing_;
+  if (drawing_complaint_.empty()) {
+    if (!device.physical().draws) drawing_complaint_ = "it computes, but does not draw";
+    if (!device.physical().fragments_store) drawing_complaint_ = "its fragments write to no buffers";
+  }
+  if (drawing_complaint_.empty()) {
+    auto drawing = make_raster_drawing(device);
+    drawing_complaint_ = with_room([&] { return probe_fragments(*drawing); });
+    if (drawing_complaint_.empty()) drawing_ = std::move(drawing);
+  }
+  if (!drawing_) throw Failure(drawing_complaint_);
+  return *drawing_;
+}
+
+std::unique_ptr<RasterBackend> Opened::take_raster() {
+  const Drawing& drawing = raster_drawing();
+  if (auto kept = take_from(rasters_, mutex_)) return kept;
+  return with_room([&] { return std::make_unique<RasterBackend>(drawing); });
+}
+
+void Opened::give_back(std::unique_ptr<RasterBackend> raster) {
+  const std::lock_guard lock(mutex_);
+  rasters_.push_back(std::move(raster));
 }
 
 Devices& Devices::of_process() {

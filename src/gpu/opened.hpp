@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpu/mesh_store.hpp"
+#include "gpu/raster.hpp"
 #include "gpu/walk.hpp"
 
 namespace impinge::gpu {
@@ -26,9 +27,22 @@ class Opened {
   std::unique_ptr<DeviceWalk> take_walk();
   void give_back(std::unique_ptr<DeviceWalk> walk);
 
+  /// The same of what draws the plain stages' tests. Throws a Failure if the device does not draw, or does so wrongly:
+  /// that is tried once.
+  std::unique_ptr<RasterBackend> take_raster();
+  void give_back(std::unique_ptr<RasterBackend> raster);
+
  private:
-  std::mutex mutex_;
+  /// Makes it, however many meshes must make way for it: they may be uploaded again.
+  template <class Make>
+  auto with_room(const Make& make);
+  const Drawing& raster_drawing();
+
+  std::mutex mutex_, drawing_mutex_;
+  std::unique_ptr<Drawing> drawing_;  ///< tried out; null: not yet, or in vain
+  std::string drawing_complaint_;
   std::vector<std::unique_ptr<DeviceWalk>> walks_;
+  std::vector<std::unique_ptr<RasterBackend>> rasters_;
 };
 
 /// What there is, and what became of it when it was tried.

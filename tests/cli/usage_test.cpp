@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{{"check", "a.off", "--limit="}, "no value"},
                     Wrong{{"check", "a.off", "--threads", "1025"}, "0 to 1024"},
                     Wrong{{"check", "a.off", "--threads", "two"}, "'two'"},
-                    Wrong{{"check", "a.off", "--backend", "cuda"}, "auto, simd, scalar, gpu or hybrid"},
+                    Wrong{{"check", "a.off", "--backend", "cuda"}, "auto, simd, scalar, gpu, raster or hybrid"},
                     Wrong{{"check", "a.off", "--triangles"}, "--json"},
                     Wrong{{"check", "a.off", "--first=maybe"}, "takes no value"},
                     Wrong{{"check", "a.off", "--ignore", "a"}, "--ignore needs A B"},

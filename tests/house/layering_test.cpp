@@ -28,10 +28,11 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
     {"exact", {"partition/batch.hpp", "narrow/verdict.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
-    // What a device does of the stages from hierarchy to narrow; and what its build makes (cmake/vulkan.cmake).
+    // What a device does of the stages from hierarchy to narrow, and of the plain form's narrow stage alone; and what
+    // its build makes (cmake/vulkan.cmake).
     {"gpu",
      {"hierarchy/wide_tree.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/tree_relation.hpp", "hierarchy/round_up.hpp",
-      "shaders/", "volk_names.h"}},
+      "narrow/backend.hpp", "narrow/verdict.hpp", "partition/batch.hpp", "shaders/", "volk_names.h"}},
 };
 /// What no stage may know of: files, and (schedule apart) threads.
 const std::vector<std::string> kFiles{"filesystem", "fstream", "iostream"};
