@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
 #include "bench/crowd.hpp"
 #include "bench/gpu_figures.hpp"
@@ -24,9 +23,9 @@ std::uint64_t mixed(std::uint64_t sum, std::uint64_t value) {
   return (sum ^ value) * kPrime;
 }
 
-/// Needles through one ball: the boxes of most pairs meet, and few pairs touch, so that nearly all work is tests.
-scenes::MeshData needles(int n, std::uint64_t seed) {
-  constexpr double kThickness = 1e-4, kOffCenter = 0.3;
+/// Triangles with the corners at `size` times (1, 0), (x, y) and (x, -y), turned and moved at random in one ball.
+scenes::MeshData soup(int n, std::uint64_t seed, double size, double x, double y) {
+  constexpr double kOffCenter = 0.3;
   scenes::Random random(seed);
   scenes::MeshData data;
   for (int i = 0; i < n; ++i) {
@@ -34,9 +33,9 @@ scenes::MeshData needles(int n, std::uint64_t seed) {
     std::array<double, 9> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const double center = random.uniform(-kOffCenter, kOffCenter);
-      corners[k] = center - axes[3 * k];
-      corners[3 + k] = center + axes[3 * k];
-      corners[6 + k] = center + axes[3 * k] + kThickness * axes[3 * k + 1];
+      corners[k] = center + size * axes[3 * k];
+      corners[3 + k] = center + size * (x * axes[3 * k] + y * axes[3 * k + 1]);
+      corners[6 + k] = center + size * (x * axes[3 * k] - y * axes[3 * k + 1]);
     }
     data.add_triangle(corners);
   }
@@ -76,11 +75,17 @@ Question pair_question(const Mesh& mesh, std::vector<scenes::PosePair> poses) {
           }};
 }
 
-Case narrow(int n) {
-  return {.name = "narrow stage: needles through one ball",
+/// Two scenes in which the boxes of most pairs meet and few pairs touch, so that nearly all work is tests. Needles lie
+/// on both sides of each other's planes: each pair takes all its tests of an edge and a triangle. A small triangle lies
+/// on one side of most large ones, as neighbours do in a walk that goes well.
+Case narrow(int n, bool are_needles) {
+  return {.name = are_needles ? "narrow stage: needles" : "narrow stage: small triangles among large ones",
           .make =
-              [n] {
-                const Mesh a = make_mesh(needles(n, 1)), b = make_mesh(needles(n, 2));
+              [=] {
+                const auto mesh = [&](std::uint64_t seed, double size) {
+                  return make_mesh(are_needles ? soup(n, seed, 1, -1, 0.01) : soup(n, seed, size, -0.5, 0.866));
+                };
+                const Mesh a = mesh(1, 1), b = mesh(2, 0.001);
                 return Question{twice(a), 1, [a, b](Options options, Workspace& workspace) {
                                   options.partition = Partition::all;
                                   return ask_each(a, b, {{scenes::PosePair{}}}, options, workspace);
@@ -227,7 +232,8 @@ void Answer::add(const Contacts& found, Options::Find find) {
 }
 
 std::vector<Case> figure_cases(bool is_quick) {
-  std::vector<Case> cases{narrow(is_quick ? 512 : 16'384)};
+  std::vector<Case> cases;
+  for (const bool are_needles : {true, false}) cases.push_back(narrow(is_quick ? 512 : 8192, are_needles));
   for (const int triangles : {968, 3162, 5200, 7590, 9612}) cases.push_back(paper(triangles, is_quick ? 2 : 100));
   for (const int triangles : is_quick ? std::vector{70'000} : std::vector{70'000, 1'000'000}) {
     cases.push_back(light(triangles));
