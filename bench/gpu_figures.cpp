@@ -238,7 +238,7 @@ class Report {
   std::vector<Measured> measure(const std::string& name, const Question& question) {
     // Enough for a median, but no case takes the whole evening.
     const int most = wishes_.is_quick ? 3 : 9, least = 3;
-    constexpr double kEnough = 20;  // seconds
+    constexpr double kEnough = 10;  // seconds
     std::vector<Measured> measured(target_.option.empty() ? 1 : kBackends.size());
     double spent = 0;
     for (int repeat = -1; repeat < most && (repeat < least || spent < kEnough); ++repeat) {

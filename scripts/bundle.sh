@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
 #
-# scripts/bundle.sh [BUILD_DIR [FOLDER]]: what a release ships, to be unpacked anywhere on a Linux of the same processor:
-# FOLDER/impinge-VERSION-linux-ARCH and the same as .tar.gz. From build/release to build/bundle unless said otherwise.
-# The bundle has the libraries that a bare system lacks. It never has glibc, libstdc++ or libgcc_s, without whose own
-# versions the host's GPU driver does not load, nor libvulkan, which belongs to that driver. It is unpacked elsewhere and
-# tried out before this script ends well.
+# scripts/bundle.sh [BUILD_DIR [FOLDER]]: what a release ships, to be unpacked anywhere on a Linux of the same
+# processor: FOLDER/impinge-VERSION-linux-ARCH and the same as .tar.gz. From build/release to build/bundle unless said
+# otherwise. The bundle has the libraries that a bare system lacks. It never has glibc, libstdc++ or libgcc_s, without
+# whose own versions the host's GPU driver does not load, nor libvulkan, which belongs to that driver. It is unpacked
+# elsewhere and tried out before this script ends well.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -89,8 +89,9 @@ newest() {
 cat >"$bundle/README.md" <<README
 # impinge $version
 
-impinge finds every pair of triangles that touch between meshes, exactly. Unpack this folder anywhere; nothing needs to be
-installed. It runs on a $(uname -m) Linux with glibc $(newest GLIBC) or newer and a libstdc++ that has GLIBCXX_$(newest GLIBCXX).
+impinge finds every pair of triangles that touch between meshes, exactly. Unpack this folder anywhere; nothing needs to
+be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC) or newer and a libstdc++ that has
+GLIBCXX_$(newest GLIBCXX).
 
     bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA, IFC and others
     bin/impinge --help
@@ -131,6 +132,7 @@ mkdir -p "$folder"
 tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@${SOURCE_DATE_EPOCH:-$(date +%s)}" \
   --directory "$folder" "$name" | gzip -9n >"$bundle.tar.gz"
 size=$(du -sm --apparent-size "$bundle" | cut -f1)
+packed_size=$(du -sm --apparent-size "$bundle.tar.gz" | cut -f1)
 [ "$size" -lt "$most_megabytes" ] || fail "the bundle has $size MB, and $most_megabytes are too many"
 
 # Unpacked and used elsewhere.
@@ -170,5 +172,4 @@ touches flat.gltf upright.obj
 "$name/gpu-figures.sh" --quick --only 'mutual motion' >figures.md
 grep -q '^| paper: mutual motion' figures.md || fail 'gpu-figures.sh printed no table'
 
-printf '%s\n%s.tar.gz\n%s MB, packed %s MB; tried out in another folder\n' "$bundle" "$bundle" "$size" \
-  "$(du -m --apparent-size "$bundle.tar.gz" | cut -f1)"
+printf '%s\n%s.tar.gz\n%s MB, packed %s MB; tried out in another folder\n' "$bundle" "$bundle" "$size" "$packed_size"
