@@ -130,45 +130,28 @@ Target choose(const Wishes& wishes) {
 
 constexpr std::array<std::string_view, 3> kBackends{"simd", "gpu", "hybrid"};
 
-/// The predicted and the actual milliseconds of either side of a hybrid query, as far as `Statistics` tells.
-struct Sides {
-  std::string cpu_predicted = "-", cpu = "-", device_predicted = "-", device = "-";
-};
-
-template <class Figures>
-Sides sides(const std::vector<Figures>& queries) {
-  Sides result;
-  const auto mean = [&](auto member) {
-    double sum = 0;
-    for (const Figures& query : queries) sum += query.*member;
-    return milliseconds(sum / static_cast<double>(queries.size()));
-  };
-  if constexpr (requires(Figures f) { f.cpu_predicted_seconds + f.device_predicted_seconds; }) {
-    result.cpu_predicted = mean(&Figures::cpu_predicted_seconds);
-    result.device_predicted = mean(&Figures::device_predicted_seconds);
-  }
-  if constexpr (requires(Figures f) { f.cpu_seconds + f.device_seconds; }) {
-    result.cpu = mean(&Figures::cpu_seconds);
-    result.device = mean(&Figures::device_seconds);
-  }
-  return result;
+double sum(const std::vector<Statistics>& queries, double Statistics::*time) {
+  double seconds = 0;
+  for (const Statistics& query : queries) seconds += query.*time;
+  return seconds;
 }
 
-/// The device's own seconds, if `Statistics` tells.
-template <class Figures>
-std::optional<double> device_seconds(const std::vector<Figures>& queries) {
-  if constexpr (requires(Figures f) { f.device_seconds; }) {
-    double sum = 0;
-    for (const Figures& query : queries) sum += query.device_seconds;
-    if (sum > 0) return sum;
+/// The predicted and the actual milliseconds of a hybrid query's two sides; nothing for one that did nothing. The CPU's
+/// are its threads' own times added up, which its cost function speaks of.
+std::vector<std::string> sides(const std::vector<Statistics>& queries) {
+  std::vector<std::string> cells;
+  for (const auto time : {&Statistics::predicted_seconds, &Statistics::measured_seconds,
+                          &Statistics::device_predicted_seconds, &Statistics::device_seconds}) {
+    const double seconds = sum(queries, time) / static_cast<double>(queries.size());
+    cells.push_back(seconds > 0 ? milliseconds(seconds) : "-");
   }
-  return std::nullopt;
+  return cells;
 }
 
 /// What one backend did on a case.
 struct Measured {
-  std::vector<double> seconds;  ///< a repeat each
-  Answer answer;                ///< of the last repeat
+  std::vector<double> seconds, device_seconds;  ///< a repeat each
+  Answer answer;                                ///< of the last repeat
   Workspace workspace;
 };
 
@@ -200,8 +183,7 @@ class Report {
       cells.push_back(cell(measured, i, milliseconds(time(measured, i) / question.queries)));
     const bool is_whole = has(measured, 1) && has(measured, 2);
     cells.push_back(is_whole ? digits(time(measured, 2) / std::min(time(measured, 0), time(measured, 1))) : "-");
-    const Sides both = is_whole ? predicted(question) : Sides{};
-    for (const std::string& side : {both.cpu_predicted, both.cpu, both.device_predicted, both.device})
+    for (const std::string& side : is_whole ? predicted(question) : std::vector<std::string>(4, "-"))
       cells.push_back(side);
     line(cells);
     if (entry.is_rated) rates(measured, question.triangles);
@@ -248,9 +230,11 @@ class Report {
         progress(name + ": " + std::string(kBackends[i]) + ", " + turn);
         Measured& backend = measured[i];
         backend.answer = question.ask(options(kBackends[i]), backend.workspace);
-        if (counts) backend.seconds.push_back(backend.answer.seconds);
-        if (counts) spent += backend.answer.seconds;
         compare(name, measured[0].answer, backend.answer, kBackends[i]);
+        if (!counts) continue;
+        backend.seconds.push_back(backend.answer.seconds);
+        backend.device_seconds.push_back(sum(backend.answer.statistics, &Statistics::device_seconds));
+        spent += backend.answer.seconds;
       }
     }
     for (const Measured& backend : measured)
@@ -265,7 +249,7 @@ class Report {
   }
 
   /// A hybrid query that says what it expected, which the timed ones do without.
-  Sides predicted(const Question& question) const {
+  std::vector<std::string> predicted(const Question& question) const {
     Options with = options("hybrid");
     with.predict_cost = true;
     Workspace workspace;
@@ -288,8 +272,10 @@ class Report {
     };
     row("its pairs of triangles tested, million a second of the query",
         [&](std::size_t i) { return std::optional(time(measured, i)); });
-    row("its pairs of triangles tested, million a second of the device",
-        [&](std::size_t i) { return i == 1 ? device_seconds(measured[i].answer.statistics) : std::nullopt; });
+    row("its pairs of triangles tested, million a second of the device's part", [&](std::size_t i) {
+      const double seconds = i == 1 ? median(measured[i].device_seconds) : 0;
+      return seconds > 0 ? std::optional(seconds) : std::nullopt;
+    });
   }
 
   [[nodiscard]] Options options(std::string_view backend) const {

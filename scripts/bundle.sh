@@ -46,7 +46,7 @@ bring_libraries() {
   mkdir -p "$2"
   while read -r library arrow path rest; do
     if is_of_the_host "$(basename "$library")" || [ -f "$2/$library" ]; then continue; fi
-    [ "$arrow" = '=>' ] && [ -f "$path" ] || fail "$1 needs $library, which is not on this machine"
+    if [ "$arrow" != '=>' ] || [ ! -f "$path" ]; then fail "$1 needs $library, which is not on this machine"; fi
     cp -L "$path" "$2/$library"
     chmod 644 "$2/$library"
     bring_licence "$path"
@@ -55,16 +55,17 @@ bring_libraries() {
 
 # bring_licence FILE: of the Debian package that the file belongs to, and those that it speaks of.
 bring_licence() {
-  local package file common
+  local package file notice common
   file=$(readlink -f "$1")
   # Where /lib is a link to /usr/lib, packages know their files by either name.
   package=$(dpkg -S "$file" 2>/dev/null || dpkg -S "${file#/usr}" 2>/dev/null || true)
   package=${package%%:*}
-  [ -n "$package" ] && [ -f "/usr/share/doc/$package/copyright" ] || fail "no licence was found for $1"
-  cp "/usr/share/doc/$package/copyright" "$bundle/licenses/$package.txt"
+  notice=/usr/share/doc/$package/copyright
+  if [ -z "$package" ] || [ ! -f "$notice" ]; then fail "no licence was found for $1"; fi
+  cp "$notice" "$bundle/licenses/$package.txt"
   while read -r common; do
     cp -L "$common" "$bundle/licenses/$(basename "$common").txt"
-  done < <(grep -oE '/usr/share/common-licenses/[A-Za-z0-9.+-]*[A-Za-z0-9]' "/usr/share/doc/$package/copyright" | sort -u)
+  done < <(grep -oE '/usr/share/common-licenses/[A-Za-z0-9.+-]*[A-Za-z0-9]' "$notice" | sort -u)
 }
 
 rm -rf "$bundle" "$bundle.tar.gz"
@@ -112,7 +113,8 @@ is_elf() { [ "$(head -c 4 "$1" | tail -c 3)" = ELF ]; }
 check_needs() {
   local library
   while read -r library; do
-    is_of_the_host "$library" || [ -f "$2/$library" ] || fail "${1#"$bundle/"} needs $library, which is not in the bundle"
+    is_of_the_host "$library" || [ -f "$2/$library" ] ||
+      fail "${1#"$bundle/"} needs $library, which is not in the bundle"
   done < <(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
 }
 
