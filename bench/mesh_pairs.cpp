@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/mesh_pairs.hpp"
 
-#include <cmath>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 #include "bench/support.hpp"
@@ -25,22 +23,6 @@ scenes::PosePair random_pose(scenes::Random& random, const Mesh& mesh, Depth dep
   // Bisection finds some first touch along the line; now and then there was another one before it.
   for (;;)
     if (const auto poses = must(scenes::near_first_touch(random, mesh, mesh, -kGap)); apart(mesh, poses)) return poses;
-}
-
-/// By Rodrigues' formula; `axis` has length 1.
-std::array<double, 9> rotation(const std::array<double, 3>& axis, double angle) {
-  const auto [x, y, z] = axis;
-  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
-  return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s, y * x * d + z * s, c + y * y * d,
-          y * z * d - x * s, z * x * d - y * s, z * y * d + x * s, c + z * z * d};
-}
-
-/// Turned, and moved so that the sphere's centre comes to stand at `center`.
-Pose turned_about_center(const Mesh& mesh, const std::array<double, 9>& turn, const Point& center) {
-  Pose pose{.R = turn};
-  const Point c = world_vertex(pose, mesh.sphere_center());
-  pose.t = {center.x - c.x, center.y - c.y, center.z - c.z};
-  return pose;
 }
 
 }  // namespace
@@ -83,18 +65,6 @@ std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int po
   std::vector<scenes::PosePair> pairs;
   for (int i = 0; i < poses; ++i) pairs.push_back(random_pose(random, mesh, depth, thickness));
   return pairs;
-}
-
-std::vector<scenes::PosePair> small_steps(const Mesh& mesh, int steps) {
-  constexpr double kTurn = 0.4 * std::numbers::pi / 180, kMove = 0.0014;
-  const double diameter = 2 * mesh.sphere_radius();
-  std::vector<scenes::PosePair> poses;
-  for (int i = 0; i < steps; ++i) {
-    const double x = (i - steps / 2) * kMove * diameter;
-    poses.push_back({turned_about_center(mesh, rotation({0.6, 0.8, 0}, kTurn * i), {0, 0, 0}),
-                     turned_about_center(mesh, rotation({0, -0.6, 0.8}, kTurn * i), {x, 0.05 * diameter, 0})});
-  }
-  return poses;
 }
 
 std::vector<scenes::PosePair> published_poses(const std::string& file) {

@@ -39,10 +39,6 @@ const char* name_of(Depth depth);
 /// The same poses in every run.
 std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses, double thickness = 1);
 
-/// Two copies in contact that turn, about different axes and by 0.4 degrees a step, while one passes through the other
-/// by 0.0014 bounding-sphere diameters a step.
-std::vector<scenes::PosePair> small_steps(const Mesh& mesh, int steps);
-
 /// The poses of a file that the repository keeps (bench/poses): a step a row, R and t of both bodies.
 std::vector<scenes::PosePair> published_poses(const std::string& file);
 

@@ -45,7 +45,7 @@ class PairTables {
 
   void add_steps(const Subject& subject) {
     Copies copies(subject.data);
-    const auto poses = small_steps(copies.mesh, sizes_.steps);
+    const auto poses = scenes::small_steps(copies.mesh, sizes_.steps);
     pairs_.add({"compact", subject.name, count(copies.mesh.triangle_count()), "small steps"},
                pair_contestants(copies, poses, {.query_alone = false}), exact_answers(copies.mesh, poses),
                sizes_.effort);

@@ -11,8 +11,6 @@
 #include <fstream>
 #include <string_view>
 
-#include "impinge/io.hpp"
-
 namespace impinge::bench {
 namespace {
 
@@ -138,12 +136,6 @@ scenes::MeshData numbers_of(const Mesh& mesh) {
   for (const Point& p : mesh.vertices()) data.add_vertex(p.x, p.y, p.z);
   for (const auto& t : mesh.triangles()) data.add_triangle(t[0], t[1], t[2]);
   return data;
-}
-
-scenes::MeshData demo_mesh(const std::string& file) {
-  const auto path = std::filesystem::path(IMPINGE_DATA_DIR) / "cgal/data/meshes" / file;
-  if (!std::filesystem::exists(path)) fail(path.string() + " is missing; run scripts/fetch_data.sh");
-  return numbers_of(must(io::read(path)).objects.at(0).mesh);
 }
 
 }  // namespace impinge::bench

@@ -15,16 +15,23 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/impinge DESTINATION ${CMAKE_INST
   FILES_MATCHING PATTERN "*.hpp")
 
 if(TARGET impinge-import)
-  install(TARGETS impinge-import RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/impinge)
+  install(TARGETS impinge-import RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/impinge COMPONENT programs)
 endif()
 
-# Shared libraries are found from wherever the tree was installed to.
+# Shared libraries are found from wherever the tree was installed to, and so are those that scripts/bundle.sh lays into
+# it. The importer has its own beside it: what assimp needs must not come between a GPU's driver and its host's libraries.
+# DT_RPATH, the old tag, is asked for the needs of those libraries too, which carry no run path themselves.
 if(BUILD_SHARED_LIBS)
   set_target_properties(${impinge_exported} PROPERTIES INSTALL_RPATH "$ORIGIN")
-  if(IMPINGE_BUILD_TOOLS)
-    set_target_properties(impinge_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
-    set_target_properties(impinge-import PROPERTIES INSTALL_RPATH "$ORIGIN/../../${CMAKE_INSTALL_LIBDIR}")
+endif()
+foreach(program impinge_cli impinge-gpu-figures)
+  if(TARGET ${program})
+    set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   endif()
+endforeach()
+if(TARGET impinge-import)
+  set_target_properties(impinge-import PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/../../${CMAKE_INSTALL_LIBDIR}")
+  target_link_options(impinge-import PRIVATE -Wl,--disable-new-dtags)
 endif()
 
 install(EXPORT impinge-targets NAMESPACE impinge:: DESTINATION ${IMPINGE_PACKAGE_DIR})

@@ -3,6 +3,7 @@
 #include "scenes/contact_depth.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "impinge/collide.hpp"
 #include "scenes/motion.hpp"
@@ -37,6 +38,22 @@ Pose moved_along(const Approach& approach, double distance) {
   for (std::size_t k = 0; k < 3; ++k) {
     pose.t[k] += distance * approach.direction[k];
   }
+  return pose;
+}
+
+/// By Rodrigues' formula; `axis` has length 1.
+std::array<double, 9> rotation(const std::array<double, 3>& axis, double angle) {
+  const auto [x, y, z] = axis;
+  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+  return {c + x * x * d,     x * y * d - z * s, x * z * d + y * s, y * x * d + z * s, c + y * y * d,
+          y * z * d - x * s, z * x * d - y * s, z * y * d + x * s, c + z * z * d};
+}
+
+/// Turned, and moved so that the sphere's centre comes to stand at `center`.
+Pose turned_about_center(const Mesh& mesh, const std::array<double, 9>& turn, const Point& center) {
+  Pose pose{.R = turn};
+  const Point c = world_vertex(pose, mesh.sphere_center());
+  pose.t = {center.x - c.x, center.y - c.y, center.z - c.z};
   return pose;
 }
 
@@ -86,6 +103,18 @@ Result<PosePair> with_contacts(Random& random, const Mesh& a, const Mesh& b, std
 PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance) {
   const Approach approach = random_approach(random, a, b);
   return {approach.a, moved_along(approach, distance * 2 * a.sphere_radius())};
+}
+
+std::vector<PosePair> small_steps(const Mesh& mesh, int steps) {
+  constexpr double kTurn = 0.4 * std::numbers::pi / 180, kMove = 0.0014;
+  const double diameter = 2 * mesh.sphere_radius();
+  std::vector<PosePair> poses;
+  for (int i = 0; i < steps; ++i) {
+    const double x = (i - steps / 2) * kMove * diameter;
+    poses.push_back({turned_about_center(mesh, rotation({0.6, 0.8, 0}, kTurn * i), {0, 0, 0}),
+                     turned_about_center(mesh, rotation({0, -0.6, 0.8}, kTurn * i), {x, 0.05 * diameter, 0})});
+  }
+  return poses;
 }
 
 }  // namespace impinge::scenes

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
 #include "scenes/random.hpp"
@@ -25,5 +27,9 @@ Result<PosePair> with_contacts(Random& random, const Mesh& a, const Mesh& b, std
 
 /// Both randomly turned, sphere centres `distance` bounding-sphere diameters of A apart.
 PosePair centers_apart(Random& random, const Mesh& a, const Mesh& b, double distance);
+
+/// Two copies in contact that turn, about different axes and by 0.4 degrees a step, while one passes through the other
+/// by 0.0014 bounding-sphere diameters a step.
+std::vector<PosePair> small_steps(const Mesh& mesh, int steps);
 
 }  // namespace impinge::scenes

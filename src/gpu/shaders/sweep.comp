@@ -127,14 +127,13 @@ void sweep(uint begin, uint first, uint count) {
     if (verdict != kApart) atomicAdd(hit_count, 1);
   }
   barrier();
-  if (lane == 0) {
-    tests += candidates_here;
-    first_hit = hit_count > 0 ? atomicAdd(control.hits, hit_count) : 0;
-  }
+  if (lane == 0) first_hit = hit_count > 0 ? atomicAdd(control.hits, hit_count) : 0;
   barrier();
   const uint hits_here = hit_count, begin_hit = first_hit;
+  const bool has_room = begin_hit <= config.hit_capacity && hits_here <= config.hit_capacity - begin_hit;
+  if (lane == 0 && (has_room || hits_here == 0)) tests += candidates_here;
   if (hits_here == 0) return;
-  if (begin_hit > config.hit_capacity || hits_here > config.hit_capacity - begin_hit) {
+  if (!has_room) {
     // No room: what would have been a part of it stays empty, and these leaf pairs come once more.
     for (uint n = begin_hit + lane; n < config.hit_capacity; n += kGroupSize) hits[n].pair = kNoHit;
     if (is_there && own == 0) again[atomicAdd(control.again, 1)] = item;

@@ -1,0 +1,177 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+#
+# scripts/bundle.sh [BUILD_DIR [FOLDER]]: what a release ships, to be unpacked anywhere on a Linux of the same
+# processor: FOLDER/impinge-VERSION-linux-ARCH and the same as .tar.gz. From build/release to build/bundle unless said
+# otherwise. The bundle has the libraries that a bare system lacks. It never has glibc, libstdc++ or libgcc_s, without
+# whose own versions the host's GPU driver does not load, nor libvulkan, which belongs to that driver. It is unpacked
+# elsewhere and tried out before this script ends well.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+fail() {
+  printf 'bundle: %s\n' "$*" >&2
+  exit 1
+}
+
+[ $# -le 2 ] || fail 'usage: scripts/bundle.sh [BUILD_DIR [FOLDER]]'
+build=${1:-$root/build/release}
+folder=${2:-$root/build/bundle}
+for program in cli/impinge bin/impinge-import bin/impinge-gpu-figures; do
+  [ -x "$build/$program" ] || fail "$build/$program is missing; build the preset release first"
+done
+for tool in cmake ldd readelf tar gzip; do
+  command -v "$tool" >/dev/null || fail "$tool is missing"
+done
+
+version=$("$build/cli/impinge" --version | grep -oE '[0-9]+\.[0-9]+\.[0-9]+')
+name=impinge-$version-linux-$(uname -m)
+bundle=$folder/$name
+readonly most_megabytes=60
+readonly programs=(bin/impinge bin/impinge-gpu-figures libexec/impinge/impinge-import)
+
+# What the host has of its own.
+is_of_the_host() {
+  case $1 in
+    linux-vdso.so.* | ld-linux*.so.* | libc.so.6 | libm.so.6 | libdl.so.2 | libpthread.so.0 | librt.so.1) ;;
+    libstdc++.so.6 | libgcc_s.so.1) ;;
+    *) return 1 ;;
+  esac
+}
+
+# bring_libraries PROGRAM FOLDER: all that the program needs, and what those need in turn.
+bring_libraries() {
+  local library arrow path rest
+  mkdir -p "$2"
+  while read -r library arrow path rest; do
+    if is_of_the_host "$(basename "$library")" || [ -f "$2/$library" ]; then continue; fi
+    if [ "$arrow" != '=>' ] || [ ! -f "$path" ]; then fail "$1 needs $library, which is not on this machine"; fi
+    cp -L "$path" "$2/$library"
+    chmod 644 "$2/$library"
+    bring_licence "$path"
+  done < <(env -u LD_LIBRARY_PATH ldd "$1")
+}
+
+# bring_licence FILE: of the Debian package that the file belongs to, and those that it speaks of.
+bring_licence() {
+  local package file notice common
+  file=$(readlink -f "$1")
+  # Where /lib is a link to /usr/lib, packages know their files by either name.
+  package=$(dpkg -S "$file" 2>/dev/null || dpkg -S "${file#/usr}" 2>/dev/null || true)
+  package=${package%%:*}
+  notice=/usr/share/doc/$package/copyright
+  if [ -z "$package" ] || [ ! -f "$notice" ]; then fail "no licence was found for $1"; fi
+  cp "$notice" "$bundle/licenses/$package.txt"
+  while read -r common; do
+    cp -L "$common" "$bundle/licenses/$(basename "$common").txt"
+  done < <(grep -oE '/usr/share/common-licenses/[A-Za-z0-9.+-]*[A-Za-z0-9]' "$notice" | sort -u)
+}
+
+rm -rf "$bundle" "$bundle.tar.gz"
+mkdir -p "$bundle/licenses"
+cmake --install "$build" --prefix "$bundle" --component programs --strip >/dev/null
+libdir=$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$build/CMakeCache.txt")
+bring_libraries "$bundle/bin/impinge" "$bundle/$libdir"
+bring_libraries "$bundle/bin/impinge-gpu-figures" "$bundle/$libdir"
+bring_libraries "$bundle/libexec/impinge/impinge-import" "$bundle/libexec/impinge"
+for header in /usr/include/CLI/CLI.hpp /usr/include/nlohmann/json.hpp /usr/include/eigen3/Eigen/Dense \
+  /usr/include/fmt/format.h /usr/include/volk.h /usr/include/vulkan/vulkan.h; do
+  bring_licence "$header"
+done
+cp "$root/LICENSE" "$bundle/LICENSE"
+install -m 755 "$root/scripts/gpu-figures.sh" "$bundle/gpu-figures.sh"
+
+# newest PREFIX: the newest version of the host's library that any file here asks for.
+newest() {
+  find "$bundle" -type f \( -perm -u+x -o -name '*.so*' \) -exec readelf --version-info -W {} + 2>/dev/null |
+    grep -oE "\b$1_[0-9.]+" | sort -uV | tail -n 1 | sed "s/^$1_//"
+}
+cat >"$bundle/README.md" <<README
+# impinge $version
+
+impinge finds every pair of triangles that touch between meshes, exactly. Unpack this folder anywhere; nothing needs to
+be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC) or newer and a libstdc++ that has
+GLIBCXX_$(newest GLIBCXX).
+
+    bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA, IFC and others
+    bin/impinge --help
+    ./gpu-figures.sh              # measures the CPU, a GPU and both: one table, within minutes
+    ./gpu-figures.sh --quick      # whether that works, within a minute
+
+A GPU needs its maker's driver and the Vulkan loader, libvulkan.so.1, which are the system's: this folder has neither.
+Without them impinge works on the CPU, with the same answers.
+
+Licence: MIT, see LICENSE. Those of the libraries within are in the folder licenses.
+README
+
+# --- whether it is as promised ------------------------------------------------------------------------------------------
+
+is_elf() { [ "$(head -c 4 "$1" | tail -c 3)" = ELF ]; }
+
+# check_needs FILE FOLDER: every library that the file needs is in the folder or the host's.
+check_needs() {
+  local library
+  while read -r library; do
+    is_of_the_host "$library" || [ -f "$2/$library" ] ||
+      fail "${1#"$bundle/"} needs $library, which is not in the bundle"
+  done < <(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
+}
+
+while read -r -d '' file; do
+  base=$(basename "$file")
+  case $base in libvulkan*.so*) fail "${file#"$bundle/"} must not be in the bundle" ;; esac
+  if is_of_the_host "$base"; then fail "${file#"$bundle/"} must not be in the bundle"; fi
+  if ! is_elf "$file"; then continue; fi
+  case $file in
+    "$bundle"/libexec/*) check_needs "$file" "$bundle/libexec/impinge" ;;
+    *) check_needs "$file" "$bundle/$libdir" ;;
+  esac
+done < <(find "$bundle" -type f -print0)
+[ -z "$(find "$bundle" -type l)" ] || fail 'there is a link in the bundle'
+
+mkdir -p "$folder"
+tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@${SOURCE_DATE_EPOCH:-$(date +%s)}" \
+  --directory "$folder" "$name" | gzip -9n >"$bundle.tar.gz"
+size=$(du -sm --apparent-size "$bundle" | cut -f1)
+packed_size=$(du -sm --apparent-size "$bundle.tar.gz" | cut -f1)
+[ "$size" -lt "$most_megabytes" ] || fail "the bundle has $size MB, and $most_megabytes are too many"
+
+# Unpacked and used elsewhere.
+elsewhere=$(mktemp -d)
+trap 'rm -rf "$elsewhere"' EXIT
+tar -xzf "$bundle.tar.gz" -C "$elsewhere"
+cd "$elsewhere"
+unset LD_LIBRARY_PATH IMPINGE_IMPORTER
+for program in "${programs[@]}"; do
+  readelf -d "$name/$program" | grep -qE '\((RUNPATH|RPATH)\).*\[\$ORIGIN' || fail "$program has no run path of its own"
+  while read -r library _ path _; do
+    if is_of_the_host "$(basename "$library")"; then continue; fi
+    [ "${path#"$elsewhere/"}" != "$path" ] || fail "$program takes $library from $path, not from the bundle"
+  done < <(ldd "$name/$program")
+done
+
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >flat.obj
+printf 'v 0.2 0.2 -1\nv 0.2 0.2 1\nv 2 2 0\nf 1 2 3\n' >upright.obj
+# The flat one again, as three points in base 64.
+cat >flat.gltf <<'GLTF'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"flat"}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+GLTF
+# touches FILE FILE: the command says so, by status 1.
+touches() {
+  local status=0
+  "$name/bin/impinge" check --quiet "$@" || status=$?
+  [ "$status" -eq 1 ] || fail "'impinge check $*' ended with status $status, not 1"
+}
+said=$("$name/bin/impinge" --version)
+case $said in *"$version"*) ;; *) fail "'impinge --version' says $said" ;; esac
+touches flat.obj upright.obj
+touches flat.gltf upright.obj
+"$name/gpu-figures.sh" --quick --only 'mutual motion' >figures.md
+grep -q '^| paper: mutual motion' figures.md || fail 'gpu-figures.sh printed no table'
+
+printf '%s\n%s.tar.gz\n%s MB, packed %s MB; tried out in another folder\n' "$bundle" "$bundle" "$size" "$packed_size"
