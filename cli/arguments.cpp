@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "help.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct Raw {
   CheckArguments check;
   InfoArguments info;
-  std::string json, limit, threads, max_file;
+  std::string json, limit, threads, max_file, device_share;
   std::vector<std::string> ignored, scales;
 };
 
@@ -77,6 +78,10 @@ void add_check(CLI::App& command, Raw& raw) {
           "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices (default: "
           "IMPINGE_DEVICE, or the first)")
       ->type_name("N|NAME");
+  command
+      .add_option("--device-share", raw.device_share,
+                  "how much of the work hybrid gives to the device, from 0 to 1 (default: what ends soonest)")
+      ->type_name("S");
   command
       .add_option("--ignore", raw.ignored,
                   "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
@@ -235,6 +240,13 @@ Result<Command> finish_check(Raw& raw) {
   constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), to.backend) == std::end(kBackends))
     return bad(fmt::format("--backend is auto, simd, scalar, gpu, raster or hybrid, not '{}'", to.backend));
+  if (!raw.device_share.empty()) {
+    const char* const end = raw.device_share.data() + raw.device_share.size();
+    const auto [stop, error] = std::from_chars(raw.device_share.data(), end, to.device_share);
+    if (error != std::errc() || stop != end || !(to.device_share >= 0 && to.device_share <= 1))
+      return bad(fmt::format("--device-share takes a number from 0 to 1, not '{}'", raw.device_share));
+    if (to.backend != "hybrid") return bad("--device-share is for --backend hybrid");
+  }
   for (std::size_t i = 0; i + 1 < raw.ignored.size(); i += 2)
     to.ignored.emplace_back(raw.ignored[i], raw.ignored[i + 1]);
   if (auto taken = take_scales(raw.scales, to); !taken) return taken.error();

@@ -24,6 +24,7 @@ struct CheckArguments {
   int threads = 0;
   std::string backend = "auto";
   std::string device;
+  double device_share = -1;  ///< below 0: as the library sees fit
   std::vector<std::pair<std::string, std::string>> ignored;
   std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, all of them in `files`
   std::uint64_t max_file_bytes = 2'000'000'000;

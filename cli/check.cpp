@@ -67,6 +67,7 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.threads = arguments.threads;
   options.backend = arguments.backend;
   options.device = arguments.device;
+  options.device_share = arguments.device_share;
   options.predict_cost = arguments.stats;
   options.progress = &progress;
   options.stop = stop;

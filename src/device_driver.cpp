@@ -65,10 +65,14 @@ void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));
   if (is_over() || !open()) return;
+  // A program that plays a device on the CPU would take its time from the CPU's own threads.
+  const gpu::Device& opened = device_->device;
+  if (opened.physical().properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !opened.limits().trusts_software)
+    return;
   const schedule::DeviceConstants constants = calibrated_device(part_->device());
   const double threads = schedule::concurrency(query_.options.threads);
   const double mix_cpu = schedule::predict_seconds(mix_, calibrated_constants("simd")) / threads;
-  const double mix_device = schedule::predict_seconds(mix_, constants);
+  const double mix_device = schedule::predict_device_seconds(mix_, constants);
   const std::size_t to_bring = part_->triangles_to_bring(work_.pieces);
   const double upload = static_cast<double>(to_bring) * constants.mesh_triangle;
   schedule::Speeds speeds{.question = constants.question + upload};
@@ -96,7 +100,7 @@ double DeviceDriver::predict_seconds() const {
   if (portions_ == 0) return 0;
   try {
     const schedule::DeviceConstants constants = calibrated_device(device_);
-    return portions_ * constants.question + schedule::predict_seconds(statistics_, constants) +
+    return portions_ * constants.question + schedule::predict_device_seconds(statistics_, constants) +
            static_cast<double>(statistics_.exact_calls) * calibrated_constants("simd").exact_call;
   } catch (const gpu::Failure&) {  // lost just now
     return 0;

@@ -23,12 +23,39 @@ struct DevicePart::Batch {
   std::vector<gpu::WorkItem> items;
 };
 
+/// Hits of one pair of objects that are made contacts together.
+struct DevicePart::Share {
+  static constexpr std::uint32_t kMost = 8192;
+  std::uint32_t object_pair;
+  std::span<const gpu::Hit> hits;
+  std::vector<TrianglePair> unsure;
+  std::vector<exact::Contact> contacts;
+  std::vector<results::ContactKey> keys;
+
+  void settle(const Query& query, const broad::ObjectPair& objects) {
+    const FastStages::Pair pair(query, objects);
+    const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
+      keys.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
+    };
+    keys.clear(), unsure.clear(), contacts.clear();
+    for (const gpu::Hit& hit : hits) {
+      if ((hit.a & gpu::kUnsureBit) != 0) {
+        unsure.push_back({hit.a & ~gpu::kUnsureBit, hit.b});
+      } else {
+        keep(hit.a, hit.b, Kind::crossing);
+      }
+    }
+    exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, unsure, contacts);
+    for (const exact::Contact& contact : contacts) keep(contact.a, contact.b, contact.kind);
+  }
+};
+
 /// Deals pieces into batches, and keeps their meshes on the device for as long as it lives.
 class DevicePart::Sorter {
  public:
   using Pages = std::pair<const gpu::Page*, const gpu::Page*>;
 
-  explicit Sorter(DevicePart& part) : part_(part), for_each_(on_threads(part.query_.options.threads)) {}
+  explicit Sorter(DevicePart& part) : part_(part) {}
 
   /// False if the device cannot take it.
   bool add(const DevicePiece& piece) {
@@ -63,7 +90,7 @@ class DevicePart::Sorter {
 
   std::optional<gpu::MeshStore::Use> bring(const MeshState& mesh) {
     try {
-      return part_.opened_->meshes.use({&mesh.wide_tree, mesh.weak_from_this()}, for_each_);
+      return part_.opened_->meshes.use({&mesh.wide_tree, mesh.weak_from_this()}, part_.for_each_);
     } catch (const gpu::Failure&) {
       if (part_.opened_->device.is_lost()) throw;
       return std::nullopt;
@@ -79,7 +106,6 @@ class DevicePart::Sorter {
   }
 
   DevicePart& part_;
-  ForEach for_each_;
   std::unordered_map<const MeshState*, std::optional<gpu::MeshStore::Use>> meshes_;
   std::map<Pages, Batch> batches_;
 };
@@ -88,7 +114,9 @@ DevicePart::DevicePart(const Query& query, const broad::ObjectPairs& pairs, std:
     : query_(query),
       pairs_(pairs),
       opened_(std::move(opened)),
-      first_only_(query.options.find == Options::Find::first) {}
+      first_only_(query.options.find == Options::Find::first),
+      for_each_(on_threads(query.options.threads)) {}
+DevicePart::~DevicePart() = default;
 
 std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, const Sink& sink,
                                          Statistics& statistics) {
@@ -138,9 +166,8 @@ void DevicePart::run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink
   statistics.element_tests += walk.work().triangle_pairs;
 }
 
-void DevicePart::take_in(const Batch& batch, std::span<const gpu::Hit> hits, const Sink& sink, Statistics& statistics) {
-  StageClock clock;
-  // By relation.
+/// By relation, each with its end in `ends_`.
+void DevicePart::sort(const Batch& batch, std::span<const gpu::Hit> hits) {
   ends_.assign(batch.relations.size() + 1, 0);
   for (const gpu::Hit& hit : hits)
     if (hit.pair != gpu::kNoHit) ++ends_[hit.pair + 1];
@@ -148,27 +175,25 @@ void DevicePart::take_in(const Batch& batch, std::span<const gpu::Hit> hits, con
   sorted_.resize(ends_.back());
   for (const gpu::Hit& hit : hits)
     if (hit.pair != gpu::kNoHit) sorted_[ends_[hit.pair]++] = hit;  // a relation's begin moves to its end
+}
 
-  std::uint32_t begin = 0;
-  for (std::size_t r = 0; r < batch.relations.size(); begin = ends_[r++]) {
-    if (ends_[r] == begin) continue;
-    const FastStages::Pair pair(query_, pairs_[batch.object_pairs[r]]);
-    const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
-      keys_.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
-    };
-    keys_.clear(), unsure_.clear(), contacts_.clear();
-    for (std::uint32_t i = begin; i < ends_[r]; ++i) {
-      const gpu::Hit& hit = sorted_[i];
-      if ((hit.a & gpu::kUnsureBit) != 0) {
-        unsure_.push_back({hit.a & ~gpu::kUnsureBit, hit.b});
-      } else {
-        keep(hit.a, hit.b, Kind::crossing);
-      }
+void DevicePart::take_in(const Batch& batch, std::span<const gpu::Hit> hits, const Sink& sink, Statistics& statistics) {
+  StageClock clock;
+  sort(batch, hits);
+  std::size_t count = 0;
+  for (std::uint32_t r = 0, begin = 0; r < batch.relations.size(); ++r) {
+    for (; begin < ends_[r]; ++count) {
+      const std::uint32_t size = std::min(ends_[r] - begin, Share::kMost);
+      if (count == shares_.size()) shares_.emplace_back();
+      shares_[count].object_pair = batch.object_pairs[r];
+      shares_[count].hits = std::span(sorted_).subspan(begin, size);
+      begin += size;
     }
-    statistics.exact_calls += unsure_.size();
-    exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, unsure_, contacts_);
-    for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
-    sink(batch.object_pairs[r], keys_);
+  }
+  run_each(for_each_, count, [&](std::size_t i) { shares_[i].settle(query_, pairs_[shares_[i].object_pair]); });
+  for (const Share& share : std::span(shares_).first(count)) {
+    statistics.exact_calls += share.unsure.size();
+    sink(share.object_pair, share.keys);
   }
   clock.charge(statistics.exact_seconds);
 }

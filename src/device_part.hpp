@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broad/object_pairs.hpp"
+#include "core/for_each.hpp"
 #include "exact/contact.hpp"
 #include "gpu/opened.hpp"
 #include "hierarchy/wide_walk.hpp"
@@ -33,6 +34,9 @@ class DevicePart {
   using Sink = std::function<void(std::uint32_t object_pair, std::span<const results::ContactKey>)>;
 
   DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::Opened> opened);
+  ~DevicePart();
+  DevicePart(const DevicePart&) = delete;
+  DevicePart& operator=(const DevicePart&) = delete;
 
   /// Pieces of one pair of objects follow one another. Returns those that the device cannot take: there is no room for
   /// their meshes, or their numbers are beyond its range.
@@ -47,17 +51,18 @@ class DevicePart {
   struct Batch;
   void run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink, Statistics& statistics);
   void take_in(const Batch& batch, std::span<const gpu::Hit> hits, const Sink& sink, Statistics& statistics);
+  void sort(const Batch& batch, std::span<const gpu::Hit> hits);
 
   const Query& query_;
   const broad::ObjectPairs& pairs_;
   std::shared_ptr<gpu::Opened> opened_;
   bool first_only_;
+  ForEach for_each_;
   // Scratch of take_in.
+  struct Share;
   std::vector<std::uint32_t> ends_;
   std::vector<gpu::Hit> sorted_;
-  std::vector<TrianglePair> unsure_;
-  std::vector<exact::Contact> contacts_;
-  std::vector<results::ContactKey> keys_;
+  std::vector<Share> shares_;
 };
 
 }  // namespace impinge

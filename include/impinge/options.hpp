@@ -60,7 +60,8 @@ struct Options {
   /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says,
   /// or else the first.
   std::string_view device{};
-  /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1; below 0 it sees for itself.
+  /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself, by the cost
+  /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.
   double device_share = -1;
   Partition partition = Partition::automatic;
   bool predict_cost = false;  ///< calibrate once, and fill the predicted time

@@ -6,7 +6,7 @@
 
 namespace impinge::schedule {
 
-double predict_seconds(const Statistics& counts, const DeviceConstants& constants) {
+double predict_device_seconds(const Statistics& counts, const DeviceConstants& constants) {
   return static_cast<double>(counts.box_tests) * constants.box_test +
          static_cast<double>(counts.element_tests) * constants.element_test +
          static_cast<double>(counts.leaf_pairs) * constants.leaf_pair;

@@ -17,7 +17,7 @@ struct DeviceConstants {
 };
 
 /// Without C_0.
-double predict_seconds(const Statistics& counts, const DeviceConstants& constants);
+double predict_device_seconds(const Statistics& counts, const DeviceConstants& constants);
 
 /// How fast both sides are, in a unit of weight a second, and what the device needs besides.
 struct Speeds {

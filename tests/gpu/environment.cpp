@@ -19,7 +19,7 @@ std::string_view driver() {
 class OnADevice : public testing::Environment {
  public:
   void SetUp() override {
-    gpu::Devices::of_process().reopen({}, true);
+    gpu::Devices::of_process().reopen({.trusts_software = true}, true);
     const auto choice = gpu::Devices::of_process().choose("");
     ASSERT_TRUE(choice.opened) << choice.complaint;
     const std::string_view name = choice.opened->device.physical().properties.deviceName;
@@ -27,7 +27,8 @@ class OnADevice : public testing::Environment {
     EXPECT_NE(name.find(wanted), std::string_view::npos) << name;
   }
   void TearDown() override {
-    gpu::Devices::of_process().reopen({}, true);  // whatever is left over shows when the devices go
+    gpu::Devices::of_process().reopen({.trusts_software = true},
+                                      true);  // whatever is left over shows when the devices go
     EXPECT_EQ(gpu::Instance::validation_messages(), 0u);
   }
 };
@@ -39,6 +40,6 @@ const auto* const kEnvironment = testing::AddGlobalTestEnvironment(new OnADevice
 bool is_smaller_set() { return driver() == "swiftshader"; }
 
 WithLimits::WithLimits(const gpu::Limits& limits) { gpu::Devices::of_process().reopen(limits, true); }
-WithLimits::~WithLimits() { gpu::Devices::of_process().reopen({}, true); }
+WithLimits::~WithLimits() { gpu::Devices::of_process().reopen({.trusts_software = true}, true); }
 
 }  // namespace impinge::test

@@ -11,9 +11,12 @@
 #include <thread>
 
 #include "impinge/collide.hpp"
+#include "impinge/devices.hpp"
 #include "scenes/shapes.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
+#include "schedule/split.hpp"
+#include "schedule/two_ended.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
@@ -191,6 +194,88 @@ TEST(Cost, IsPredictedWhenAskedFor) {
                                                  s.leaf_pair_seconds, s.exact_call_seconds}));
   EXPECT_DOUBLE_EQ(s.measured_seconds, schedule::modelled_seconds(s));
   EXPECT_GT(s.total_seconds, 0);
+}
+
+// --- the split between CPU and device
+// ------------------------------------------------------------------------------------
+
+TEST(TwoEnded, GivesEachPieceOnceFromEitherEnd) {
+  schedule::TwoEnded row({1, 2, 3, 4, 5});
+  EXPECT_EQ(row.total(), 15);
+  EXPECT_TRUE(row.take_front(0).empty());
+  EXPECT_TRUE(row.take_back(-1).empty());
+  const auto front = row.take_front(2.5), back = row.take_back(5);
+  EXPECT_EQ(front.begin, 0u);
+  EXPECT_EQ(front.end, 2u);
+  EXPECT_EQ(front.weight, 3);
+  EXPECT_EQ(back.begin, 4u);
+  EXPECT_EQ(back.end, 5u);
+  EXPECT_EQ(back.weight, 5);
+  EXPECT_EQ(row.left(), 7);
+  const auto rest = row.take_back(100);
+  EXPECT_EQ(rest.begin, 2u);
+  EXPECT_EQ(rest.end, 4u);
+  EXPECT_EQ(rest.weight, 7);
+  EXPECT_EQ(row.left(), 0);
+  EXPECT_TRUE(row.take_front(1).empty());
+  EXPECT_TRUE(schedule::TwoEnded({}).take_front(1).empty());
+}
+
+TEST(TwoEnded, GivesEachPieceOnceToManyThreads) {
+  constexpr std::size_t n = 20000;
+  schedule::TwoEnded row(std::vector<double>(n, 1.0));
+  const auto times = std::make_unique<std::atomic<int>[]>(n);
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 8; ++t) {
+      threads.emplace_back([&, t] {
+        for (bool done = false; !done;) {
+          const auto range = t % 2 == 0 ? row.take_front(1 + t) : row.take_back(1 + t);
+          for (std::size_t i = range.begin; i < range.end; ++i) ++times[i];
+          done = range.empty();
+        }
+      });
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(times[i], 1);
+}
+
+/// Both sides end together, and where asking takes longer than the CPU alone the device gets nothing.
+TEST(DevicePortion, EndsWhenTheCpuDoes) {
+  for (const double left : {1.0, 100.0, 1e6}) {
+    for (const double device : {0.1, 1.0, 50.0}) {
+      for (const double question : {0.0, 0.01, 10.0}) {
+        const schedule::Speeds speeds{.cpu = 2, .device = device, .question = question};
+        const double x = schedule::device_portion(left, speeds);
+        EXPECT_GE(x, 0);
+        EXPECT_LE(x, left);
+        if (x > 0) {
+          EXPECT_NEAR(question + x / device, (left - x) / 2, 1e-9 * left);
+        } else {
+          EXPECT_GE(question, left / 2);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(schedule::device_portion(100, {.cpu = 0, .device = 1, .question = 0}), 0);
+  EXPECT_EQ(schedule::device_portion(100, {.cpu = 1, .device = 0, .question = 0}), 0);
+}
+
+/// What is kept in a file comes back, and what is no calibration is passed over.
+TEST(Calibration, IsTextThatComesBack) {
+  const std::string title = "impinge calibration 1\n";
+  set_calibration(title + "1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
+  const std::string text = calibration();
+  EXPECT_NE(text.find(" A device, of some driver 1.2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("2.000000e-09"), std::string::npos) << text;
+  for (const std::string& other :
+       {std::string(), std::string("nonsense"), std::string("impinge calibration 2\n1 1 1 1 1 B\n"), title + "1 2 3",
+        title + "nan 1e-9 1e-9 0 0 B\n", title + "-1 1e-9 1e-9 0 0 B\n", title + "1e-5 0 1e-9 0 0 B\n",
+        title + "1e-5 1e-9 1e300 0 0 B\n", title + std::string(5000, '\n'), title + std::string(3, '\0')})
+    set_calibration(other);
+  EXPECT_EQ(calibration(), text);
+  set_calibration(text);
+  EXPECT_EQ(calibration(), text);
 }
 
 }  // namespace
