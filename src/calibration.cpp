@@ -196,7 +196,7 @@ std::string calibration() {
 
 void set_calibration(std::string_view text) {
   const auto next_line = [&] {
-    const std::string line(text.substr(0, text.find('\n')));
+    std::string line(text.substr(0, text.find('\n')));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     return line;
   };

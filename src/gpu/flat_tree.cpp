@@ -32,7 +32,7 @@ class Flattener {
     const auto place = static_cast<uint>(flat_.nodes.size());
     DeviceNode made{};
     made.frame = frame_of(node.frame), made.size = node.size;
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       std::copy(node.center[i], node.center[i] + 8, made.center + 8 * i);
       std::copy(node.half[i], node.half[i] + 8, made.extent + 8 * i);
     }
@@ -67,7 +67,8 @@ class Flattener {
   }
 
   static void bound_tiles(const WideLeaf& leaf, uint first, uint end, uint lane, DeviceNode& node) {
-    const std::size_t begin = first * kTileSize, stop = std::min<std::size_t>(end * kTileSize, leaf.count);
+    const std::size_t begin = std::size_t{first} * kTileSize,
+                      stop = std::min<std::size_t>(std::size_t{end} * kTileSize, leaf.count);
     for (int i = 0; i < 3; ++i) {
       float least = leaf.row(i)[begin], greatest = least;
       for (int vertex = 0; vertex < 3; ++vertex) {
@@ -90,7 +91,7 @@ class Flattener {
     made.error = leaf.error, made.inverse_error = leaf.inverse_error;
     made.count = std::min(leaf.count - tile * kTileSize, kTileSize);
     for (int row = 0; row < 9; ++row)
-      std::copy_n(leaf.row(row) + std::size_t{tile} * kTileSize, kTileSize, made.rows + 16 * row);
+      std::copy_n(leaf.row(row) + std::size_t{tile} * kTileSize, kTileSize, made.rows + std::ptrdiff_t{16} * row);
     std::copy_n(leaf.ids() + std::size_t{tile} * kTileSize, kTileSize, made.ids);
     flat_.leaves.push_back(made);
     return place | kLeafBit;
@@ -101,7 +102,7 @@ class Flattener {
   DeviceFrame frame_of(const Frame& frame) {
     DeviceFrame made{};
     const double base[3] = {flat_.base.x, flat_.base.y, flat_.base.z};
-    for (int l = 0; l < 3; ++l) {
+    for (std::size_t l = 0; l < 3; ++l) {
       const double offset = frame.origin[l] - base[l];
       made.origin_hi[l] = static_cast<float>(offset);
       made.origin_lo[l] = static_cast<float>(offset - double{made.origin_hi[l]});

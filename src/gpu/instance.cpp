@@ -129,7 +129,7 @@ void Instance::enumerate() {
     result = vkEnumeratePhysicalDevices(instance_, &count, handles.data());
     handles.resize(result >= 0 ? count : 0);
   }
-  for (const VkPhysicalDevice handle : handles)
+  for (VkPhysicalDevice handle : handles)
     if (const auto device = describe(handle)) devices_.push_back(*device);
   std::stable_sort(devices_.begin(), devices_.end(), [](const PhysicalDevice& p, const PhysicalDevice& q) {
     return rank(p.properties.deviceType) < rank(q.properties.deviceType);

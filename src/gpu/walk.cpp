@@ -42,9 +42,9 @@ WalkConfig config_of(const Limits& limits) {
   const auto fit = [&](std::uint64_t wanted, std::uint64_t least, std::size_t size) {
     return static_cast<std::uint32_t>(std::max(std::min<std::uint64_t>(wanted, limits.largest_buffer / size), least));
   };
-  return {.stack_capacity = fit(limits.stack, kReserve + 2 * kChildren, sizeof(WorkItem)),
+  return {.stack_capacity = fit(limits.stack, kReserve + std::uint64_t{2} * kChildren, sizeof(WorkItem)),
           .stack_reserve = kReserve,
-          .leaf_capacity = fit(limits.leaf_pairs, 2 * kChildren, sizeof(WorkItem)),
+          .leaf_capacity = fit(limits.leaf_pairs, std::uint64_t{2} * kChildren, sizeof(WorkItem)),
           .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
           .most_groups = limits.most_groups,
           .first_only = 0,

@@ -20,6 +20,7 @@ struct FrameRelation {
 // magnitudes, which the host counts into the relation's error: eleven `add`s leave u^2 m each, the products' small parts
 // another u^2, and the 22 sums of small parts, which are below 2^-19 m, are rounded by u. In F_A's three products and two
 // sums 7 u of the largest coordinate of c, rounded up to 9 u for the small parts.
+// Turned by F_A that may be sqrt(3) of it in one coordinate: users take the relation's error twice.
 FrameRelation relate_frames(DeviceFrame a, DeviceFrame b, DeviceRelation relation) {
   FrameRelation result;
   TwoFloats offset[3];
