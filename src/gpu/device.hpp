@@ -19,6 +19,7 @@ struct Limits {
   std::uint64_t page = std::uint64_t{64} << 20;       ///< bytes that meshes share
   std::uint32_t stack = 0, leaf_pairs = 0, hits = 0;  ///< items of a walk's lists; 0: what suits the device
   std::uint32_t most_groups = 0;                      ///< of a dispatch; 0: what the device allows
+  bool no_doubles = false;                            ///< does without them even where the device has some
   std::atomic<int>* fail_allocation = nullptr;        ///< counts down; at 0 an allocation fails
   std::atomic<int>* lose_device = nullptr;            ///< counts down; at 0 a submission loses the device
   std::atomic<int>* overruns = nullptr;               ///< counts the buffers beyond whose ends something was written

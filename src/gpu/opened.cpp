@@ -31,7 +31,10 @@ std::unique_ptr<T> take_from(std::vector<std::unique_ptr<T>>& kept, std::mutex& 
 }  // namespace
 
 Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
-    : device(physical, limits), kernels(device), meshes(device) {}
+    : device(physical, limits),
+      with_doubles(physical.has_doubles && !limits.no_doubles && probe_doubles(device).empty()),
+      kernels(device, with_doubles),
+      meshes(device, with_doubles) {}
 
 template <class Make>
 auto Opened::with_room(const Make& make) {
