@@ -15,8 +15,8 @@ constexpr std::uint64_t kStaging = std::uint64_t{16} << 20;
 constexpr std::array<std::uint64_t, kParts> kSizes{sizeof(DeviceNode), sizeof(DeviceLeaf), sizeof(Vec3),
                                                    sizeof(MeshData::triangles[0])};
 static_assert(kSizes[kVertices] == 3 * sizeof(double) && kSizes[kTriangles] == 3 * sizeof(uint));
-/// In a page of leaves, nodes for half as many: a node has two children at least, and mostly eight. Triangles for all
-/// but a full leaf, and half as many vertices.
+/// In a page of leaves, nodes for half as many: a node has two children at least, and mostly eight. Triangles for
+/// leaves that are all but full, and half as many vertices.
 constexpr std::array<std::uint64_t, kParts> kShares{4, 1, 4, 4};  // one over these, of a page's bytes
 
 }  // namespace
