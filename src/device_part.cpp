@@ -19,6 +19,7 @@ namespace impinge {
 struct DevicePart::Batch {
   std::uint32_t levels = 0;
   std::vector<gpu::DeviceRelation> relations;
+  std::vector<gpu::DevicePoses> poses;      ///< a relation's; none on a device without doubles
   std::vector<std::uint32_t> object_pairs;  ///< a relation's
   std::vector<gpu::WorkItem> items;
 };
@@ -71,6 +72,7 @@ class DevicePart::Sorter {
       const auto relation = gpu::device_relation(pair.walk.relation, (*a)->extent, (*b)->extent);
       if (!relation) return false;
       batch.relations.push_back(*relation);
+      if (part_.opened_->with_doubles) batch.poses.push_back(poses(pair, **a, **b));
       batch.object_pairs.push_back(piece.object_pair);
     }
     batch.levels = std::max({batch.levels, (*a)->levels, (*b)->levels});
@@ -90,11 +92,20 @@ class DevicePart::Sorter {
 
   std::optional<gpu::MeshStore::Use> bring(const MeshState& mesh) {
     try {
-      return part_.opened_->meshes.use({&mesh.wide_tree, mesh.weak_from_this()}, part_.for_each_);
+      return part_.opened_->meshes.use({&mesh.wide_tree, &mesh.data, mesh.weak_from_this()}, part_.for_each_);
     } catch (const gpu::Failure&) {
       if (part_.opened_->device.is_lost()) throw;
       return std::nullopt;
     }
+  }
+
+  static gpu::DevicePoses poses(const FastStages::Pair& pair, const gpu::Resident& a, const gpu::Resident& b) {
+    gpu::DevicePoses poses = gpu::device_poses(pair.a.pose, *pair.a.mesh, pair.b.pose, *pair.b.mesh);
+    const auto set_first = [](const gpu::Resident& mesh, gpu::DevicePose& pose) {
+      pose.first_vertex = mesh.first[gpu::kVertices], pose.first_triangle = mesh.first[gpu::kTriangles];
+    };
+    set_first(a, poses.a), set_first(b, poses.b);
+    return poses;
   }
 
   static std::optional<gpu::uint> reference(const gpu::Resident& mesh, const hierarchy::TreeRef& node) {
@@ -132,7 +143,7 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
     for (const auto& [pages, batch] : sorter.batches()) {
       if (batch.items.empty()) continue;
       walk->start({batch.relations, batch.items, pages.first, pages.second, batch.levels,
-                   first_only_ && (query_.options.kinds & kCrossing) != 0});
+                   first_only_ && (query_.options.kinds & kCrossing) != 0, batch.poses});
       run(batch, *walk, sink, statistics);
       if (query_.options.stop.stop_requested()) return left;
     }

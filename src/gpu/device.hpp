@@ -20,6 +20,7 @@ struct Limits {
   std::uint32_t stack = 0, leaf_pairs = 0, hits = 0;  ///< items of a walk's lists; 0: what suits the device
   std::uint32_t most_groups = 0;                      ///< of a dispatch; 0: what the device allows
   bool trusts_software = false;                       ///< a hybrid query gives work to a device that is the CPU itself
+  bool no_doubles = false;                            ///< does without them even where the device has some
   std::atomic<int>* fail_allocation = nullptr;        ///< counts down; at 0 an allocation fails
   std::atomic<int>* lose_device = nullptr;            ///< counts down; at 0 a submission loses the device
   std::atomic<int>* overruns = nullptr;               ///< counts the buffers beyond whose ends something was written

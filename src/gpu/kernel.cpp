@@ -9,6 +9,8 @@ namespace impinge::gpu {
 Kernel::Kernel(Device& device, std::span<const std::uint32_t> spirv, std::vector<std::uint32_t> bindings,
                std::uint32_t push_bytes)
     : device_(device), bindings_(std::move(bindings)), push_bytes_(push_bytes) {
+  if (bindings_.size() > device.physical().properties.limits.maxPerStageDescriptorStorageBuffers)
+    throw Failure("its shaders may not use as many buffers as are needed");
   std::vector<VkDescriptorSetLayoutBinding> declared;
   for (const std::uint32_t binding : bindings_)
     declared.push_back({.binding = binding,

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-// What the CPU and the shaders hand each other: read as C++ and as GLSL. Nothing here is wider than a word, so that the
-// layouts are the same in both (std430). Trees are WideTree's (hierarchy/wide_tree.hpp) in arrays: lengths in the tree's
-// unit, origins from the root's.
+// What the CPU and the shaders hand each other: read as C++ and as GLSL. Nothing here is wider than a word, or it stands
+// at multiples of eight bytes, so that the layouts are the same in both (std430). Trees are WideTree's
+// (hierarchy/wide_tree.hpp) in arrays: lengths in the tree's unit, origins from the root's.
 #ifndef IMPINGE_GPU_LAYOUT_H
 #define IMPINGE_GPU_LAYOUT_H
 
@@ -111,7 +111,31 @@ struct ProbeAnswer {
   int sign;
 };
 
+#if defined(__cplusplus) || defined(WITH_DOUBLES)
+/// Where a mesh stands, in a world that is scaled, and where its numbers begin in its page.
+struct DevicePose {
+  double R[9], t[3];
+  uint first_vertex, first_triangle;
+};
+/// Of the two meshes of a relation.
+struct DevicePoses {
+  DevicePose a, b;
+  uint is_usable;
+  uint unused;
+};
+
+struct DoubleCase {
+  double x[3];
+};
+struct DoubleAnswer {
+  double x[7];
+  uint above;
+  int sign;
+};
+#endif
+
 #ifdef __cplusplus
+static_assert(sizeof(DevicePose) == 104 && sizeof(DevicePoses) == 216 && sizeof(DoubleAnswer) == 64);
 static_assert(sizeof(DeviceFrame) == 16 * 4 && sizeof(DeviceNode) == 80 * 4 && sizeof(DeviceLeaf) == 184 * 4);
 static_assert(sizeof(DeviceRelation) == 27 * 4 && sizeof(WorkItem) == 12 && sizeof(Hit) == 12);
 }  // namespace impinge::gpu

@@ -11,15 +11,21 @@ namespace {
 /// What is copied at a time.
 constexpr std::uint64_t kStaging = std::uint64_t{16} << 20;
 
-std::uint32_t that_fit(std::uint64_t bytes, std::size_t size) { return static_cast<std::uint32_t>(bytes / size); }
+/// Of one element.
+constexpr std::array<std::uint64_t, kParts> kSizes{sizeof(DeviceNode), sizeof(DeviceLeaf), sizeof(Vec3),
+                                                   sizeof(MeshData::triangles[0])};
+static_assert(kSizes[kVertices] == 3 * sizeof(double) && kSizes[kTriangles] == 3 * sizeof(uint));
+/// In a page of leaves, nodes for half as many: a node has two children at least, and mostly eight. Triangles for
+/// leaves that are all but full, and half as many vertices.
+constexpr std::array<std::uint64_t, kParts> kShares{4, 1, 4, 4};  // one over these, of a page's bytes
 
 }  // namespace
 
-Page::Page(Device& device, std::uint32_t node_count, std::uint32_t leaf_count)
-    : nodes(device, std::uint64_t{node_count} * sizeof(DeviceNode), Buffer::Use::device),
-      leaves(device, std::uint64_t{leaf_count} * sizeof(DeviceLeaf), Buffer::Use::device),
-      free_nodes(node_count),
-      free_leaves(leaf_count) {}
+Page::Page(Device& device, const PartCounts& counts)
+    : free{Ranges(counts[0]), Ranges(counts[1]), Ranges(counts[2]), Ranges(counts[3])} {
+  for (std::size_t part = 0; part < kParts; ++part)
+    if (counts[part] > 0) buffers[part] = Buffer(device, counts[part] * kSizes[part], Buffer::Use::device);
+}
 
 MeshStore::Use::~Use() {
   if (store_ == nullptr) return;
@@ -73,10 +79,9 @@ bool MeshStore::drop_one() {
 
 void MeshStore::drop(std::list<Resident>::iterator mesh) {
   Page& page = *mesh->page;
-  page.free_nodes.give_back(mesh->first_node, mesh->node_count);
-  page.free_leaves.give_back(mesh->first_leaf, mesh->leaf_count);
+  for (std::size_t part = 0; part < kParts; ++part) page.free[part].give_back(mesh->first[part], mesh->count[part]);
   meshes_.erase(mesh);
-  if (page.free_nodes.all_free() && page.free_leaves.all_free())
+  if (std::all_of(page.free.begin(), page.free.end(), [](const Ranges& free) { return free.all_free(); }))
     pages_.remove_if([&](const Page& other) { return &other == &page; });
 }
 
@@ -109,64 +114,70 @@ void MeshStore::make_room_for(const Make& make) {
   }
 }
 
-bool MeshStore::take_room(Resident& mesh) {
-  for (Page& page : pages_) {
-    const auto first_node = page.free_nodes.take(mesh.node_count);
-    if (!first_node) continue;
-    const auto first_leaf = page.free_leaves.take(mesh.leaf_count);
-    if (!first_leaf) {
-      page.free_nodes.give_back(*first_node, mesh.node_count);
-      continue;
+bool MeshStore::take_room(Resident& mesh, Page& page) {
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto first = page.free[part].take(mesh.count[part]);
+    if (!first) {
+      while (part-- > 0) page.free[part].give_back(mesh.first[part], mesh.count[part]);
+      return false;
     }
-    mesh.page = &page, mesh.first_node = *first_node, mesh.first_leaf = *first_leaf;
-    return true;
+    mesh.first[part] = *first;
   }
-  return false;
+  mesh.page = &page;
+  return true;
+}
+
+bool MeshStore::take_room(Resident& mesh) {
+  return std::any_of(pages_.begin(), pages_.end(), [&](Page& page) { return take_room(mesh, page); });
 }
 
 Resident MeshStore::place(const MeshSource& source, const FlatTree& flat) {
-  Resident mesh{.source = source,
-                .node_count = std::max<std::uint32_t>(static_cast<std::uint32_t>(flat.nodes.size()), 1),
-                .leaf_count = static_cast<std::uint32_t>(flat.leaves.size()),
-                .extent = {flat.base, flat.reach},
-                .levels = flat.levels};
+  const auto count = [](const auto& elements) { return static_cast<std::uint32_t>(elements.size()); };
+  Resident mesh{.source = source, .count = {}, .extent = {flat.base, flat.reach}, .levels = flat.levels};
+  mesh.count = {std::max(count(flat.nodes), 1u), count(flat.leaves), 0, 0};
+  if (with_doubles_)
+    mesh.count[kVertices] = count(source.data->vertices), mesh.count[kTriangles] = count(source.data->triangles);
   const std::uint64_t page = std::min(device_.limits().page, device_.limits().largest_buffer);
   while (!take_room(mesh)) {
-    // In a page of leaves, nodes for half as many: a node has two children at least, and mostly eight.
-    const std::uint32_t leaves = std::max(that_fit(page, sizeof(DeviceLeaf)), mesh.leaf_count);
-    const std::uint32_t nodes = std::max(that_fit(page / 4, sizeof(DeviceNode)), mesh.node_count);
-    make_room_for([&] { pages_.emplace_back(device_, nodes, leaves); });
+    PartCounts counts{};
+    for (std::size_t part = 0; part < kParts; ++part)
+      if (mesh.count[part] > 0)
+        counts[part] = std::max(static_cast<std::uint32_t>(page / kShares[part] / kSizes[part]), mesh.count[part]);
+    make_room_for([&] { pages_.emplace_back(device_, counts); });
   }
-  mesh.root = moved(flat.root, mesh.first_node, mesh.first_leaf);
+  mesh.root = moved(flat.root, mesh.first[kNodes], mesh.first[kLeaves]);
   mesh.places = flat.places;
-  for (auto& [address, reference] : mesh.places) reference = moved(reference, mesh.first_node, mesh.first_leaf);
+  for (auto& [address, reference] : mesh.places) reference = moved(reference, mesh.first[kNodes], mesh.first[kLeaves]);
   return mesh;
 }
 
 void MeshStore::upload(FlatTree& flat, const Resident& mesh) {
   for (DeviceNode& node : flat.nodes)
     for (uint lane = 0; lane < node.size; ++lane)
-      node.child[lane] = moved(node.child[lane], mesh.first_node, mesh.first_leaf);
-  const std::uint64_t bytes = std::max(flat.nodes.size() * sizeof(DeviceNode), flat.leaves.size() * sizeof(DeviceLeaf));
+      node.child[lane] = moved(node.child[lane], mesh.first[kNodes], mesh.first[kLeaves]);
+  const MeshData& data = *mesh.source.data;
+  const std::array<const void*, kParts> from{flat.nodes.data(), flat.leaves.data(), data.vertices.data(),
+                                             data.triangles.data()};
+  PartCounts count = mesh.count;
+  count[kNodes] = static_cast<std::uint32_t>(flat.nodes.size());
+  std::uint64_t bytes = 0;
+  for (std::size_t part = 0; part < kParts; ++part) bytes = std::max(bytes, count[part] * kSizes[part]);
   Buffer staging;
   make_room_for([&] { staging = Buffer(device_, std::min(bytes, kStaging), Buffer::Use::upload); });
   Commands commands(device_);
-  const auto send = [&](const void* from, std::uint64_t size, const Buffer& to, std::uint64_t at) {
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const std::uint64_t size = count[part] * kSizes[part], at = mesh.first[part] * kSizes[part];
     for (std::uint64_t sent = 0; sent < size;) {
       const std::uint64_t now = std::min(size - sent, staging.bytes());
-      std::memcpy(staging.mapped<char>(), static_cast<const char*>(from) + sent, now);
+      std::memcpy(staging.mapped<char>(), static_cast<const char*>(from[part]) + sent, now);
       commands.start([&](VkCommandBuffer buffer) {
-        copy(buffer, staging, 0, to, at + sent, now);
+        copy(buffer, staging, 0, mesh.page->buffers[part], at + sent, now);
         barrier(buffer);
       });
       commands.wait();
       sent += now;
     }
-  };
-  send(flat.nodes.data(), flat.nodes.size() * sizeof(DeviceNode), mesh.page->nodes,
-       std::uint64_t{mesh.first_node} * sizeof(DeviceNode));
-  send(flat.leaves.data(), flat.leaves.size() * sizeof(DeviceLeaf), mesh.page->leaves,
-       std::uint64_t{mesh.first_leaf} * sizeof(DeviceLeaf));
+  }
 }
 
 }  // namespace impinge::gpu

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -20,21 +21,27 @@ namespace impinge::gpu {
 /// A mesh that may be asked for: its tree, and whether it still lives.
 struct MeshSource {
   hierarchy::WideTree* tree;        ///< also its name
+  const MeshData* data;             ///< lives as long
   std::weak_ptr<const void> owner;  ///< what holds the tree
 };
 
+/// What is kept of a mesh: its tree's, and, for devices that have doubles, its own numbers.
+enum Part : std::uint8_t { kNodes, kLeaves, kVertices, kTriangles };
+constexpr std::size_t kParts = 4;
+using PartCounts = std::array<std::uint32_t, kParts>;
+
 /// Memory of the device that meshes share. A walk reads one page for each side.
 struct Page {
-  Page(Device& device, std::uint32_t node_count, std::uint32_t leaf_count);
-  Buffer nodes, leaves;
-  Ranges free_nodes, free_leaves;
+  Page(Device& device, const PartCounts& counts);
+  std::array<Buffer, kParts> buffers;  ///< none for a part of which there is nothing
+  std::array<Ranges, kParts> free;
 };
 
-/// A mesh's tree on the device.
+/// A mesh on the device.
 struct Resident {
   MeshSource source;
   Page* page;
-  std::uint32_t first_node, node_count, first_leaf, leaf_count;
+  PartCounts first, count;
   uint root;
   TreeExtent extent;
   std::uint32_t levels;
@@ -47,7 +54,7 @@ struct Resident {
 /// threads.
 class MeshStore {
  public:
-  explicit MeshStore(Device& device) : device_(device) {}
+  MeshStore(Device& device, bool with_doubles) : device_(device), with_doubles_(with_doubles) {}
 
   /// A mesh that stays where it is while this lives.
   class Use {
@@ -84,9 +91,11 @@ class MeshStore {
   void make_room_for(const Make& make);
   Resident place(const MeshSource& source, const FlatTree& flat);
   bool take_room(Resident& mesh);
+  static bool take_room(Resident& mesh, Page& page);
   void upload(FlatTree& flat, const Resident& mesh);
 
   Device& device_;
+  const bool with_doubles_;
   std::mutex mutex_;
   std::list<Page> pages_;
   std::list<Resident> meshes_;

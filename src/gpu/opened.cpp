@@ -28,10 +28,18 @@ std::unique_ptr<T> take_from(std::vector<std::unique_ptr<T>>& kept, std::mutex& 
   return last;
 }
 
+/// What `sweep_doubles.comp` reads and writes.
+constexpr std::uint32_t kBuffersWithDoubles = 13;
+
 }  // namespace
 
 Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
-    : device(physical, limits), kernels(device), meshes(device) {}
+    : device(physical, limits),
+      with_doubles(physical.has_doubles && !limits.no_doubles &&
+                   physical.properties.limits.maxPerStageDescriptorStorageBuffers >= kBuffersWithDoubles &&
+                   probe_doubles(device).empty()),
+      kernels(device, with_doubles),
+      meshes(device, with_doubles) {}
 
 template <class Make>
 auto Opened::with_room(const Make& make) {
@@ -102,6 +110,7 @@ void Devices::try_out(Slot& slot) {
   try {
     auto opened = std::make_shared<Opened>(slot.known.physical, limits_);
     slot.known.complaint = probe(opened->device);
+    slot.known.physical.has_doubles = opened->with_doubles;
     if (slot.known.complaint.empty()) slot.opened = std::move(opened);
   } catch (const Failure& failure) {
     slot.known.complaint = failure.what();

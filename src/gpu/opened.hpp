@@ -20,6 +20,7 @@ class Opened {
   Opened(const PhysicalDevice& physical, const Limits& limits);
 
   Device device;
+  const bool with_doubles;  ///< it has some, and they can be trusted
   const WalkKernels kernels;
   MeshStore meshes;
 

@@ -10,6 +10,7 @@
 
 #include "gpu/kernel.hpp"
 #include "shaders/probe.comp.h"
+#include "shaders/probe_doubles.comp.h"
 
 namespace impinge::gpu {
 namespace {
@@ -99,12 +100,16 @@ std::string judge(std::span<const ProbeCase> cases, std::span<const ProbeAnswer>
   return {};
 }
 
-std::string probe(Device& device) {
-  const std::vector<ProbeCase> cases = probe_cases();
-  const std::size_t bytes = cases.size() * sizeof(ProbeCase);
+namespace {
+
+/// The shader's answers, a case an invocation.
+template <class Case, class Answer, class Judge>
+std::string ask(Device& device, std::span<const std::uint32_t> shader, const std::vector<Case>& cases,
+                const Judge& judged) {
+  const std::size_t bytes = cases.size() * sizeof(Case);
   const Buffer upload(device, bytes, Buffer::Use::upload), input(device, bytes, Buffer::Use::device);
-  const Buffer answers(device, cases.size() * sizeof(ProbeAnswer), Buffer::Use::readback);
-  const Kernel kernel(device, shader_probe_comp, {0, 1}, 0);
+  const Buffer answers(device, cases.size() * sizeof(Answer), Buffer::Use::readback);
+  const Kernel kernel(device, shader, {0, 1}, 0);
   Bindings bindings(device, {&kernel});
   bindings.set(0, input), bindings.set(1, answers);
   std::memcpy(upload.mapped<char>(), cases.data(), bytes);
@@ -117,7 +122,90 @@ std::string probe(Device& device) {
     hand_to_host(buffer);
   });
   commands.wait();
-  return judge(cases, {answers.mapped<const ProbeAnswer>(), cases.size()});
+  return judged(std::span<const Answer>(answers.template mapped<const Answer>(), cases.size()));
+}
+
+/// More than is lost where a factor of at most 64 meets a double below 2^-1022 that is taken for zero.
+constexpr double kLostDouble = 0x1p-1014;
+
+/// Whether x is high + low or one of its two neighbours, or both are next to nothing; high is the sum's nearest.
+bool is_faithful(double x, double high, double low) {
+  if (x == high || std::abs(x - high) <= kLostDouble) return true;
+  return low != 0 && x == std::nextafter(high, low > 0 ? HUGE_VAL : -HUGE_VAL);
+}
+
+/// Of a sum, with the larger in magnitude first or not.
+bool is_faithful_sum(double x, double a, double b) {
+  const double sum = a + b, virtual_b = sum - a;
+  return is_faithful(x, sum, (a - (sum - virtual_b)) + (b - virtual_b));
+}
+
+std::string judge(const DoubleCase& of, const DoubleAnswer& answer) {
+  const auto [a, b, c] = of.x;
+  if (!is_faithful_sum(answer.x[0], a, b)) return "its sum of two doubles is wrong";
+  if (!is_faithful_sum(answer.x[1], a, -b)) return "its difference of two doubles is wrong";
+  const double product = a * b, rest = std::fma(a, b, -product);
+  if (!is_faithful(answer.x[2], product, rest)) return "its product of two doubles is wrong";
+  bool is_unfused = false;
+  for (const double rounded : {std::nextafter(product, -HUGE_VAL), product, std::nextafter(product, HUGE_VAL)})
+    is_unfused |= is_faithful(rounded, product, rest) && is_faithful_sum(answer.x[3], rounded, -c);
+  if (!is_unfused) return "it fuses a product and a difference of doubles";
+  // Where the larger comes first, (x + y) - x is exact, whichever way the sum was rounded.
+  if (std::abs(a) >= std::abs(b) && !is_faithful_sum(answer.x[4], b, a - answer.x[0]))
+    return "it loses what a sum of two doubles leaves over";
+  const bool is_near_nothing = std::abs(a) < 0x1p-1020 && std::abs(b) < 0x1p-1020;
+  if (std::abs(answer.x[5] - std::max(a, b)) > kLostDouble) return "its maximum of doubles is wrong";
+  if (std::abs(answer.x[6] - std::abs(a)) > kLostDouble) return "its absolute value of a double is wrong";
+  if ((answer.above != 0) != (a > b) && !is_near_nothing) return "its comparison of doubles is wrong";
+  const int sign = a > std::abs(b) ? 1 : a < -std::abs(b) ? -1 : 0;
+  if (answer.sign != sign && !is_near_nothing) return "its comparison of a double with a bound is wrong";
+  return {};
+}
+
+}  // namespace
+
+std::string probe(Device& device) {
+  const std::vector<ProbeCase> cases = probe_cases();
+  return ask<ProbeCase, ProbeAnswer>(device, shader_probe_comp, cases,
+                                     [&](std::span<const ProbeAnswer> answers) { return judge(cases, answers); });
+}
+
+std::vector<DoubleCase> double_cases() {
+  std::vector<DoubleCase> cases;
+  const auto add = [&](double a, double b) {
+    cases.push_back({{a, b, a * b}}), cases.push_back({{b, a, 0x1p-30 * a}});
+  };
+  std::mt19937_64 random(2);
+  const auto mantissa = [&] {
+    const double m = 1 + static_cast<double>(random() >> 12) * 0x1p-52;
+    return (random() & 1) != 0 ? m : -m;
+  };
+  for (int i = 0; i < 2000; ++i) add(std::ldexp(mantissa(), static_cast<int>(random() % 121) - 60), mantissa());
+  // Halfway between two doubles, and next to it; and what nearly cancels.
+  for (const double one : {1.0, 1 + 0x1p-52, 2 - 0x1p-52, 1.5}) {
+    for (const double other : {0x1p-53, 0x1.0000000000001p-53, 0x1.fffffffffffffp-54, 0x1p-52, 0x1.8p-52, 0x1p-54,
+                               1 - 0x1p-53, 1.0, 1 + 0x1p-52, 0.5, 2.0})
+      for (const double sign : {1.0, -1.0}) add(one, sign * other);
+  }
+  // Far beyond the range of floats, and where doubles end.
+  for (const double size : {0x1p-900, 0x1p-500, 0x1p-200, 0x1p200, 0x1p500})
+    for (int i = 0; i < 20; ++i) add(size * mantissa(), mantissa());
+  for (const double small : {0x1p-1074, 0x1p-1060, 0x1.8p-1023, 0x1p-1022, 0x1.0000000000001p-1022, 0.0})
+    for (const double other : {0x1p-1074, 0x1.4p-1022, 0x1p-900, 0x1.8p-30, 1.0, -48.0}) add(small, other);
+  cases.resize((cases.size() + kGroupSize - 1) / kGroupSize * kGroupSize, cases.back());
+  return cases;
+}
+
+std::string judge(std::span<const DoubleCase> cases, std::span<const DoubleAnswer> answers) {
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (std::string wrong = judge(cases[i], answers[i]); !wrong.empty()) return wrong;
+  return {};
+}
+
+std::string probe_doubles(Device& device) {
+  const std::vector<DoubleCase> cases = double_cases();
+  return ask<DoubleCase, DoubleAnswer>(device, shader_probe_doubles_comp, cases,
+                                       [&](std::span<const DoubleAnswer> answers) { return judge(cases, answers); });
 }
 
 }  // namespace impinge::gpu

@@ -23,4 +23,9 @@ std::string judge(std::span<const ProbeCase> cases, std::span<const ProbeAnswer>
 /// Has the device answer the trials, and judges them.
 std::string probe(Device& device);
 
+/// The same of double precision, on a device that has it.
+std::vector<DoubleCase> double_cases();
+std::string judge(std::span<const DoubleCase> cases, std::span<const DoubleAnswer> answers);
+std::string probe_doubles(Device& device);
+
 }  // namespace impinge::gpu

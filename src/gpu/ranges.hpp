@@ -16,6 +16,7 @@ class Ranges {
 
   /// Where the range begins; nothing if there is no room for it.
   std::optional<std::uint32_t> take(std::uint32_t length) {
+    if (length == 0) return 0;
     for (auto range = free_.begin(); range != free_.end(); ++range) {
       const auto [begin, room] = *range;
       if (room < length) continue;
@@ -27,6 +28,7 @@ class Ranges {
   }
 
   void give_back(std::uint32_t begin, std::uint32_t length) {
+    if (length == 0) return;
     auto next = free_.lower_bound(begin);
     if (next != free_.end() && begin + length == next->first) {
       length += next->second;

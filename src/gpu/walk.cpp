@@ -8,6 +8,7 @@
 
 #include "shaders/plan.comp.h"
 #include "shaders/sweep.comp.h"
+#include "shaders/sweep_doubles.comp.h"
 #include "shaders/walk.comp.h"
 
 namespace impinge::gpu {
@@ -27,6 +28,11 @@ enum Binding : std::uint32_t {
   kLeafPairs,
   kAgain,
   kHits,
+  kVerticesA,
+  kVerticesB,
+  kTrianglesA,
+  kTrianglesB,
+  kPoses,
 };
 
 constexpr std::uint32_t kChildren = kDeviceWidth * kDeviceWidth;
@@ -63,17 +69,28 @@ void grow(Buffer& buffer, Device& device, std::uint64_t bytes, Buffer::Use use) 
   buffer = Buffer(device, more, use);
 }
 
+std::span<const std::uint32_t> sweep_shader(bool with_doubles) {
+  if (with_doubles) return shader_sweep_doubles_comp;
+  return shader_sweep_comp;
+}
+
+std::vector<std::uint32_t> sweep_bindings(bool with_doubles) {
+  std::vector<std::uint32_t> bindings{kLeavesA, kLeavesB, kRelations, kSettled, kControl, kLeafPairs, kAgain, kHits};
+  if (with_doubles) bindings.insert(bindings.end(), {kVerticesA, kVerticesB, kTrianglesA, kTrianglesB, kPoses});
+  return bindings;
+}
+
 std::uint64_t long_count(std::uint32_t low, std::uint32_t high) { return std::uint64_t{high} << 32 | low; }
 
 }  // namespace
 
-WalkKernels::WalkKernels(Device& device)
-    : plan(device, shader_plan_comp, {kControl}, sizeof(WalkConfig)),
+WalkKernels::WalkKernels(Device& device, bool doubles)
+    : with_doubles(doubles),
+      plan(device, shader_plan_comp, {kControl}, sizeof(WalkConfig)),
       walk(device, shader_walk_comp,
            {kNodesA, kNodesB, kLeavesA, kLeavesB, kRelations, kSettled, kControl, kStack0, kStack1, kLeafPairs},
            sizeof(WalkConfig)),
-      sweep(device, shader_sweep_comp, {kLeavesA, kLeavesB, kRelations, kSettled, kControl, kLeafPairs, kAgain, kHits},
-            sizeof(WalkConfig)) {}
+      sweep(device, sweep_shader(doubles), sweep_bindings(doubles), sizeof(WalkConfig)) {}
 
 DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
     : device_(device),
@@ -98,21 +115,29 @@ DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
 
 void DeviceWalk::prepare(const WalkInput& input) {
   const std::uint64_t relation_bytes = input.relations.size_bytes(), item_bytes = input.items.size_bytes();
+  const std::uint64_t pose_bytes = input.poses.size_bytes();
   if (input.items.size() > most_items()) throw Failure("more is to be walked at once than the device's lists hold");
-  grow(upload_, device_, relation_bytes + item_bytes, Buffer::Use::upload);
+  grow(upload_, device_, relation_bytes + item_bytes + pose_bytes, Buffer::Use::upload);
   grow(relations_, device_, relation_bytes, Buffer::Use::device);
+  grow(poses_, device_, pose_bytes, Buffer::Use::device);
   grow(settled_, device_, input.relations.size() * sizeof(uint), Buffer::Use::device);
   std::memcpy(upload_.mapped<char>(), input.relations.data(), relation_bytes);
   std::memcpy(upload_.mapped<char>() + relation_bytes, input.items.data(), item_bytes);
-  bindings_.set(kNodesA, input.a->nodes), bindings_.set(kNodesB, input.b->nodes);
-  bindings_.set(kLeavesA, input.a->leaves), bindings_.set(kLeavesB, input.b->leaves);
+  if (pose_bytes > 0) std::memcpy(upload_.mapped<char>() + relation_bytes + item_bytes, input.poses.data(), pose_bytes);
+  const auto &a = input.a->buffers, &b = input.b->buffers;
+  bindings_.set(kNodesA, a[kNodes]), bindings_.set(kNodesB, b[kNodes]);
+  bindings_.set(kLeavesA, a[kLeaves]), bindings_.set(kLeavesB, b[kLeaves]);
   bindings_.set(kRelations, relations_), bindings_.set(kSettled, settled_);
+  if (!kernels_.with_doubles) return;
+  bindings_.set(kVerticesA, a[kVertices]), bindings_.set(kVerticesB, b[kVertices]);
+  bindings_.set(kTrianglesA, a[kTriangles]), bindings_.set(kTrianglesB, b[kTriangles]);
+  bindings_.set(kPoses, poses_);
 }
 
 void DeviceWalk::start(const WalkInput& input) {
   commands_.wait();  // a walk that was left before its end
   prepare(input);
-  relation_count_ = input.relations.size(), item_count_ = input.items.size();
+  relation_count_ = input.relations.size(), item_count_ = input.items.size(), pose_count_ = input.poses.size();
   config_.first_only = input.first_only ? 1 : 0;
   // Breadth first a step takes a level; where the lists are short, or the beginning is broad, a level takes several.
   const std::uint32_t pieces = static_cast<std::uint32_t>(item_count_ / (config_.stack_capacity / (2 * kChildren) + 1));
@@ -151,7 +176,10 @@ void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
   if (is_first) {
     const std::uint64_t relation_bytes = relation_count_ * sizeof(DeviceRelation);
     copy(commands, upload_, 0, relations_, 0, relation_bytes);
-    copy(commands, upload_, relation_bytes, stacks_[0], 0, item_count_ * sizeof(WorkItem));
+    const std::uint64_t item_bytes = item_count_ * sizeof(WorkItem);
+    copy(commands, upload_, relation_bytes, stacks_[0], 0, item_bytes);
+    if (pose_count_ > 0)
+      copy(commands, upload_, relation_bytes + item_bytes, poses_, 0, pose_count_ * sizeof(DevicePoses));
     vkCmdFillBuffer(commands, settled_.handle(), 0, settled_.bytes(), 0);
   } else {
     copy(commands, again_, 0, leaf_pairs_, 0, next_.leaf_pairs * sizeof(WorkItem));

@@ -14,7 +14,8 @@ namespace impinge::gpu {
 
 /// The shaders of the whole way: two trees walked together, leaves swept, pairs of triangles filtered.
 struct WalkKernels {
-  explicit WalkKernels(Device& device);
+  WalkKernels(Device& device, bool doubles);
+  const bool with_doubles;  ///< sweeps in them too
   Kernel plan, walk, sweep;
 };
 
@@ -23,8 +24,9 @@ struct WalkInput {
   std::span<const DeviceRelation> relations;
   std::span<const WorkItem> items;  ///< no more than `most_items`
   const Page *a, *b;
-  std::uint32_t levels;  ///< of the deeper tree
-  bool first_only;       ///< one crossing a relation is enough
+  std::uint32_t levels;                     ///< of the deeper tree
+  bool first_only;                          ///< one crossing a relation is enough
+  std::span<const DevicePoses> poses = {};  ///< a relation's; only with doubles
 };
 
 struct WalkWork {
@@ -56,10 +58,10 @@ class DeviceWalk {
   Device& device_;
   const WalkKernels& kernels_;
   WalkConfig config_;
-  Buffer upload_, relations_, settled_;
+  Buffer upload_, relations_, poses_, settled_;
   Buffer control_, read_control_, stacks_[kStacks], leaf_pairs_, again_, hit_buffers_[2];
   Bindings bindings_;
-  std::uint64_t item_count_ = 0, relation_count_ = 0;
+  std::uint64_t item_count_ = 0, relation_count_ = 0, pose_count_ = 0;
   std::uint32_t steps_ = 0;
   Control next_{};  ///< what the control block is to be before the next part
   unsigned part_ = 0;

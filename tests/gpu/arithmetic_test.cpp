@@ -11,6 +11,7 @@
 #include "gpu/kernel.hpp"
 #include "gpu/probe.hpp"
 #include "shaders/pairs.comp.h"
+#include "shaders/pairs_doubles.comp.h"
 #include "tests/gpu/environment.hpp"
 #include "tests/narrow/filter_attacks.hpp"
 
@@ -88,27 +89,77 @@ TEST(Probe, AllowsEveryDirectionOfRoundingAndNoDenormals) {
   }
 }
 
+/// What an arithmetic of IEEE 754 answers.
+std::vector<gpu::DoubleAnswer> right_answers(const std::vector<gpu::DoubleCase>& cases) {
+  std::vector<gpu::DoubleAnswer> answers;
+  for (const auto& [x] : cases) {
+    const double sum = x[0] + x[1], bound = std::abs(x[1]);
+    answers.push_back(
+        {{sum, x[0] - x[1], x[0] * x[1], x[0] * x[1] - x[2], x[1] - (sum - x[0]), std::max(x[0], x[1]), std::abs(x[0])},
+         x[0] > x[1],
+         int{x[0] > bound} - int{x[0] < -bound}});
+  }
+  return answers;
+}
+
+TEST(ProbeOfDoubles, FindsNothingWrongWithIeee754) {
+  const auto cases = gpu::double_cases();
+  EXPECT_EQ(gpu::judge(cases, right_answers(cases)), "");
+}
+
+TEST(ProbeOfDoubles, FindsEveryFault) {
+  const auto cases = gpu::double_cases();
+  const auto with = [&](const auto& change) {
+    auto answers = right_answers(cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) change(cases[i].x, answers[i]);
+    return gpu::judge(cases, answers);
+  };
+  const auto two_off = [](double x) { return std::nextafter(std::nextafter(x, 1e300), 1e300); };
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[0] = two_off(a.x[0]); }).find("sum"), std::string::npos);
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[1] = two_off(a.x[1]); }).find("difference"), std::string::npos);
+  EXPECT_NE(with([&](auto&, auto& a) { a.x[2] = two_off(a.x[2]); }).find("product"), std::string::npos);
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[3] = std::fma(x[0], x[1], -x[2]); }).find("fuses"), std::string::npos);
+  EXPECT_NE(with([](auto&, auto& a) { a.x[4] = 0; }).find("leaves over"), std::string::npos);
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[5] = std::min(x[0], x[1]); }), "");
+  EXPECT_NE(with([](auto& x, auto& a) { a.x[6] = x[0]; }), "");
+  EXPECT_NE(with([](auto&, auto& a) { a.above ^= 1; }), "");
+  EXPECT_NE(with([](auto&, auto& a) { a.sign = -a.sign; }), "");
+  // Floats under the name of doubles.
+  EXPECT_NE(with([](auto&, auto& a) { a.x[2] = static_cast<float>(a.x[2]); }), "");
+}
+
+TEST(ProbeOfDoubles, IsPassedByTheDevice) {
+  const auto opened = gpu::Devices::of_process().choose("").opened;
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->with_doubles, opened->device.physical().has_doubles);
+  if (!opened->device.physical().has_doubles) GTEST_SKIP();
+  EXPECT_EQ(gpu::probe_doubles(opened->device), "");
+}
+
 // --- the filter
 // ---------------------------------------------------------------------------------------------------------
 
-std::vector<Verdict> verdicts(const std::vector<Attack>& attacks) {
+template <class T>
+std::vector<Verdict> verdicts(const std::vector<AttackAs<T>>& attacks) {
   struct StoredPair {
-    float a[9], b[9], error;
+    T a[9], b[9], error;
   };
+  std::span<const std::uint32_t> shader = shader_pairs_comp;
+  if constexpr (std::is_same_v<T, double>) shader = shader_pairs_doubles_comp;
   const auto opened = gpu::Devices::of_process().choose("").opened;
   EXPECT_TRUE(opened);
   gpu::Device& device = opened->device;
-  static_assert(sizeof(Stored) == 36);
+  constexpr std::size_t kSize = 9 * sizeof(T);
   std::vector<StoredPair> pairs(attacks.size());
   for (std::size_t i = 0; i < attacks.size(); ++i) {
-    std::memcpy(pairs[i].a, &attacks[i].pair.a, sizeof(Stored));
-    std::memcpy(pairs[i].b, &attacks[i].pair.b, sizeof(Stored));
+    std::memcpy(pairs[i].a, &attacks[i].pair.a, kSize);
+    std::memcpy(pairs[i].b, &attacks[i].pair.b, kSize);
     pairs[i].error = attacks[i].pair.error;
   }
   const std::size_t bytes = pairs.size() * sizeof(StoredPair);
   const gpu::Buffer upload(device, bytes, gpu::Buffer::Use::upload), input(device, bytes, gpu::Buffer::Use::device);
   const gpu::Buffer output(device, pairs.size() * 4, gpu::Buffer::Use::readback);
-  const gpu::Kernel kernel(device, shader_pairs_comp, {0, 1}, 0);
+  const gpu::Kernel kernel(device, shader, {0, 1}, 0);
   gpu::Bindings bindings(device, {&kernel});
   bindings.set(0, input), bindings.set(1, output);
   std::memcpy(upload.mapped<char>(), pairs.data(), bytes);
@@ -167,6 +218,20 @@ TEST(DeviceFilter, IsRightOfTrianglesOfDifferentSizes) {
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 4000, counts));
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 2000, counts, small));
     EXPECT_GT(counts.of[1], rounds(2000));
+  }
+}
+
+/// Coordinates of at most 1, as in a scaled world: near its middle, and far from it.
+TEST(DeviceFilter, IsRightAtItsBorderInDoubles) {
+  if (!gpu::Devices::of_process().choose("").opened->with_doubles) GTEST_SKIP();
+  for (const double off : {0.0, 0x1p25}) {
+    for (const double finer : {1.0, 0x1p-8}) {
+      Counts counts;
+      const auto attacks = attacks_of<double>(0x1p-26, off, border_pair, 4000, finer);
+      ASSERT_NO_FATAL_FAILURE(expect_true(attacks, verdicts(attacks), counts));
+      std::cout << "apart " << counts.of[0] << ", unsure " << counts.of[1] << ", crossing " << counts.of[2] << '\n';
+      for (const int count : counts.of) EXPECT_GT(count, 1000);
+    }
   }
 }
 

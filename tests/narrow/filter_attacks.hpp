@@ -24,30 +24,38 @@ using scenes::Random;
 
 enum class Verdict { no, unsure, crossing };
 
-/// Three vertices as a filter is given them.
-using Stored = std::array<std::array<float, 3>, 3>;
+/// Three vertices as a filter is given them, in its type of numbers.
+template <class T>
+using StoredAs = std::array<std::array<T, 3>, 3>;
+using Stored = StoredAs<float>;
 
-struct Pair {
-  Stored a, b;
-  float error;
+template <class T>
+struct PairAs {
+  StoredAs<T> a, b;
+  T error;
 };
+using Pair = PairAs<float>;
 
 /// The exact triangles, and what is stored of them.
-struct Attack {
+template <class T>
+struct AttackAs {
   Triangle a, b;
-  Pair pair;
+  PairAs<T> pair;
 };
+using Attack = AttackAs<float>;
 
 /// `coordinate` moved by up to `shift`, which is at most the error in magnitude, and rounded towards `coordinate`.
-inline float stored(double coordinate, double shift, float error) {
-  auto value = static_cast<float>(coordinate + shift);
+template <class T>
+T stored(double coordinate, double shift, T error) {
+  auto value = static_cast<T>(coordinate + shift);
   for (int i = 0; i < 4 && std::abs(static_cast<long double>(value) - coordinate) > error; ++i)
-    value = std::nextafter(value, static_cast<float>(coordinate));
+    value = std::nextafter(value, static_cast<T>(coordinate));
   return value;
 }
 
-/// Whether single precision can hold the triangle within the error at all.
-inline bool is_within(const Triangle& exact, const Stored& s, float error) {
+/// Whether the type can hold the triangle within the error at all.
+template <class T>
+bool is_within(const Triangle& exact, const StoredAs<T>& s, T error) {
   for (std::size_t v = 0; v < 3; ++v) {
     const std::array<double, 3> x{exact[v].x, exact[v].y, exact[v].z};
     for (std::size_t i = 0; i < 3; ++i)
@@ -59,8 +67,9 @@ inline bool is_within(const Triangle& exact, const Stored& s, float error) {
 /// By how much to move vertex `v`'s coordinate `i` in units of the error, from -1 to 1.
 using Shift = std::function<double(std::size_t v, std::size_t i)>;
 
-inline Stored store(const Triangle& exact, const Shift& shift, float error) {
-  Stored s;
+template <class T>
+StoredAs<T> store(const Triangle& exact, const Shift& shift, T error) {
+  StoredAs<T> s;
   for (std::size_t v = 0; v < 3; ++v) {
     const std::array<double, 3> x{exact[v].x, exact[v].y, exact[v].z};
     for (std::size_t i = 0; i < 3; ++i) s[v][i] = stored(x[i], shift(v, i) * error, error);
@@ -70,10 +79,11 @@ inline Stored store(const Triangle& exact, const Shift& shift, float error) {
 
 /// The stored numbers in several ways: as near as can be; the triangles shifted apart or into each other along each of
 /// the cube's diagonals; any corner of what the error allows.
-inline std::vector<Attack> attacks_on(const Triangle& a, const Triangle& b, float error, Random& random) {
-  std::vector<Attack> attacks;
+template <class T>
+std::vector<AttackAs<T>> attacks_on(const Triangle& a, const Triangle& b, T error, Random& random) {
+  std::vector<AttackAs<T>> attacks;
   const auto add = [&](const Shift& of_a, const Shift& of_b) {
-    const Pair pair{store(a, of_a, error), store(b, of_b, error), error};
+    const PairAs<T> pair{store(a, of_a, error), store(b, of_b, error), error};
     if (is_within(a, pair.a, error) && is_within(b, pair.b, error)) attacks.push_back({a, b, pair});
   };
   const auto none = [](std::size_t, std::size_t) { return 0.0; };
@@ -180,16 +190,17 @@ constexpr std::array kErrors{0.0,    0x1p-40, 0.0, 0x1p-20, 0x1p-14, 0.0, 0x1p-1
 using AnyPair = std::function<std::pair<Triangle, Triangle>(Random&)>;
 
 /// The pairs are scaled by `scale` and moved by `off`, the errors scaled by `scale` and by `finer`.
-inline std::vector<Attack> attacks_of(double scale, double off, const AnyPair& any, int rounds, double finer = 1) {
+template <class T = float>
+std::vector<AttackAs<T>> attacks_of(double scale, double off, const AnyPair& any, int rounds, double finer = 1) {
   Seeded seeded(static_cast<std::uint64_t>(std::abs(std::ilogb(scale))) + static_cast<std::uint64_t>(off));
-  std::vector<Attack> attacks;
+  std::vector<AttackAs<T>> attacks;
   for (int round = 0; round < rounds; ++round) {
     auto [a, b] = any(seeded.random);
     const Point offset{scale * off, -scale * off, scale * off / 2};
     a = scaled(a, scale, offset), b = scaled(b, scale, offset);
     if (seeded.random.integer(0, 1) == 1) std::swap(a, b);
     const double error = scale * finer * kErrors[static_cast<std::size_t>(round) % kErrors.size()];
-    const auto more = attacks_on(a, b, static_cast<float>(error), seeded.random);
+    const auto more = attacks_on(a, b, static_cast<T>(error), seeded.random);
     attacks.insert(attacks.end(), more.begin(), more.end());
   }
   return attacks;
@@ -201,7 +212,8 @@ struct Counts {
 };
 
 /// Fails where a verdict is not true of the exact triangles.
-inline void expect_true(std::span<const Attack> attacks, std::span<const Verdict> found, Counts& counts) {
+template <class Attacks>
+void expect_true(const Attacks& attacks, std::span<const Verdict> found, Counts& counts) {
   for (std::size_t i = 0; i < attacks.size(); ++i) {
     ++counts.of[static_cast<std::size_t>(found[i])];
     if (found[i] == Verdict::unsure) continue;

@@ -19,6 +19,11 @@
 #define LEAF_PAIRS 9
 #define AGAIN 10
 #define HITS 11
+#define VERTICES_A 12
+#define VERTICES_B 13
+#define TRIANGLES_A 14
+#define TRIANGLES_B 15
+#define POSES 16
 
 layout(push_constant, std430) uniform Configuration { WalkConfig config; };
 
