@@ -149,7 +149,6 @@ std::string devices_help(std::size_t width) {
                 {"--backend hybrid", "both share it, so that they end together; small questions stay on the CPU"},
                 {"--device N|NAME", "which device, by its number in the list or part of its name"},
                 {"IMPINGE_DEVICE", "a variable that says the same for every run"}})
-      .examples({{"impinge devices", "Is there a device that can be used?"}})
       .section("Exit codes:", {{"0", "there is a device that can be used"},
                                {"2", "there is none, or an error; a sentence on standard error says why"}})
       .text();

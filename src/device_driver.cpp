@@ -46,6 +46,7 @@ void DeviceDriver::drive(const DevicePart::Sink& sink) {
 }
 
 std::string DeviceDriver::device_name() const {
+  if (!device_) return "the device";
   return std::string("the device '") + device_->device.physical().properties.deviceName + "'";
 }
 

@@ -172,26 +172,27 @@ class Pipeline {
 
   /// The CPU begins. Where it has much left to do, it shares that with the device.
   void work_together() {
+    const bool are_many = pairs().size() >= kManyPairs;
+    std::vector<std::vector<DevicePiece>> opened(pairs().size());
+    run_each(are_many ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
+      const auto object_pair = static_cast<std::uint32_t>(i);
+      if (is_apart(pairs()[i])) return report_done();
+      if (are_many) return opened[i].push_back({object_pair});
+      Worker<Stages>& worker = crew_.take(options_);
+      open_up(object_pair, worker, opened[i]);
+      crew_.give_back(worker);
+    });
     std::vector<DevicePiece> pieces;
+    for (const auto& some : opened) pieces.insert(pieces.end(), some.begin(), some.end());
+    // What has been done tells what the rest is like; where nothing has, the last of many pairs do.
     Worker<Stages>& worker = crew_.take(options_);
-    for (std::uint32_t i = 0; i < pairs().size() && !options_.stop.stop_requested(); ++i) {
-      if (is_apart(pairs()[i])) {
-        report_done();
-        continue;
-      }
-      if (pairs().size() < kManyPairs) {
-        open_up(i, worker, pieces);
-      } else {
-        pieces.push_back({i});
-      }
-    }
-    // What has been done tells what the rest is like; where nothing has, the first of many pairs do.
-    for (;
-         pairs().size() >= kManyPairs && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix;
-         pieces.pop_back())
+    while (are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
       run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
-    const Statistics mix = worker.statistics;
+      pieces.pop_back();
+    }
     crew_.give_back(worker);
+    Statistics mix;
+    for (const Worker<Stages>* one : crew_.at_work()) add(mix, one->statistics);
     share_with_device(std::move(pieces), options_.device_share, mix);
   }
 

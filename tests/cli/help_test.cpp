@@ -43,7 +43,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 10U);
+  EXPECT_EQ(count, 9U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 

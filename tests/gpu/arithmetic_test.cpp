@@ -8,11 +8,10 @@
 #include <cstring>
 #include <iostream>
 
-#include "gpu/kernel.hpp"
 #include "gpu/probe.hpp"
 #include "shaders/pairs.comp.h"
 #include "shaders/pairs_doubles.comp.h"
-#include "tests/gpu/environment.hpp"
+#include "tests/gpu/ask.hpp"
 #include "tests/narrow/filter_attacks.hpp"
 
 namespace impinge {
@@ -146,9 +145,6 @@ std::vector<Verdict> verdicts(const std::vector<AttackAs<T>>& attacks) {
   };
   std::span<const std::uint32_t> shader = shader_pairs_comp;
   if constexpr (std::is_same_v<T, double>) shader = shader_pairs_doubles_comp;
-  const auto opened = gpu::Devices::of_process().choose("").opened;
-  EXPECT_TRUE(opened);
-  gpu::Device& device = opened->device;
   constexpr std::size_t kSize = 9 * sizeof(T);
   std::vector<StoredPair> pairs(attacks.size());
   for (std::size_t i = 0; i < attacks.size(); ++i) {
@@ -156,25 +152,9 @@ std::vector<Verdict> verdicts(const std::vector<AttackAs<T>>& attacks) {
     std::memcpy(pairs[i].b, &attacks[i].pair.b, kSize);
     pairs[i].error = attacks[i].pair.error;
   }
-  const std::size_t bytes = pairs.size() * sizeof(StoredPair);
-  const gpu::Buffer upload(device, bytes, gpu::Buffer::Use::upload), input(device, bytes, gpu::Buffer::Use::device);
-  const gpu::Buffer output(device, pairs.size() * 4, gpu::Buffer::Use::readback);
-  const gpu::Kernel kernel(device, shader, {0, 1}, 0);
-  gpu::Bindings bindings(device, {&kernel});
-  bindings.set(0, input), bindings.set(1, output);
-  std::memcpy(upload.mapped<char>(), pairs.data(), bytes);
-  gpu::Commands commands(device);
-  commands.start([&](VkCommandBuffer buffer) {
-    gpu::copy(buffer, upload, 0, input, 0, bytes);
-    gpu::barrier(buffer);
-    kernel.bind(buffer, bindings.of(kernel), nullptr);
-    vkCmdDispatch(buffer, static_cast<std::uint32_t>((pairs.size() + 63) / 64), 1, 1);
-    gpu::hand_to_host(buffer);
-  });
-  commands.wait();
   constexpr std::array kMeaning{Verdict::no, Verdict::crossing, Verdict::unsure};  // as in triangle_pair.glsl
   std::vector<Verdict> found;
-  for (std::size_t i = 0; i < pairs.size(); ++i) found.push_back(kMeaning.at(output.mapped<const std::uint32_t>()[i]));
+  for (const std::uint32_t verdict : test::ask<std::uint32_t>(shader, pairs)) found.push_back(kMeaning.at(verdict));
   return found;
 }
 
@@ -208,13 +188,7 @@ TEST(DeviceFilter, IsRightOfTrianglesOfDifferentSizes) {
   for (const int exponent : {-3, -8, -15, -30, -60}) {
     Counts counts;
     const double small = std::ldexp(1.0, exponent);
-    const auto pair = [&](Random& random) {
-      auto [a, b] = border_pair(random);
-      const Point at = between(a[0], a[1], random.integer(0, 8)), from = between(b[0], b[1], random.integer(0, 8));
-      for (Point& p : b)
-        p = {at.x + small * (p.x - from.x), at.y + small * (p.y - from.y), at.z + small * (p.z - from.z)};
-      return std::pair{a, b};
-    };
+    const AnyPair pair = border_pair_of_sizes(small);
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 4000, counts));
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 2000, counts, small));
     EXPECT_GT(counts.of[1], rounds(2000));

@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <iostream>
 
-#include "gpu/kernel.hpp"
 #include "scenes/motion.hpp"
 #include "shaders/frames.comp.h"
 #include "tests/core/support.hpp"
-#include "tests/gpu/environment.hpp"
+#include "tests/gpu/ask.hpp"
 
 namespace impinge {
 namespace {
@@ -28,30 +26,6 @@ struct FrameCase {
   gpu::DeviceRelation trees;
 };
 using Found = std::array<float, 12>;
-
-std::vector<Found> ask_device(const std::vector<FrameCase>& cases) {
-  const auto opened = gpu::Devices::of_process().choose("").opened;
-  EXPECT_TRUE(opened);
-  gpu::Device& device = opened->device;
-  const std::size_t bytes = cases.size() * sizeof(FrameCase);
-  const gpu::Buffer upload(device, bytes, gpu::Buffer::Use::upload), input(device, bytes, gpu::Buffer::Use::device);
-  const gpu::Buffer output(device, cases.size() * sizeof(Found), gpu::Buffer::Use::readback);
-  const gpu::Kernel kernel(device, shader_frames_comp, {0, 1}, 0);
-  gpu::Bindings bindings(device, {&kernel});
-  bindings.set(0, input), bindings.set(1, output);
-  std::memcpy(upload.mapped<char>(), cases.data(), bytes);
-  gpu::Commands commands(device);
-  commands.start([&](VkCommandBuffer buffer) {
-    gpu::copy(buffer, upload, 0, input, 0, bytes);
-    gpu::barrier(buffer);
-    kernel.bind(buffer, bindings.of(kernel), nullptr);
-    vkCmdDispatch(buffer, static_cast<std::uint32_t>(cases.size() / 64), 1, 1);
-    gpu::hand_to_host(buffer);
-  });
-  commands.wait();
-  const auto* const found = output.mapped<const Found>();
-  return {found, found + cases.size()};
-}
 
 void part(Real x, float& hi, float& lo) {
   hi = static_cast<float>(x);
@@ -89,7 +63,7 @@ TEST(DeviceRelation, IsWithinItsBounds) {
     for (const int scale : {0, -1, -10, -40})
       for (int i = 0; i < (test::is_smaller_set() ? 320 : 3200); ++i)
         cases.push_back(any_case(seeded.random, near, scale));
-  const std::vector<Found> found = ask_device(cases);
+  const std::vector<Found> found = test::ask<Found>(shader_frames_comp, cases);
   constexpr Real u = 0x1p-23L;
   Real worst_C = 0, worst_c = 0;
   for (std::size_t n = 0; n < cases.size(); ++n) {

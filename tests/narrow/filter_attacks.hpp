@@ -183,11 +183,22 @@ inline Triangle scaled(Triangle t, double scale, const Point& offset) {
   return t;
 }
 
+using AnyPair = std::function<std::pair<Triangle, Triangle>(Random&)>;
+
+/// Likewise, the second triangle `small` times as large and touching the first.
+inline AnyPair border_pair_of_sizes(double small) {
+  return [small](Random& random) {
+    auto [a, b] = border_pair(random);
+    const Point at = between(a[0], a[1], random.integer(0, 8)), from = between(b[0], b[1], random.integer(0, 8));
+    for (Point& p : b)
+      p = {at.x + small * (p.x - from.x), at.y + small * (p.y - from.y), at.z + small * (p.z - from.z)};
+    return std::pair{a, b};
+  };
+}
+
 /// For triangles of about 1000.
 constexpr std::array kErrors{0.0,    0x1p-40, 0.0, 0x1p-20, 0x1p-14, 0.0, 0x1p-11,
                              0x1p-6, 0.0,     1.0, 64.0,    4096.0,  0.0, 0x1p30};
-
-using AnyPair = std::function<std::pair<Triangle, Triangle>(Random&)>;
 
 /// The pairs are scaled by `scale` and moved by `off`, the errors scaled by `scale` and by `finer`.
 template <class T = float>

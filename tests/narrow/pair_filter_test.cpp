@@ -109,13 +109,7 @@ TEST(PairFilter, IsRightOfTrianglesOfDifferentSizes) {
   for (const int exponent : {-3, -8, -15, -30, -60}) {
     Counts counts;
     const double small = std::ldexp(1.0, exponent);
-    const auto pair = [&](Random& random) {
-      auto [a, b] = border_pair(random);
-      const Point at = between(a[0], a[1], random.integer(0, 8)), from = between(b[0], b[1], random.integer(0, 8));
-      for (Point& p : b)
-        p = {at.x + small * (p.x - from.x), at.y + small * (p.y - from.y), at.z + small * (p.z - from.z)};
-      return std::pair{a, b};
-    };
+    const AnyPair pair = border_pair_of_sizes(small);
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 20000, counts));
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 6000, counts, small));
     EXPECT_GT(counts.of[1], 10000);
