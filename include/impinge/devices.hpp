@@ -17,7 +17,7 @@ struct DeviceInfo {
   std::string name, driver;
   Type type;
   std::uint64_t memory_bytes;          ///< of its own; of the machine where it shares that
-  std::uint64_t largest_buffer_bytes;  ///< a mesh that needs more is left to the CPU (about 70 bytes a triangle)
+  std::uint64_t largest_buffer_bytes;  ///< a mesh that needs more is left to the CPU (61 bytes a triangle)
   std::uint32_t subgroup_size;         ///< invocations that run in step
   bool has_doubles, has_int64;         ///< in shaders; neither is needed, but doubles are used if they can be trusted
   bool is_certified;                   ///< its arithmetic was tried out, and every bound that answers rest on holds

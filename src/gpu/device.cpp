@@ -24,7 +24,7 @@ Limits filled_in(Limits limits, const PhysicalDevice& physical) {
   fill(limits.budget, physical.memory / 2);
   fill(limits.largest_buffer, device.maxStorageBufferRange);
   limits.largest_buffer = std::min<std::uint64_t>(limits.largest_buffer, device.maxStorageBufferRange);
-  fill(limits.stack, is_cpu ? 1u << 16 : 1u << 21);
+  fill(limits.stack, is_cpu ? 1u << 17 : 1u << 22);
   fill(limits.leaf_pairs, is_cpu ? 1u << 15 : 1u << 20);
   fill(limits.hits, is_cpu ? 1u << 17 : 1u << 21);
   fill(limits.most_groups, device.maxComputeWorkGroupCount[0]);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-// What the CPU and the shaders hand each other: read as C++ and as GLSL. Nothing here is wider than a word, or it stands
-// at multiples of eight bytes, so that the layouts are the same in both (std430). Trees are WideTree's
+// What the CPU and the shaders hand each other: read as C++ and as GLSL. Nothing here is wider than a word, or it
+// stands at multiples of eight bytes, so that the layouts are the same in both (std430). Trees are WideTree's
 // (hierarchy/wide_tree.hpp) in arrays: lengths in the tree's unit, origins from the root's.
 #ifndef IMPINGE_GPU_LAYOUT_H
 #define IMPINGE_GPU_LAYOUT_H
@@ -16,20 +16,37 @@ using uint = std::uint32_t;
 #define IMPINGE_CONSTANT(name, value) const uint name = value
 #endif
 
-IMPINGE_CONSTANT(kDeviceWidth, 8);           // children of a node
-IMPINGE_CONSTANT(kTileSize, 16);             // triangles of a leaf; a larger leaf is a node of leaves
-IMPINGE_CONSTANT(kGroupSize, 64);            // invocations of a workgroup
-IMPINGE_CONSTANT(kWalkedTogether, 16);       // pairs of nodes that a workgroup walks at a time
-IMPINGE_CONSTANT(kSweptTogether, 4);         // pairs of leaves that a workgroup sweeps at a time
-IMPINGE_CONSTANT(kLeafBit, 0x80000000u);     // in a reference: a leaf, not a node
-IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);   // in Hit::a: left to exact arithmetic
-IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);       // Hit::pair of a place that nothing was written to
-IMPINGE_CONSTANT(kStacks, 2);
-IMPINGE_CONSTANT(kRasterWidth, 2048);        // tests in a row of an image; its edge texture has two texels a test
+IMPINGE_CONSTANT(kDeviceWidth, 8);          // children of a node
+IMPINGE_CONSTANT(kTileSize, 16);            // triangles of a leaf; a larger leaf is a node of leaves
+IMPINGE_CONSTANT(kGroupSize, 64);           // invocations of a workgroup
+IMPINGE_CONSTANT(kWalkedTogether, 16);      // pairs of nodes that a workgroup walks at a time
+IMPINGE_CONSTANT(kSweptTogether, 4);        // pairs of leaves that a workgroup sweeps at a time
+IMPINGE_CONSTANT(kLeafBit, 0x80000000u);    // in a reference: a leaf, not a node
+IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);  // in Hit::a: left to exact arithmetic
+IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);      // Hit::pair of a place that nothing was written to
+IMPINGE_CONSTANT(kRasterWidth, 2048);       // tests in a row of an image; its edge texture has two texels a test
 IMPINGE_CONSTANT(kRasterHeight, 16);
-IMPINGE_CONSTANT(kTestApart, 0);             // as narrow::Verdict
+IMPINGE_CONSTANT(kTestApart, 0);  // as narrow::Verdict
 IMPINGE_CONSTANT(kTestUnsure, 1);
 IMPINGE_CONSTANT(kTestCrossing, 2);
+
+// The buffers of a walk, by binding.
+IMPINGE_CONSTANT(kNodesA, 0);
+IMPINGE_CONSTANT(kNodesB, 1);
+IMPINGE_CONSTANT(kLeavesA, 2);
+IMPINGE_CONSTANT(kLeavesB, 3);
+IMPINGE_CONSTANT(kRelations, 4);
+IMPINGE_CONSTANT(kSettled, 5);
+IMPINGE_CONSTANT(kControl, 6);
+IMPINGE_CONSTANT(kStack, 7);
+IMPINGE_CONSTANT(kLeafPairs, 8);
+IMPINGE_CONSTANT(kAgain, 9);
+IMPINGE_CONSTANT(kHits, 10);
+IMPINGE_CONSTANT(kVerticesA, 11);
+IMPINGE_CONSTANT(kVerticesB, 12);
+IMPINGE_CONSTANT(kTrianglesA, 13);
+IMPINGE_CONSTANT(kTrianglesB, 14);
+IMPINGE_CONSTANT(kPoses, 15);
 
 /// x = axes (v - origin): see hierarchy/frame.hpp.
 struct DeviceFrame {
@@ -75,22 +92,21 @@ struct Hit {
 
 /// What the kernels know of the work, and what the host reads back.
 struct Control {
-  uint stack_size[2];
-  uint source;        // the stack that the walk takes from now
-  uint first, take;   // which of its items
-  uint walk_groups[3], sweep_groups[3];  // for indirect dispatch
-  uint leaf_pairs;    // in the list
-  uint again;         // leaf pairs whose hits found no room
-  uint hits;          // asked for, which may be more than there is room for
+  uint stack_size;                                       // with those that were taken, until the next step
+  uint first, take;                                      // which items a step takes
+  uint walk_groups[3], fill_groups[3], sweep_groups[3];  // for indirect dispatch
+  uint leaf_pairs;                                       // in the list
+  uint again;                                            // leaf pairs whose hits found no room
+  uint hits;                                             // asked for, which may be more than there is room for
   uint box_tests, box_tests_high, triangle_pairs, triangle_pairs_high;
 };
 
 /// Sizes, in items; see `plan.comp`.
 struct WalkConfig {
   uint stack_capacity, stack_reserve, leaf_capacity, hit_capacity;
-  uint most_groups;   // that one dispatch may have
-  uint first_only;    // a pair with a crossing is done with
-  uint only_sweep;    // for `plan.comp`: the walk's steps are over
+  uint most_groups;  // that one dispatch may have
+  uint first_only;   // a pair with a crossing is done with
+  uint only_sweep;   // for `plan.comp`: the walk's steps are over
 };
 
 /// In one image of backend "raster": tests of one triangle that follow one another in a row. The triangle's second and

@@ -153,14 +153,16 @@ Devices::Choice Devices::choose(std::string_view name, bool may_open) {
   }
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  // A number of the list, or part of a name that is a number.
+  const bool is_number = error == std::errc() && end == name.data() + name.size() && number < slots_.size();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     Slot& slot = slots_[i];
     const std::string own = in_lower_case(slot.known.physical.properties.deviceName);
     if (is_number ? i != number : own.find(in_lower_case(name)) == std::string::npos) continue;
-    try_out(slot);
-    return {slot.opened,
-            slot.opened ? "" : std::string(slot.known.physical.properties.deviceName) + ": " + slot.known.complaint};
+    if (may_open || slot.is_tried) try_out(slot);
+    return {slot.opened, slot.opened || !slot.is_tried
+                             ? ""
+                             : std::string(slot.known.physical.properties.deviceName) + ": " + slot.known.complaint};
   }
   std::string sentence = "there is no device '" + std::string(name) + "'";
   if (is_from_environment) sentence += ", which IMPINGE_DEVICE names";

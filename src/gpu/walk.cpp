@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "shaders/fill.comp.h"
 #include "shaders/plan.comp.h"
 #include "shaders/sweep.comp.h"
 #include "shaders/sweep_doubles.comp.h"
@@ -14,32 +15,11 @@
 namespace impinge::gpu {
 namespace {
 
-/// As in shaders/work.glsl.
-enum Binding : std::uint32_t {
-  kNodesA,
-  kNodesB,
-  kLeavesA,
-  kLeavesB,
-  kRelations,
-  kSettled,
-  kControl,
-  kStack0,
-  kStack1,
-  kLeafPairs,
-  kAgain,
-  kHits,
-  kVerticesA,
-  kVerticesB,
-  kTrianglesA,
-  kTrianglesB,
-  kPoses,
-};
-
 constexpr std::uint32_t kChildren = kDeviceWidth * kDeviceWidth;
 /// The most that a sweep finds before it asks for room.
 constexpr std::uint32_t kMostHitsAtOnce = kSweptTogether * kTileSize * kTileSize;
 /// Levels of the deepest trees (hierarchy/wide_tree.cpp: 20 and log8 of 2^31 triangles, and two for large leaves), each
-/// with a reserve in the stacks (shaders/plan.comp).
+/// with a reserve in the stack (shaders/plan.comp).
 constexpr std::uint32_t kMostLevels = 36;
 constexpr std::uint32_t kReserve = kChildren * kMostLevels;
 constexpr std::uint32_t kMostSteps = 96;  ///< of a walk in one part
@@ -88,8 +68,9 @@ WalkKernels::WalkKernels(Device& device, bool doubles)
     : with_doubles(doubles),
       plan(device, shader_plan_comp, {kControl}, sizeof(WalkConfig)),
       walk(device, shader_walk_comp,
-           {kNodesA, kNodesB, kLeavesA, kLeavesB, kRelations, kSettled, kControl, kStack0, kStack1, kLeafPairs},
+           {kNodesA, kNodesB, kLeavesA, kLeavesB, kRelations, kSettled, kControl, kStack, kLeafPairs},
            sizeof(WalkConfig)),
+      fill(device, shader_fill_comp, {kControl, kStack}, sizeof(WalkConfig)),
       sweep(device, sweep_shader(doubles), sweep_bindings(doubles), sizeof(WalkConfig)) {}
 
 DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
@@ -98,17 +79,15 @@ DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
       config_(config_of(device.limits())),
       control_(device, sizeof(Control), Buffer::Use::device),
       read_control_(device, sizeof(Control), Buffer::Use::readback),
-      stacks_{list(device, config_.stack_capacity, sizeof(WorkItem), Buffer::Use::device),
-              list(device, config_.stack_capacity, sizeof(WorkItem), Buffer::Use::device)},
+      stack_(list(device, config_.stack_capacity, sizeof(WorkItem), Buffer::Use::device)),
       leaf_pairs_(list(device, config_.leaf_capacity, sizeof(WorkItem), Buffer::Use::device)),
       again_(list(device, config_.leaf_capacity, sizeof(WorkItem), Buffer::Use::device)),
       hit_buffers_{list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback),
                    list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback)},
-      bindings_(device, {&kernels.plan, &kernels.walk, &kernels.sweep}),
+      bindings_(device, {&kernels.plan, &kernels.walk, &kernels.fill, &kernels.sweep}),
       commands_(device) {
   bindings_.set(kControl, control_);
-  bindings_.set(kStack0, stacks_[0]);
-  bindings_.set(kStack1, stacks_[1]);
+  bindings_.set(kStack, stack_);
   bindings_.set(kLeafPairs, leaf_pairs_);
   bindings_.set(kAgain, again_);
 }
@@ -143,8 +122,7 @@ void DeviceWalk::start(const WalkInput& input) {
   const std::uint32_t pieces = static_cast<std::uint32_t>(item_count_ / (config_.stack_capacity / (2 * kChildren) + 1));
   steps_ = std::min(input.levels + 1 + pieces, kMostSteps);
   next_ = {};
-  next_.stack_size[0] = static_cast<uint>(item_count_);
-  next_.source = 1;  // the other one was written to last
+  next_.stack_size = static_cast<uint>(item_count_);
   part_ = 0, hits_ = {}, work_ = {};
   bindings_.set(kHits, hit_buffers_[0]);
   commands_.start([&](VkCommandBuffer commands) { record(commands, true); });
@@ -157,10 +135,9 @@ bool DeviceWalk::advance() {
   work_.triangle_pairs += long_count(done.triangle_pairs, done.triangle_pairs_high);
   work_.leaf_pairs += done.leaf_pairs - done.again;
   hits_ = {hit_buffers_[part_ % 2].mapped<const Hit>(), std::min(done.hits, config_.hit_capacity)};
-  if (done.stack_size[0] == 0 && done.stack_size[1] == 0 && done.again == 0) return false;
+  if (done.stack_size == 0 && done.again == 0) return false;
   next_ = {};
-  next_.stack_size[0] = done.stack_size[0], next_.stack_size[1] = done.stack_size[1];
-  next_.source = done.source;
+  next_.stack_size = done.stack_size;
   next_.leaf_pairs = done.again;
   steps_ = kMostSteps;
   ++part_;
@@ -170,14 +147,23 @@ bool DeviceWalk::advance() {
 }
 
 void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
-  const auto run = [&](const Kernel& kernel, const WalkConfig& config) {
-    kernel.bind(commands, bindings_.of(kernel), &config);
+  const auto plan = [&](bool only_sweep) {
+    WalkConfig config = config_;
+    config.only_sweep = only_sweep ? 1 : 0;
+    kernels_.plan.bind(commands, bindings_.of(kernels_.plan), &config);
+    vkCmdDispatch(commands, 1, 1, 1);
+    barrier(commands);
+  };
+  const auto run = [&](const Kernel& kernel, std::size_t groups) {
+    kernel.bind(commands, bindings_.of(kernel), &config_);
+    vkCmdDispatchIndirect(commands, control_.handle(), groups);
+    barrier(commands);
   };
   if (is_first) {
     const std::uint64_t relation_bytes = relation_count_ * sizeof(DeviceRelation);
     copy(commands, upload_, 0, relations_, 0, relation_bytes);
     const std::uint64_t item_bytes = item_count_ * sizeof(WorkItem);
-    copy(commands, upload_, relation_bytes, stacks_[0], 0, item_bytes);
+    copy(commands, upload_, relation_bytes, stack_, 0, item_bytes);
     if (pose_count_ > 0)
       copy(commands, upload_, relation_bytes + item_bytes, poses_, 0, pose_count_ * sizeof(DevicePoses));
     vkCmdFillBuffer(commands, settled_.handle(), 0, settled_.bytes(), 0);
@@ -187,21 +173,12 @@ void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
   vkCmdUpdateBuffer(commands, control_.handle(), 0, sizeof next_, &next_);
   barrier(commands);
   for (std::uint32_t step = 0; step < steps_; ++step) {
-    run(kernels_.plan, config_);
-    vkCmdDispatch(commands, 1, 1, 1);
-    barrier(commands);
-    run(kernels_.walk, config_);
-    vkCmdDispatchIndirect(commands, control_.handle(), offsetof(Control, walk_groups));
-    barrier(commands);
+    plan(false);
+    run(kernels_.walk, offsetof(Control, walk_groups));
+    run(kernels_.fill, offsetof(Control, fill_groups));
   }
-  WalkConfig last = config_;
-  last.only_sweep = 1;
-  run(kernels_.plan, last);
-  vkCmdDispatch(commands, 1, 1, 1);
-  barrier(commands);
-  run(kernels_.sweep, config_);
-  vkCmdDispatchIndirect(commands, control_.handle(), offsetof(Control, sweep_groups));
-  barrier(commands);
+  plan(true);
+  run(kernels_.sweep, offsetof(Control, sweep_groups));
   copy(commands, control_, 0, read_control_, 0, sizeof(Control));
   hand_to_host(commands);
 }

@@ -16,7 +16,7 @@ namespace impinge::gpu {
 struct WalkKernels {
   WalkKernels(Device& device, bool doubles);
   const bool with_doubles;  ///< sweeps in them too
-  Kernel plan, walk, sweep;
+  Kernel plan, walk, fill, sweep;
 };
 
 /// What is to be walked: pairs of nodes of trees of two pages.
@@ -39,7 +39,7 @@ class DeviceWalk {
  public:
   DeviceWalk(Device& device, const WalkKernels& kernels);
 
-  [[nodiscard]] std::uint32_t most_items() const { return config_.stack_capacity; }
+  [[nodiscard]] std::uint32_t most_items() const { return config_.stack_capacity - config_.stack_reserve; }
 
   /// Sends the input and starts to work on it.
   void start(const WalkInput& input);
@@ -59,7 +59,7 @@ class DeviceWalk {
   const WalkKernels& kernels_;
   WalkConfig config_;
   Buffer upload_, relations_, poses_, settled_;
-  Buffer control_, read_control_, stacks_[kStacks], leaf_pairs_, again_, hit_buffers_[2];
+  Buffer control_, read_control_, stack_, leaf_pairs_, again_, hit_buffers_[2];
   Bindings bindings_;
   std::uint64_t item_count_ = 0, relation_count_ = 0, pose_count_ = 0;
   std::uint32_t steps_ = 0;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <fstream>
 #include <string_view>
 #include <thread>
 
@@ -51,6 +52,23 @@ TEST(DeviceFailures, NothingIsWrittenBeyondABuffersEnd) {
       EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
       test::expect_same(expected(), *found);
     }
+  }
+  EXPECT_EQ(overruns, 0);
+}
+
+/// A walk that has far more open than its list holds, and is at its deepest most of the time.
+TEST(DeviceFailures, AWalkStaysInTheShortestList) {
+  std::atomic<int> overruns = 0;
+  {
+    const WithLimits limits({.stack = 1, .overruns = &overruns});
+    const Mesh sheet = test::mesh_of(scenes::bumpy_grid(100, 100, 0.25), 1);
+    const Pose above{.t = {0, 0, 0.0625}};
+    const auto found = collide(sheet, {}, sheet, above, {.backend = "gpu"});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
+    const Contacts wanted = collide(sheet, {}, sheet, above).value();
+    EXPECT_GT(wanted.statistics.leaf_pairs, 10'000u);
+    test::expect_same(wanted, *found);
   }
   EXPECT_EQ(overruns, 0);
 }
@@ -144,10 +162,16 @@ TEST(DeviceFailures, MeshesMakeWayForOthers) {
   EXPECT_EQ(opened->meshes.size(), 0u);
 }
 
+std::uint64_t resident_pages() {
+  std::uint64_t all = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident;
+}
+
 TEST(DeviceFailures, AThousandQueriesUseNoMoreMemoryThanTen) {
   const WithLimits limits({});
   const Scene kept = test::scene_of(placed());
-  std::uint64_t after_ten = 0;
+  std::uint64_t after_ten = 0, pages_after_a_tenth = 0;
   const int queries = test::is_smaller_set() ? 100 : 1000;
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(100));
   for (int i = 0; i < queries; ++i) {
@@ -158,10 +182,13 @@ TEST(DeviceFailures, AThousandQueriesUseNoMoreMemoryThanTen) {
     ASSERT_TRUE(found->warnings.empty());
     const auto opened = gpu::Devices::of_process().choose("").opened;
     if (i == 10) after_ten = opened->device.bytes_in_use();
+    if (i == queries / 10) pages_after_a_tenth = resident_pages();
     if (i > 10) {
       ASSERT_EQ(opened->device.bytes_in_use(), after_ten);
     }
   }
+  // The driver's own grow-as-needed apart: 8 MiB of 4 KiB pages.
+  EXPECT_LT(resident_pages(), pages_after_a_tenth + 2048);
 }
 
 TEST(DeviceFailures, EightThreadsShareADevice) {

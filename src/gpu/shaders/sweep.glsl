@@ -14,19 +14,19 @@
 
 layout(local_size_x = 64) in;
 
-layout(set = 0, binding = LEAVES_A, std430) readonly buffer LeavesA { DeviceLeaf leaves_a[]; };
-layout(set = 0, binding = LEAVES_B, std430) readonly buffer LeavesB { DeviceLeaf leaves_b[]; };
-layout(set = 0, binding = RELATIONS, std430) readonly buffer Relations { DeviceRelation relations[]; };
-layout(set = 0, binding = SETTLED, std430) buffer Settled { uint settled[]; };
-layout(set = 0, binding = LEAF_PAIRS, std430) readonly buffer LeafPairs { WorkItem leaf_pairs[]; };
-layout(set = 0, binding = AGAIN, std430) writeonly buffer Again { WorkItem again[]; };
-layout(set = 0, binding = HITS, std430) writeonly buffer Hits { Hit hits[]; };
+layout(set = 0, binding = kLeavesA, std430) readonly buffer LeavesA { DeviceLeaf leaves_a[]; };
+layout(set = 0, binding = kLeavesB, std430) readonly buffer LeavesB { DeviceLeaf leaves_b[]; };
+layout(set = 0, binding = kRelations, std430) readonly buffer Relations { DeviceRelation relations[]; };
+layout(set = 0, binding = kSettled, std430) buffer Settled { uint settled[]; };
+layout(set = 0, binding = kLeafPairs, std430) readonly buffer LeafPairs { WorkItem leaf_pairs[]; };
+layout(set = 0, binding = kAgain, std430) writeonly buffer Again { WorkItem again[]; };
+layout(set = 0, binding = kHits, std430) writeonly buffer Hits { Hit hits[]; };
 #ifdef WITH_DOUBLES
-layout(set = 0, binding = VERTICES_A, std430) readonly buffer VerticesA { double vertices_a[]; };
-layout(set = 0, binding = VERTICES_B, std430) readonly buffer VerticesB { double vertices_b[]; };
-layout(set = 0, binding = TRIANGLES_A, std430) readonly buffer TrianglesA { uint triangles_a[]; };
-layout(set = 0, binding = TRIANGLES_B, std430) readonly buffer TrianglesB { uint triangles_b[]; };
-layout(set = 0, binding = POSES, std430) readonly buffer Poses { DevicePoses poses[]; };
+layout(set = 0, binding = kVerticesA, std430) readonly buffer VerticesA { double vertices_a[]; };
+layout(set = 0, binding = kVerticesB, std430) readonly buffer VerticesB { double vertices_b[]; };
+layout(set = 0, binding = kTrianglesA, std430) readonly buffer TrianglesA { uint triangles_a[]; };
+layout(set = 0, binding = kTrianglesB, std430) readonly buffer TrianglesB { uint triangles_b[]; };
+layout(set = 0, binding = kPoses, std430) readonly buffer Poses { DevicePoses poses[]; };
 #endif
 
 shared FrameRelation relation[kGroupSize];

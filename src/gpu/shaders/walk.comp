@@ -11,15 +11,14 @@
 
 layout(local_size_x = 64) in;
 
-layout(set = 0, binding = NODES_A, std430) readonly buffer NodesA { DeviceNode nodes_a[]; };
-layout(set = 0, binding = NODES_B, std430) readonly buffer NodesB { DeviceNode nodes_b[]; };
-layout(set = 0, binding = LEAVES_A, std430) readonly buffer LeavesA { DeviceLeaf leaves_a[]; };
-layout(set = 0, binding = LEAVES_B, std430) readonly buffer LeavesB { DeviceLeaf leaves_b[]; };
-layout(set = 0, binding = RELATIONS, std430) readonly buffer Relations { DeviceRelation relations[]; };
-layout(set = 0, binding = SETTLED, std430) readonly buffer Settled { uint settled[]; };
-layout(set = 0, binding = STACK_0, std430) buffer Stack0 { WorkItem stack_0[]; };
-layout(set = 0, binding = STACK_1, std430) buffer Stack1 { WorkItem stack_1[]; };
-layout(set = 0, binding = LEAF_PAIRS, std430) writeonly buffer LeafPairs { WorkItem leaf_pairs[]; };
+layout(set = 0, binding = kNodesA, std430) readonly buffer NodesA { DeviceNode nodes_a[]; };
+layout(set = 0, binding = kNodesB, std430) readonly buffer NodesB { DeviceNode nodes_b[]; };
+layout(set = 0, binding = kLeavesA, std430) readonly buffer LeavesA { DeviceLeaf leaves_a[]; };
+layout(set = 0, binding = kLeavesB, std430) readonly buffer LeavesB { DeviceLeaf leaves_b[]; };
+layout(set = 0, binding = kRelations, std430) readonly buffer Relations { DeviceRelation relations[]; };
+layout(set = 0, binding = kSettled, std430) readonly buffer Settled { uint settled[]; };
+layout(set = 0, binding = kStack, std430) buffer Stack { WorkItem stack[]; };
+layout(set = 0, binding = kLeafPairs, std430) writeonly buffer LeafPairs { WorkItem leaf_pairs[]; };
 
 /// Boxes of both sides, and each as mapped to the other's frame; x, y, z of centres, then of half extents.
 shared float own[kWalkedTogether][2][6][kDeviceWidth];
@@ -38,10 +37,6 @@ DeviceFrame frame_a(uint ref) {
 DeviceFrame frame_b(uint ref) {
   if (is_leaf(ref)) return leaves_b[ref & ~kLeafBit].frame;
   return nodes_b[ref].frame;
-}
-WorkItem taken(uint place) {
-  if (control.source == 0) return stack_0[place];
-  return stack_1[place];
 }
 
 // The bound of hierarchy/wide_walk.cpp with this device's roundings, u = 2^-23: on the side of B's radius 16.5 * 2^-20
@@ -132,7 +127,7 @@ void main() {
     barrier();
     if (lane < kWalkedTogether) {
       sizes[lane] = 0;
-      if (begin + lane < control.take) prepare(lane, taken(control.first + begin + lane));
+      if (begin + lane < control.take) prepare(lane, stack[control.first + begin + lane]);
     }
     barrier();
     for (uint box = lane; box < kWalkedTogether * 2 * kDeviceWidth; box += kGroupSize)
@@ -147,7 +142,7 @@ void main() {
     uint to_open = atomicAdd(open_count, open), to_leaf = atomicAdd(leaf_count, leaves);
     barrier();
     if (lane == 0) {
-      first_open = open_count > 0 ? atomicAdd(control.stack_size[1 - control.source], open_count) : 0;
+      first_open = open_count > 0 ? atomicAdd(control.stack_size, open_count) : 0;
       first_leaf = leaf_count > 0 ? atomicAdd(control.leaf_pairs, leaf_count) : 0;
       const uint before = atomicAdd(control.box_tests, tests);
       if (before + tests < before) atomicAdd(control.box_tests_high, 1);
@@ -160,10 +155,8 @@ void main() {
       const WorkItem next = WorkItem(child_a(items[k].a, i), child_b(items[k].b, j), items[k].pair);
       if (is_leaf(next.a) && is_leaf(next.b)) {
         leaf_pairs[to_leaf++] = next;
-      } else if (control.source == 0) {
-        stack_1[to_open++] = next;
       } else {
-        stack_0[to_open++] = next;
+        stack[to_open++] = next;
       }
     }
     barrier();  // before shared memory is written again
