@@ -62,14 +62,11 @@ bool DeviceDriver::open() {
 // The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is
 // then left would take it longer than the device takes to be asked.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
+  if (gpu::Devices::of_process().look_up(query_.options.device).is_software) return;
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatience && !is_over())
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));
   if (is_over() || !open()) return;
-  // A program that plays a device on the CPU would take its time from the CPU's own threads.
-  const gpu::Device& opened = device_->device;
-  if (opened.physical().properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !opened.limits().trusts_software)
-    return;
   const schedule::DeviceConstants constants = calibrated_device(part_->device());
   const double threads = schedule::concurrency(query_.options.threads);
   const double mix_cpu = schedule::predict_seconds(mix_, calibrated_constants("simd")) / threads;

@@ -134,6 +134,14 @@ std::string Devices::complaint() {
   return instance_->complaint();
 }
 
+Devices::Choice Devices::choice_of(const Slot& slot) const {
+  const VkPhysicalDeviceProperties& properties = slot.known.physical.properties;
+  const bool is_left_out = slot.is_tried && !slot.opened;
+  return {.opened = slot.opened,
+          .complaint = is_left_out ? std::string(properties.deviceName) + ": " + slot.known.complaint : "",
+          .is_software = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !limits_.trusts_software};
+}
+
 Devices::Choice Devices::choose(std::string_view name) { return choose(name, true); }
 Devices::Choice Devices::look_up(std::string_view name) { return choose(name, false); }
 
@@ -147,9 +155,9 @@ Devices::Choice Devices::choose(std::string_view name, bool may_open) {
   if (name.empty()) {
     for (Slot& slot : slots_) {
       if (may_open || slot.is_tried) try_out(slot);
-      if (slot.opened || !slot.is_tried) return {slot.opened, ""};
+      if (slot.opened || !slot.is_tried) return choice_of(slot);
     }
-    return {nullptr, std::string(slots_[0].known.physical.properties.deviceName) + ": " + slots_[0].known.complaint};
+    return choice_of(slots_[0]);
   }
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -160,9 +168,7 @@ Devices::Choice Devices::choose(std::string_view name, bool may_open) {
     const std::string own = in_lower_case(slot.known.physical.properties.deviceName);
     if (is_number ? i != number : own.find(in_lower_case(name)) == std::string::npos) continue;
     if (may_open || slot.is_tried) try_out(slot);
-    return {slot.opened, slot.opened || !slot.is_tried
-                             ? ""
-                             : std::string(slot.known.physical.properties.deviceName) + ": " + slot.known.complaint};
+    return choice_of(slot);
   }
   std::string sentence = "there is no device '" + std::string(name) + "'";
   if (is_from_environment) sentence += ", which IMPINGE_DEVICE names";

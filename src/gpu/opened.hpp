@@ -66,6 +66,7 @@ class Devices {
     std::shared_ptr<Opened> opened;  ///< null: none
     std::string complaint;           ///< then why
     bool is_unknown = false;         ///< nothing is called that
+    bool is_software = false;        ///< it is a program on the CPU, which would take its time from the CPU's threads
   };
   /// By number in the list or part of the name, whatever the case of its letters; empty: IMPINGE_DEVICE, or else the
   /// first that can be used.
@@ -84,6 +85,7 @@ class Devices {
   };
   void look();
   void try_out(Slot& slot);
+  Choice choice_of(const Slot& slot) const;
   Choice choose(std::string_view name, bool may_open);
 
   std::mutex mutex_;
