@@ -132,11 +132,20 @@ DevicePart::~DevicePart() = default;
 std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, const Sink& sink,
                                          Statistics& statistics) {
   std::vector<DevicePiece> left;
+  // A walk that is left before its end ends here, before the meshes that it reads are let go.
+  struct Running {
+    std::unique_ptr<gpu::DeviceWalk>& walk;
+    bool is_over = false;
+    ~Running() {
+      if (!is_over) walk.reset();
+    }
+  };
   auto walk = opened_->take_walk();
   // As many at once as the walk's list takes.
   for (std::size_t begin = 0; begin < pieces.size(); begin += walk->most_items()) {
     const auto some = pieces.subspan(begin, std::min<std::size_t>(pieces.size() - begin, walk->most_items()));
     Sorter sorter(*this);
+    Running running{walk};
     StageClock clock;
     for (const DevicePiece& piece : some)
       if (!sorter.add(piece)) left.push_back(piece);
@@ -147,6 +156,7 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
       run(batch, *walk, sink, statistics);
       if (query_.options.stop.stop_requested()) return left;
     }
+    running.is_over = true;
     clock.charge(statistics.device_seconds);
   }
   opened_->give_back(std::move(walk));

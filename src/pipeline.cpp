@@ -288,7 +288,9 @@ class Pipeline {
       device_statistics_ = driver.statistics();
       if (options_.predict_cost) device_statistics_.device_predicted_seconds = driver.predict_seconds();
       if (!undone.empty())
-        memory_.warnings.push_back(driver.device_name() + " had no room for all meshes; the CPU did the rest");
+        memory_.warnings.push_back(driver.device_name() +
+                                    " could not take all pairs, for want of room or because they are too far from "
+                                    "the origin for its precision; the CPU did the rest");
       for (const DevicePiece& piece : undone) memory_.pair_states[piece.object_pair].open_tasks.fetch_add(1);
       for (const DevicePiece& piece : driver.done()) close(piece.object_pair);
     }

@@ -96,6 +96,7 @@ struct Control {
   uint first, take;                                      // which items a step takes
   uint walk_groups[3], fill_groups[3], sweep_groups[3];  // for indirect dispatch
   uint leaf_pairs;                                       // in the list
+  uint swept;                                            // of them, those that the sweep came to the end of
   uint again;                                            // leaf pairs whose hits found no room
   uint hits;                                             // asked for, which may be more than there is room for
   uint box_tests, box_tests_high, triangle_pairs, triangle_pairs_high;

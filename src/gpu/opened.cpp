@@ -159,10 +159,10 @@ Devices::Choice Devices::choose(std::string_view name, bool may_open) {
     }
     return choice_of(slots_[0]);
   }
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  // A number of the list, or part of a name that is a number.
-  const bool is_number = error == std::errc() && end == name.data() + name.size() && number < slots_.size();
+  // Digits alone are a number of the list, never part of a name: names have versions and widths in them.
+  const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
+  std::size_t number = slots_.size();
+  std::from_chars(name.data(), name.data() + name.size(), number);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     Slot& slot = slots_[i];
     const std::string own = in_lower_case(slot.known.physical.properties.deviceName);

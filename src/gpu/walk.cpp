@@ -23,6 +23,9 @@ constexpr std::uint32_t kMostHitsAtOnce = kSweptTogether * kTileSize * kTileSize
 constexpr std::uint32_t kMostLevels = 36;
 constexpr std::uint32_t kReserve = kChildren * kMostLevels;
 constexpr std::uint32_t kMostSteps = 96;  ///< of a walk in one part
+/// Times that a workgroup goes round for more leaf pairs. Each takes about a thousand turns of loops, and llvmpipe ends
+/// a shader silently after 65,535. A device that offers as many groups as Vulkan demands goes round once.
+constexpr std::uint64_t kMostRounds = 16;
 
 WalkConfig config_of(const Limits& limits) {
   const auto fit = [&](std::uint64_t wanted, std::uint64_t least, std::size_t size) {
@@ -30,7 +33,8 @@ WalkConfig config_of(const Limits& limits) {
   };
   return {.stack_capacity = fit(limits.stack, kReserve + std::uint64_t{2} * kChildren, sizeof(WorkItem)),
           .stack_reserve = kReserve,
-          .leaf_capacity = fit(limits.leaf_pairs, std::uint64_t{2} * kChildren, sizeof(WorkItem)),
+          .leaf_capacity = fit(std::min<std::uint64_t>(limits.leaf_pairs, kMostRounds * kGroupSize * limits.most_groups),
+                               std::uint64_t{2} * kChildren, sizeof(WorkItem)),
           .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
           .most_groups = limits.most_groups,
           .first_only = 0,
@@ -131,6 +135,7 @@ void DeviceWalk::start(const WalkInput& input) {
 bool DeviceWalk::advance() {
   commands_.wait();
   const Control done = *read_control_.mapped<const Control>();
+  if (done.swept != done.leaf_pairs) throw Failure("it ended a kernel before its work was done");
   work_.box_tests += long_count(done.box_tests, done.box_tests_high);
   work_.triangle_pairs += long_count(done.triangle_pairs, done.triangle_pairs_high);
   work_.leaf_pairs += done.leaf_pairs - done.again;

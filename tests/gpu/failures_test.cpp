@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <fstream>
+#include <stop_token>
 #include <string_view>
 #include <thread>
 
@@ -39,6 +41,20 @@ TEST(DeviceFailures, ListsThatAreTooShortAreFilledAgainAndAgain) {
       test::expect_same(expected(), *found);
     }
   }
+}
+
+/// llvmpipe ends a shader after so many turns of its loops, without a word: a group must not have too much to do.
+TEST(DeviceFailures, OneGroupDoesTheWorkOfMany) {
+  test::Seeded seeded(1);
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(229));
+  Scene scene;
+  for (int i = 0; i < 48; ++i) ASSERT_TRUE(scene.add(knot, scenes::random_motion(seeded.random, 0.1)));
+  const Contacts wanted = scene.collide({.backend = "simd"}).value();
+  const WithLimits limits({.most_groups = 1});
+  const auto found = scene.collide({.backend = "gpu"});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
+  test::expect_same(wanted, *found);
 }
 
 /// Behind each buffer lies a guard that shaders could write to.
@@ -209,8 +225,29 @@ TEST(DeviceFailures, EightThreadsShareADevice) {
   }
 }
 
+/// A query is stopped while its walk is under way, and others want the memory of its mesh.
+TEST(DeviceFailures, AStoppedWalkHasEndedBeforeItsMeshMayGo) {
+  const WithLimits limits({.budget = 32u << 20, .page = 1u << 20});
+  const Mesh large = test::mesh_of(scenes::torus_knot_of(100'000)), tiny = test::mesh_of(scenes::torus_knot_of(100));
+  ASSERT_TRUE(large.build_tree());
+  for (int round = 0; round < 4; ++round) {
+    std::stop_source stop;
+    const std::jthread stopped([&] {
+      const auto found = collide(large, {}, large, {.t = {0.001, 0.002, 0.001}},
+                                 {.threads = 1, .backend = "gpu", .stop = stop.get_token()});
+      EXPECT_TRUE(found || found.error().code == Code::cancelled);
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100 + 60 * round));
+    stop.request_stop();
+    for (int i = 0; i < 2; ++i) {
+      const Mesh other = test::mesh_of(scenes::torus_knot_of(60'000));
+      EXPECT_TRUE(collide(other, {}, tiny, {.t = {0.1, 0.1, 0}}, {.threads = 1, .backend = "gpu"}));
+    }
+  }
+}
+
 TEST(DeviceFailures, ADeviceThatIsNotThereIsNamedWithThoseThatAre) {
-  for (const char* name : {"Voodoo 2", "17"}) {
+  for (const char* name : {"Voodoo 2", "256", "99999999999999999999999"}) {  // lavapipe's name says "256 bits"
     const auto found = test::scene_of(placed()).collide({.backend = "gpu", .device = name});
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().code, Code::no_device);

@@ -187,6 +187,7 @@ void sweep(uint begin, uint first, uint count) {
 void main() {
   const uint lane = gl_LocalInvocationID.x;
   const uint all = control.leaf_pairs, stride = gl_NumWorkGroups.x * kGroupSize;
+  uint swept = 0;
   if (lane == 0) tests = 0;
   for (uint begin = gl_WorkGroupID.x * kGroupSize; begin < all; begin += stride) {
     const uint count = min(all - begin, kGroupSize);
@@ -194,10 +195,12 @@ void main() {
     barrier();
     for (uint first = 0; first < count; first += kSweptTogether) {
       sweep(begin, first, count);
+      swept += min(count - first, kSweptTogether);
       barrier();  // before shared memory is written again
     }
   }
   if (lane == 0) {
+    atomicAdd(control.swept, swept);
     const uint before = atomicAdd(control.triangle_pairs, tests);
     if (before + tests < before) atomicAdd(control.triangle_pairs_high, 1);
   }
