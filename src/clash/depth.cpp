@@ -65,7 +65,10 @@ class Search {
     if (is_inside) least_ = std::max(least_, nearest->distance - nearest->error - floor_);
     double farthest = 0;
     const Triangle boundary = outer_.triangle(nearest->triangle);
-    for (const Vec3& vertex : piece) farthest = std::max(farthest, measure::distance_to(boundary, vertex));
+    for (const Vec3& vertex : piece) {
+      const auto found = measure::point_distance(vertex, boundary, kFar);
+      farthest = std::max(farthest, found.distance + found.margin);
+    }
     const double by_center = (is_inside ? nearest->distance : -nearest->distance) + nearest->error + radius;
     const double most = std::min(by_center, farthest * (1 + 0x1p-40) + floor_);
     if (is_good(most)) {

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
 #include "measure/nearest.hpp"
+#include "measure/triangle_distance.hpp"
 #include "solid/locate.hpp"
 
 namespace impinge::clash {
@@ -16,6 +19,8 @@ namespace {
 using solid::kInside;
 using solid::kNear;
 using solid::kOutside;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 bool has_inner_shells(const solid::Part& part) {
   return std::any_of(part.sides.begin(), part.sides.end(), [](const auto& side) { return side.front == side.back; });
