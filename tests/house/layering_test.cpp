@@ -26,6 +26,10 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
       "hierarchy/frame_relation-inl.hpp"}},
     {"narrow", {"partition/batch.hpp", "partition/pair_stream.hpp"}},
     {"exact", {"partition/batch.hpp", "narrow/verdict.hpp"}},
+    {"measure",
+     {"hierarchy/wide_tree.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/tree_relation.hpp",
+      "hierarchy/wide_boxes-inl.hpp", "hierarchy/placed_tree.hpp", "hierarchy/round_up.hpp",
+      "exact/triangle_pair.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
     // What a device does of the stages from hierarchy to narrow, and of the plain form's narrow stage alone; and what
