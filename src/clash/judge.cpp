@@ -82,7 +82,9 @@ class Case {
     return *contacts_;
   }
 
-  [[nodiscard]] bool is_enough(const Cells& cells) const { return is_settled(cells, kinds_); }
+  [[nodiscard]] solid::Enough enough() const {
+    return [kinds = kinds_](const Cells& cells) { return is_settled(cells, kinds); };
+  }
 
   void conclude(const Cells& cells, bool touch, bool pass) {
     const Finding finding = verdict_of(cells, kinds_, touch, pass);
@@ -90,14 +92,14 @@ class Case {
   }
 
   void judge_exactly() {
-    const Cells cells = solid::cells_of(a_.part, b_.part, contacts(), [&](const Cells& c) { return is_enough(c); });
+    const Cells cells = solid::cells_of(a_.part, b_.part, contacts(), enough());
     const bool crosses = std::any_of(contacts().begin(), contacts().end(), is_crossing);
     conclude(cells, !contacts().empty(), crosses);
   }
 
   /// False where floating point cannot tell.
   bool judge_nearly() {
-    const auto found = near_cells(a_, b_, judgement_.tolerance, near_, [&](const Cells& c) { return is_enough(c); });
+    const auto found = near_cells(a_, b_, judgement_.tolerance, near_, enough());
     if (!found) return false;
     Cells cells = *found;
     if (((cells.a | cells.b) & kInside) == 0) {

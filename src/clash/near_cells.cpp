@@ -177,8 +177,10 @@ class OneSide {
   /// The farthest that the piece's points are from a triangle: at its vertices, for the triangle is convex.
   [[nodiscard]] bool is_near(const Polygon& piece, const Triangle& triangle) const {
     const double most = setting_.frame.unit * setting_.tolerance * (1 - 0x1p-16);
-    return std::all_of(piece.begin(), piece.end(),
-                       [&](const Vec3& p) { return norm(p - measure::nearest_of(triangle, p)) <= most; });
+    return std::all_of(piece.begin(), piece.end(), [&](const Vec3& p) {
+      const auto found = measure::point_distance(p, triangle, kFar);
+      return found.distance + found.margin <= most;
+    });
   }
 
   /// A piece outside of the slabs, or what is left of it: near where all of it is near one triangle; else some point
@@ -239,7 +241,7 @@ std::vector<TrianglePair> swapped(const std::vector<TrianglePair>& near) {
 
 std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
                                        const std::vector<TrianglePair>& near,
-                                       const std::function<bool(const solid::Cells&)>& enough) {
+                                       const solid::Enough& enough) {
   if (has_inner_shells(a.part) || has_inner_shells(b.part)) return std::nullopt;
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
   if (frame.unit * tolerance < kLeastTolerance * frame.scale) return std::nullopt;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,6 +24,6 @@ struct LinkedPart {
 /// once `enough(cells)`. Nothing where floating point cannot tell apart what it must, or a shell is no boundary.
 std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
                                        const std::vector<TrianglePair>& near,
-                                       const std::function<bool(const solid::Cells&)>& enough);
+                                       const solid::Enough& enough);
 
 }  // namespace impinge::clash
