@@ -120,7 +120,7 @@ class Search {
   void search(const WideLeaf& leaf) {
     float lower[256];
     bound_triangles(leaf, LocalPoint(local_, leaf.frame), lower);
-    for (std::uint32_t i = 0; i < leaf.count; ++i)
+    for (std::uint32_t i = 0; i < leaf.count && !is_done(); ++i)
       if (world(lower[i]) <= limit_) test(leaf.ids()[i]);
   }
 

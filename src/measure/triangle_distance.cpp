@@ -164,10 +164,38 @@ Vec3 slab_normal(const Found& found) {
   return orthogonal_to(first, orthogonal_to(second, found.b - found.a));
 }
 
+/// From one of its points to the corner of a triangle that lies farthest against a direction.
+Vec3 to_farthest_against(const Vec3& n, const Triangle& t, const Vec3& point) {
+  Vec3 farthest = t[0];
+  for (const Vec3& corner : t)
+    if (dot(n, corner) < dot(n, farthest)) farthest = corner;
+  return farthest - point;
+}
+
+/// Features that nearly tie are nearly as near, and yet another than the one found may be needed to tell how the slab
+/// lies: corners that stand out of it turn it until they are on its border.
+double turned_gap(const Local& local, const Found& found, double enough) {
+  const Vec3 r = found.b - found.a;
+  Vec3 n = r, first{0, 0, 0};
+  double gap = 0;
+  for (int turn = 0; turn < 2; ++turn) {
+    const Vec3 in_a = to_farthest_against(-1.0 * n, local.a, found.a), in_b = to_farthest_against(n, local.b, found.b);
+    const Vec3 out = orthogonal_to(first, dot(n, in_a) > -dot(n, in_b) ? in_a : in_b);
+    n = orthogonal_to(out, orthogonal_to(first, r));
+    n = orthogonal_to(first, n);
+    gap = std::max(gap, gap_along(n, local.a, local.b));
+    if (gap >= enough) break;
+    first = out;
+  }
+  return gap;
+}
+
 TriangleDistance finished(const Local& local, const Found& found) {
   const double value = std::sqrt(found.square);
   double gap = std::max(0.0, gap_along(found.b - found.a, local.a, local.b));
-  if (gap < value - kMargin) gap = std::max(gap, gap_along(slab_normal(found), local.a, local.b));
+  const double enough = value - kMargin;
+  if (gap < enough) gap = std::max(gap, gap_along(slab_normal(found), local.a, local.b));
+  if (gap < enough) gap = std::max(gap, turned_gap(local, found, enough));
   return {local.unit * value, local.unit * kMargin, local.unit * std::max(0.0, gap - kMargin), local.world(found.a),
           local.world(found.b)};
 }

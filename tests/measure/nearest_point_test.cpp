@@ -30,7 +30,7 @@ void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triang
   double size = 0;
   for (const Triangle& t : world)
     for (const Vec3& corner : t) size = std::max(size, max_component(abs(corner - p)));
-  EXPECT_LE(found->error, 0x1p-40 * size);
+  EXPECT_LE(found->error, 0x1p-33 * size);
   const Vec3& q = found->point;
   EXPECT_TRUE(oracle::is_within(oracle::square_distance({q, q, q}, world[found->triangle]), 0,
                                 0x1p-44 * size + 0x1p-50 * max_component(abs(q))));

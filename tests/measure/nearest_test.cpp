@@ -85,7 +85,7 @@ void expect_near_pairs(const Bodies& bodies, double within) {
   measure::near_pairs(bodies.placed(0), bodies.placed(1), within, pairs);
   std::vector<char> has(bodies.world(0).size() * bodies.world(1).size());
   const mpq_class limit = mpq_class(within) * mpq_class(within);
-  const mpq_class wide = mpq_class(within) + mpq_class(0x1p-38 * extent(bodies));
+  const mpq_class wide = mpq_class(within) + mpq_class(0x1p-33 * extent(bodies));
   for (const TrianglePair& pair : pairs) {
     char& there = has[pair.a * bodies.world(1).size() + pair.b];
     EXPECT_FALSE(there) << "twice";
@@ -118,7 +118,7 @@ void expect_all(const scenes::PlacedScene& scene, std::uint32_t leaf_size) {
   const double d = std::sqrt(bodies.least().get_d()), size = extent(bodies);
   for (const std::int64_t set : test::instruction_sets()) {
     const test::OnInstructionSet on(set);
-    ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 0x1p-38 * size));
+    ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 0x1p-33 * size));
     ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(bodies));
     for (const double within : {0.0, d, 1.1 * d, d + 0.01 * size, d + 0.2 * size})
       ASSERT_NO_FATAL_FAILURE(expect_near_pairs(bodies, within));
