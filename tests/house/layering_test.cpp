@@ -26,6 +26,8 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
       "hierarchy/frame_relation-inl.hpp"}},
     {"narrow", {"partition/batch.hpp", "partition/pair_stream.hpp"}},
     {"exact", {"partition/batch.hpp", "narrow/verdict.hpp"}},
+    {"clash",
+     {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "solid/body.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
     // What a device does of the stages from hierarchy to narrow, and of the plain form's narrow stage alone; and what
