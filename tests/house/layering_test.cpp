@@ -30,6 +30,9 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
      {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "solid/body.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
+    {"solid",
+     {"hierarchy/placed_tree.hpp", "exact/contact.hpp", "exact/filter.hpp", "exact/orientation.hpp",
+      "exact/rational.hpp", "exact/segment.hpp", "exact/triangle_pair.hpp"}},
     // What a device does of the stages from hierarchy to narrow, and of the plain form's narrow stage alone; and what
     // its build makes (cmake/vulkan.cmake).
     {"gpu",
