@@ -15,8 +15,8 @@ namespace impinge {
 
 /// One connected region of contact between two placed meshes. What a pair of triangles shares is a point, a segment or
 /// (of coplanar triangles) a convex polygon. Which corners that has is decided exactly, and each corner's coordinates
-/// are the doubles nearest to the exact ones. Sums are taken of these in double, about the middle of the box; with "out"
-/// and "outward" a closed mesh is meant to have its normals outwards, or all of them inwards.
+/// are the doubles nearest to the exact ones. Sums are taken of these in double, about the middle of the box; with
+/// "out" and "outward" a closed mesh is meant to have its normals outwards, or all of them inwards.
 struct Region {
   std::uint64_t pairs = 0;     ///< of triangles
   std::array<Point, 2> box{};  ///< lowest and highest corner of what the pairs share
@@ -28,11 +28,11 @@ struct Region {
   /// Of the area; without area of the lines; without lines the mean of the points.
   Point centroid{};
   /// Unit: the way in which b would have to go to leave a, or {0, 0, 0} where contact says none. Exchanging a and b
-  /// turns it round. With area: the mean over the area of the polygons' (outward normal of a - outward normal of b) / 2,
-  /// and, for each closed crossing line, the integral of a's outward normal over the part of a's surface that it cuts
-  /// off inside b (both sides of a hole weigh each other up: through a plate no way is the best). Without area: the mean
-  /// outward normal of the touched triangles of a if they all look one way, or else the opposite of b's if those do, or
-  /// else the difference of both means.
+  /// turns it round. With area: the mean over the area of the polygons' (outward normal of a - outward normal of b) /
+  /// 2, and, for each closed crossing line, the integral of a's outward normal over the part of a's surface that it
+  /// cuts off inside b (both sides of a hole weigh each other up: through a plate no way is the best). Without area:
+  /// the mean outward normal of the touched triangles of a if they all look one way, or else the opposite of b's if
+  /// those do, or else the difference of both means.
   Point normal{};
   /// Where the surfaces meet: first the lines in which they cross or touch, then the outlines of polygons that share
   /// borders. A closed line ends with the point with which it begins, and has no direction of its own.

@@ -18,8 +18,8 @@ class DisjointSets {
     return i;
   }
   void join(std::uint32_t i, std::uint32_t j) {
-    const auto [low, high] = std::minmax(find(i), find(j));
-    parent_[high] = low;
+    i = find(i), j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
   }
 
  private:

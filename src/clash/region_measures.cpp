@@ -12,7 +12,7 @@ namespace {
 
 /// What is left of opposite directions when they cancel.
 constexpr double kCancelled = 1e-6;
-/// Directions that are one, but for rounding.
+/// Of directions that are one, or planes that are parallel, but for rounding.
 constexpr double kFlat = 1e-9;
 
 /// A power of two near a length, so that products of lengths neither over- nor underflow.
@@ -22,7 +22,8 @@ Vec3 unit(Vec3 v) {
   const double largest = max_component(abs(v));
   if (!(largest > 0)) return {0, 0, 0};
   v = (1 / unit_of(largest)) * v;
-  return (1 / norm(v)) * v;
+  const double length = norm(v);
+  return {v.x / length, v.y / length, v.z / length};
 }
 
 /// The outward unit normal; 0 of a triangle without area.
@@ -43,12 +44,16 @@ struct Mean {
   [[nodiscard]] Vec3 value() const { return (1 / weight) * sum; }
 };
 
-/// Half the sum of r x dr along a closed polygon: its area, along the normal of a plane one. About its first point.
-Vec3 vector_area(std::span<const Vec3> points) {
+/// Half the sum of r x dr along a closed line: its area, along the normal of a plane one. About a point near it.
+Vec3 vector_area(std::span<const Vec3> points, const Vec3& about) {
   Vec3 twice{0, 0, 0};
-  for (std::size_t i = 2; i < points.size(); ++i)
-    twice = twice + cross(points[i - 1] - points[0], points[i] - points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) twice = twice + cross(points[i - 1] - about, points[i] - about);
   return 0.5 * twice;
+}
+
+void add_lengths(std::span<const Vec3> points, Mean& mean) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    mean.add(norm(points[i] - points[i - 1]), 0.5 * (points[i - 1] + points[i]));
 }
 
 /// Works in coordinates about the middle of the region's box, in a unit near its size.
@@ -67,7 +72,7 @@ class Measures {
     std::vector<Polyline> outlines = joined(outline());
     for (std::vector<Polyline>* some : {&lines, &outlines})
       for (Polyline& line : *some) {
-        measure_length(line.points);
+        add_lengths(local(line.points), length_);
         region_.lines.push_back(std::move(line.points));
       }
     conclude();
@@ -106,51 +111,60 @@ class Measures {
     double weight = 1;
     if (corners.size() == 2) {
       const Vec3 &p = corners[0].point, &q = corners[1].point;
-      // Along this direction the part of a's surface inside b is on the left, seen from outside a.
-      const Vec3 along = pair.kind == Kind::crossing ? cross(normal_a, normal_b) : Vec3{0, 0, 0};
-      pieces_.push_back(piece(p, q, dot(along, local(q) - local(p))));
       weight = norm(local(q) - local(p));
+      pieces_.push_back(piece(p, q, weight * flow(normal_a, normal_b, q - p)));
     }
     Normals& normals = corners.size() == 2 ? of_lines_ : of_points_;
     normals.a.add(weight, normal_a);
     normals.b.add(weight, normal_b);
   }
 
+  /// +1 if the part of a's surface inside b is on the left of this way, seen from outside a; -1 if it is on the right;
+  /// 0 if that is not certain. Where an edge of a only touches b, what its two triangles say cancels.
+  static double flow(const Vec3& normal_a, const Vec3& normal_b, const Vec3& way) {
+    const Vec3 along = cross(normal_a, normal_b);
+    if (!(norm(along) > kFlat)) return 0;
+    const double step = dot(along, unit(way));
+    return step > 0 ? 1 : step < 0 ? -1 : 0;
+  }
+
   void add_polygon(std::span<const Corner> corners, const Vec3& direction) {
     std::vector<Vec3> points;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      points.push_back(local(corners[i].point));
-      const Piece border = piece(corners[i].point, corners[(i + 1) % corners.size()].point);
+    for (std::size_t i = 0; i <= corners.size(); ++i) {
+      points.push_back(local(corners[i % corners.size()].point));
+      if (i == 0) continue;
+      const Piece border = piece(corners[i - 1].point, corners[i % corners.size()].point);
       if (border.from != border.to) borders_.push_back(border);
     }
     add_area(points, direction);
   }
 
-  /// By triangles about the first point, weighed by their share in the whole.
+  /// The patch that a closed line spans: triangles from the line's middle, weighed by their share in the whole.
   void add_area(std::span<const Vec3> points, const Vec3& direction) {
-    const Vec3 whole = vector_area(points);
+    Mean border;
+    add_lengths(points, border);
+    if (!(border.weight > 0)) return;
+    const Vec3 middle = border.value(), whole = vector_area(points, middle);
     const double area = norm(whole);
     if (!(area > 0)) return;
-    for (std::size_t i = 2; i < points.size(); ++i) {
-      const std::array<Vec3, 3> third{points[0], points[i - 1], points[i]};
-      area_.add(dot(vector_area(third), whole) / area, (1.0 / 3) * (third[0] + third[1] + third[2]));
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double share = dot(vector_area(points.subspan(i - 1, 2), middle), whole) / area;
+      area_.add(share, (1.0 / 3) * (middle + points[i - 1] + points[i]));
     }
     direction_ = direction_ + area * direction;
   }
 
-  void add_crossing(const Polyline& line) {
-    if (!line.closed()) return;
-    std::vector<Vec3> points;
-    for (const Vec3& p : line.points) points.push_back(local(p));
-    const double sign = line.flow > 0 ? 1 : line.flow < 0 ? -1 : 0;
-    add_area(points, sign * unit(vector_area(points)));
+  [[nodiscard]] std::vector<Vec3> local(std::span<const Vec3> points) const {
+    std::vector<Vec3> result;
+    for (const Vec3& p : points) result.push_back(local(p));
+    return result;
   }
 
-  void measure_length(std::span<const Vec3> points) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Vec3 p = local(points[i - 1]), q = local(points[i]);
-      length_.add(norm(q - p), 0.5 * (p + q));
-    }
+  void add_crossing(const Polyline& line) {
+    if (!line.closed() || line.flow == 0) return;
+    const std::vector<Vec3> points = local(line.points);
+    const Vec3 way = unit(vector_area(points, points[0]));
+    add_area(points, line.flow > 0 ? way : -1.0 * way);
   }
 
   static bool before(const Piece& x, const Piece& y) {
