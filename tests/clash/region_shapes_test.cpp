@@ -84,6 +84,30 @@ TEST(RegionShapes, TwoBoltsThroughOnePlateAreTwoRegions) {
   EXPECT_NEAR(regions[0].area, regions[1].area, 1e-12);
 }
 
+/// A tube with a wall: nothing of the ring that it cuts out of a large triangle is on an edge.
+TEST(RegionShapes, AThickPipeThroughALargeTriangleIsOneRegion) {
+  scenes::MeshData tube = pipe(24, 6, 0.5, 5, false);
+  tube = both(tube, test::inverted(pipe(24, 6, 0.3, 5, false)));
+  const auto rings = [&](std::uint32_t first, bool up) {  // closes both ends between the outer and the inner ring
+    const auto outer = first, inner = static_cast<std::uint32_t>(tube.vertex_count() / 2) + first;
+    for (std::uint32_t i = 0; i < 24; ++i) {
+      const std::uint32_t j = (i + 1) % 24;
+      tube.add_triangle(outer + i, up ? outer + j : inner + j, up ? inner + j : outer + j);
+      tube.add_triangle(outer + i, up ? inner + j : inner + i, up ? inner + i : inner + j);
+    }
+  };
+  rings(0, false), rings(6 * 24, true);
+  const scenes::MeshData plate = box({-10, -10, 0}, {10, 10, 1});
+  const scenes::MeshData through = shifted(tube, 4, 1, -2);
+  const Region region = region_between(plate, through);
+  EXPECT_EQ(region.lines.size(), 4u);
+  EXPECT_EQ(region_between(through, plate).lines.size(), 4u);
+  EXPECT_EQ(regions_between(plate, both(through, shifted(through, -8, 0.5, 0))).size(), 2u);
+  // One inside the other's bore, with play between them.
+  const scenes::MeshData bar = shifted(pipe(12, 6, 0.2, 5, true), 4, 1, -2);
+  EXPECT_EQ(regions_between(plate, both(through, bar)).size(), 2u);
+}
+
 /// A blind hole's pin, whose end is deep in the block: one loop, and the way out is along the pin.
 TEST(RegionShapes, APinInABlockIsPushedOutAlongItself) {
   const Region region =
