@@ -123,9 +123,8 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
       .paragraph("impinge clash FILE... [options]")
       .paragraph(
           "Reads all files as one scene and says of each two parts what they are to each other, worst first. A part is "
-          "a "
-          "solid if its surface is closed and does not cross itself; anything else is a surface, and the report says "
-          "why. The first that holds:")
+          "a solid if its surface is closed and does not cross itself; anything else is a surface, and the report "
+          "says why. The first that holds:")
       .section("Verdicts:", {{"duplicate", "both are the same set of points"},
                              {"inside", "the first lies in the second, a solid, whether their surfaces meet or not"},
                              {"penetrating", "the interiors of two solids meet"},
