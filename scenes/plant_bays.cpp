@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 
 namespace impinge::scenes {
 

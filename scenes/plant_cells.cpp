@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "scenes/plant_bays.hpp"
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 
 /// Small things, each in a cell of its own: what two or three boxes, pins or pipes can be to each other.
 namespace impinge::scenes {

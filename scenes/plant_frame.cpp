@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scenes/plant_bays.hpp"
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 
 namespace impinge::scenes {
 namespace {

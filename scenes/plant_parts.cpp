@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "scenes/shapes.hpp"
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 
 namespace impinge::scenes {
 
