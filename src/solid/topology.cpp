@@ -9,6 +9,7 @@
 
 #include "core/hash.hpp"
 #include "exact/segment.hpp"
+#include "solid/groups.hpp"
 
 namespace impinge::solid {
 namespace {
@@ -28,25 +29,6 @@ void number_positions(const std::vector<Vec3>& world, Topology& topology) {
     topology.position[i] = is_new ? topology.positions++ : topology.position[table[slot]];
   }
 }
-
-/// Numbers that belong together, each known by the least of them.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<std::uint32_t>(i);
-  }
-  std::uint32_t least(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = least(i), j = least(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// A triangle's use of an edge, kept with the edge's lower position.
 struct Use {

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "solid/cut_triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/number.hpp"
+
+namespace impinge::solid {
+namespace {
+
+using Int = boost::multiprecision::cpp_int;
+
+/// x / 2^unit, of which x is a multiple.
+Int integer(double x, int unit) {
+  if (x == 0) return 0;
+  const int lowest = lowest_bit(x);
+  return Int(static_cast<std::int64_t>(std::ldexp(x, -lowest))) << (lowest - unit);
+}
+
+/// A number as its first digits, in [1, 2), and an exponent; relatively within 2^-52.
+struct Digits {
+  double fraction = 0;
+  int exponent = 0;
+};
+Digits digits_of(const Int& x) {
+  if (x.is_zero()) return {};
+  const auto* const limbs = x.backend().limbs();
+  const unsigned n = x.backend().size();
+  constexpr int kBits = std::numeric_limits<boost::multiprecision::limb_type>::digits;
+  // The highest limb may hold a single bit; the next one has enough.
+  const double high = static_cast<double>(limbs[n - 1]), low = n > 1 ? static_cast<double>(limbs[n - 2]) : 0;
+  int exponent = 0;
+  const double fraction = 2 * std::frexp(high + std::ldexp(low, -kBits), &exponent);
+  return {x.sign() < 0 ? -fraction : fraction, exponent - 1 + kBits * static_cast<int>(n - 1)};
+}
+
+/// x / w, relatively within 2^-50 but where it is below 2^-1000.
+double quotient(const Int& x, const Digits& w) {
+  const Digits digits = digits_of(x);
+  return std::ldexp(digits.fraction / w.fraction, digits.exponent - w.exponent);
+}
+
+int lowest_bit_of(std::span<const Vec3> points, int lowest) {
+  for (const Vec3& p : points)
+    for (const double x : {p.x, p.y, p.z})
+      if (x != 0) lowest = std::min(lowest, lowest_bit(x));
+  return lowest;
+}
+
+}  // namespace
+
+CutTriangle::CutTriangle(const Triangle& triangle, std::span<const Triangle> others) : origin_(triangle[0]) {
+  unit_ = lowest_bit_of(triangle, std::numeric_limits<int>::max());
+  for (const Triangle& other : others) unit_ = lowest_bit_of(other, unit_);
+  const std::array corners{on_grid(triangle[0]), on_grid(triangle[1]), on_grid(triangle[2])};
+  const IntPoint &p = corners[1], &q = corners[2];  // the first is the origin
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    normal_[i] = p[j] * q[k] - p[k] * q[j];
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    if (abs(normal_[axis]) > abs(normal_[w_])) w_ = axis;
+  u_ = (w_ + 1) % 3, v_ = (w_ + 2) % 3;
+  Piece whole;
+  for (std::size_t i = 0; i < 3; ++i)
+    whole.push_back({line(corners[i], corners[(i + 1) % 3]), normal_[w_].sign(), corner(corners[i])});
+  pieces_.push_back(std::move(whole));
+}
+
+CutTriangle::IntPoint CutTriangle::on_grid(const Vec3& p) const {
+  return {integer(p.x, unit_) - integer(origin_.x, unit_), integer(p.y, unit_) - integer(origin_.y, unit_),
+          integer(p.z, unit_) - integer(origin_.z, unit_)};
+}
+
+CutTriangle::Corner CutTriangle::corner(Int u, Int v, Int w) const {
+  if (w < 0) u = -u, v = -v, w = -w;
+  const Digits digits = digits_of(w);
+  const std::array rounded{quotient(u, digits), quotient(v, digits)};
+  return {std::move(u), std::move(v), std::move(w), rounded};
+}
+
+CutTriangle::Corner CutTriangle::corner(const IntPoint& p) const { return corner(p[u_], p[v_], 1); }
+
+CutTriangle::Corner CutTriangle::meeting(const Line& p, const Line& q) const {
+  return corner(p.b * q.c - q.b * p.c, p.c * q.a - q.c * p.a, p.a * q.b - q.a * p.b);
+}
+
+const CutTriangle::Line* CutTriangle::line(Int a, Int b, Int c) {
+  const std::array digits{digits_of(a), digits_of(b), digits_of(c)};
+  const int largest = std::max({digits[0].exponent, digits[1].exponent, digits[2].exponent});
+  std::array<double, 3> rounded{};
+  for (std::size_t i = 0; i < 3; ++i) rounded[i] = std::ldexp(digits[i].fraction, digits[i].exponent - largest);
+  return &lines_.emplace_back(Line{std::move(a), std::move(b), std::move(c), rounded});
+}
+
+const CutTriangle::Line* CutTriangle::line(const IntPoint& from, const IntPoint& to) {
+  Int a = from[v_] - to[v_], b = to[u_] - from[u_];
+  Int c = -(a * from[u_] + b * from[v_]);
+  return line(std::move(a), std::move(b), std::move(c));
+}
+
+// Three products of numbers that are each within 2^-50 of the exact ones, but for what is below 2^-1000, and two sums:
+// 2^-48 of the sum of their sizes is more than three times what they are off.
+int CutTriangle::side(const Line& line, const Corner& p) {
+  const double a = line.rounded[0] * p.rounded[0], b = line.rounded[1] * p.rounded[1], c = line.rounded[2];
+  const double value = a + b + c;
+  const double nothing = 0x1p-900 * (1 + std::abs(p.rounded[0]) + std::abs(p.rounded[1]));
+  const double bound = 0x1p-48 * (std::abs(a) + std::abs(b) + std::abs(c)) + nothing;
+  if (std::abs(value) > bound) return value > 0 ? 1 : -1;
+  return Int(line.a * p.u + line.b * p.v + line.c * p.w).sign();
+}
+
+std::vector<int> CutTriangle::sides_if_cut(const Piece& piece, const Line& line) {
+  std::vector<int> sides;
+  bool above = false, below = false;
+  for (const Edge& edge : piece) {
+    sides.push_back(side(line, edge.from));
+    above |= sides.back() > 0, below |= sides.back() < 0;
+  }
+  if (!above || !below) sides.clear();
+  return sides;
+}
+
+CutTriangle::Piece CutTriangle::part_of(const Piece& piece, const Line& line, int side,
+                                        const std::vector<int>& sides) const {
+  Piece part;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Edge& edge = piece[i];
+    const int from = sides[i] * side, to = sides[(i + 1) % piece.size()] * side;
+    if (from > 0 || (from == 0 && to > 0)) part.push_back(edge);
+    if (from < 0 && to > 0) part.push_back({edge.line, edge.side, meeting(*edge.line, line)});
+    if (from == 0 && to < 0) part.push_back({&line, side, edge.from});
+    if (from > 0 && to < 0) part.push_back({&line, side, meeting(*edge.line, line)});
+  }
+  return part;
+}
+
+// Pieces and triangles are convex: their interiors meet unless an edge of one has all of the other on its outer side.
+void CutTriangle::take_out(const Triangle& coplanar) {
+  const std::array points{on_grid(coplanar[0]), on_grid(coplanar[1]), on_grid(coplanar[2])};
+  const std::array corners{corner(points[0]), corner(points[1]), corner(points[2])};
+  std::array<const Line*, 3> edges{};
+  for (std::size_t i = 0; i < 3; ++i) edges[i] = line(points[i], points[(i + 1) % 3]);
+  const int inner = side(*edges[0], corners[2]);
+  const auto is_apart_from = [&](const Piece& piece) {
+    const auto is_beyond = [&](const Edge& edge) {
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](const Corner& p) { return side(*edge.line, p) * edge.side <= 0; });
+    };
+    return std::any_of(piece.begin(), piece.end(), is_beyond) ||
+           std::any_of(edges.begin(), edges.end(), [&](const Line* edge) {
+             return std::all_of(piece.begin(), piece.end(),
+                                [&](const Edge& e) { return side(*edge, e.from) * inner <= 0; });
+           });
+  };
+  std::vector<Piece> left;
+  for (Piece& piece : pieces_) {
+    if (is_apart_from(piece)) {
+      left.push_back(std::move(piece));
+      continue;
+    }
+    for (const Line* const edge : edges) {  // what is beyond an edge is left; the rest goes on to the next
+      const std::vector<int> sides = sides_if_cut(piece, *edge);
+      if (sides.empty()) continue;
+      left.push_back(part_of(piece, *edge, -inner, sides));
+      piece = part_of(piece, *edge, inner, sides);
+    }
+  }
+  pieces_ = std::move(left);
+}
+
+// With the origin in the triangle's plane n . x = 0, the other's m . x = d meets it where, n_w times the second less
+// m_w times the first, (n_w m_u - m_w n_u) u + (n_w m_v - m_w n_v) v = n_w d. The chord is what the other has of that
+// line. Chord and piece are convex sets, and the line is one: they meet inside unless an edge of the piece has both
+// ends of the chord on its outer side.
+void CutTriangle::split(const Triangle& other) {
+  const std::array points{on_grid(other[0]), on_grid(other[1]), on_grid(other[2])};
+  std::array<Int, 3> heights;  // over the triangle's plane
+  for (std::size_t i = 0; i < 3; ++i)
+    heights[i] = normal_[0] * points[i][0] + normal_[1] * points[i][1] + normal_[2] * points[i][2];
+  std::vector<Corner> chord;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const IntPoint &p = points[i], &q = points[j];
+    if (heights[i].is_zero()) chord.push_back(corner(p));
+    if (heights[i].sign() * heights[j].sign() < 0)
+      chord.push_back(corner(heights[i] * q[u_] - heights[j] * p[u_], heights[i] * q[v_] - heights[j] * p[v_],
+                             heights[i] - heights[j]));
+  }
+  if (chord.empty()) return;
+  IntPoint p, q, m;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = points[1][i] - points[0][i], q[i] = points[2][i] - points[0][i];
+  for (std::size_t i = 0; i < 3; ++i) m[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+  const Int d = m[0] * points[0][0] + m[1] * points[0][1] + m[2] * points[0][2];
+  const Int& n = normal_[w_];
+  const Line* const by = line(n * m[u_] - m[w_] * normal_[u_], n * m[v_] - m[w_] * normal_[v_], -n * d);
+
+  std::vector<Piece> parts;
+  for (Piece& piece : pieces_) {
+    const bool misses = std::any_of(piece.begin(), piece.end(), [&](const Edge& edge) {
+      return std::all_of(chord.begin(), chord.end(),
+                         [&](const Corner& end) { return side(*edge.line, end) * edge.side <= 0; });
+    });
+    const std::vector<int> sides = misses ? std::vector<int>{} : sides_if_cut(piece, *by);
+    if (sides.empty()) {
+      parts.push_back(std::move(piece));
+    } else {
+      parts.push_back(part_of(piece, *by, 1, sides));
+      parts.push_back(part_of(piece, *by, -1, sides));
+    }
+  }
+  pieces_ = std::move(parts);
+}
+
+bool CutTriangle::holds(const Piece& piece, const Corner& p) {
+  return std::all_of(piece.begin(), piece.end(), [&](const Edge& edge) { return side(*edge.line, p) * edge.side > 0; });
+}
+
+// The mean of the rounded corners is a point of few digits, and inside unless the piece is a sliver; of the first three
+// corners, which are on no line, the exact mean is.
+exact::RationalPoint CutTriangle::point_in(std::size_t i) const {
+  const Piece& piece = pieces_[i];
+  double u = 0, v = 0;
+  for (const Edge& edge : piece) u += edge.from.rounded[0], v += edge.from.rounded[1];
+  u /= static_cast<double>(piece.size()), v /= static_cast<double>(piece.size());
+  const int unit = std::min({0, u != 0 ? lowest_bit(u) : 0, v != 0 ? lowest_bit(v) : 0});
+  const Corner mean = corner(integer(u, unit), integer(v, unit), Int(1) << -unit);
+  if (holds(piece, mean)) return in_space(mean);
+  const Corner &p = piece[0].from, &q = piece[1].from, &r = piece[2].from;
+  const Int pq = p.w * q.w, qr = q.w * r.w, rp = r.w * p.w;
+  return in_space(corner(p.u * qr + q.u * rp + r.u * pq, p.v * qr + q.v * rp + r.v * pq, 3 * pq * r.w));
+}
+
+exact::RationalPoint CutTriangle::in_space(const Corner& p) const {
+  const auto in_world = [&](const Int& numerator, const Int& denominator, double origin) {
+    const exact::Rational step = unit_ >= 0 ? exact::Rational(numerator << unit_, denominator)
+                                            : exact::Rational(numerator, denominator << -unit_);
+    return exact::Rational(origin) + step;
+  };
+  exact::RationalPoint point;
+  point[u_] = in_world(p.u, p.w, component(origin_, u_));
+  point[v_] = in_world(p.v, p.w, component(origin_, v_));
+  // n . x = 0 for the last coordinate.
+  const Int& n = normal_[w_];
+  const Int rest = -(normal_[u_] * p.u + normal_[v_] * p.v);
+  point[w_] =
+      n > 0 ? in_world(rest, n * p.w, component(origin_, w_)) : in_world(-rest, -n * p.w, component(origin_, w_));
+  return point;
+}
+
+}  // namespace impinge::solid
