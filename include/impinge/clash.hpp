@@ -36,7 +36,8 @@ enum class Note : std::uint8_t {
   none,
   overlap_within_tolerance,  ///< exactly they overlap, by no more than the tolerance
   gap_within_tolerance,      ///< exactly they are apart, by no more than the tolerance
-  tolerance_not_applied,     ///< it is above a quarter of one part's wall: the verdict is the exact one
+  tolerance_not_applied,     ///< it is above a quarter of one part's wall, or below what rounding leaves of such
+                             ///< coordinates: the verdict is the exact one
 };
 
 struct ClashOptions {
@@ -58,7 +59,7 @@ struct Clash {
   int inner = -1;  ///< with `inside`: 0 if the first object lies in the second, 1 if the second in the first
   Note note = Note::none;
   double tolerance = 0;  ///< that was applied
-  /// Of the pairs that are not apart 0; of those that are, where a clearance is asked for.
+  /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
   std::optional<Nearest> nearest;
   std::optional<OverlapDepth> overlap_depth;  ///< with `depth`, of two solids that penetrate or lie inside
   std::vector<Region> regions;                ///< with `regions`
@@ -78,7 +79,8 @@ struct Clashes {
   std::vector<Clash> pairs;  ///< by (object, object); those that are apart and not nearer than the clearance left out
   std::vector<PartFacts> parts;  ///< by object index
   std::uint64_t candidates = 0;  ///< pairs whose bounds are near enough
-  std::array<double, 5> seconds{};
+  double parts_seconds = 0;      ///< wall clock: to see what the parts are
+  double pairs_seconds = 0;      ///< and to judge the pairs
 };
 
 /// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -33,9 +34,9 @@ struct NearestPair {
   std::uint32_t triangle_a, triangle_b;
 };
 
-/// The nearest points of two bodies; same rules.
+/// The nearest points of two bodies; same rules. Nothing as well if it was asked to stop.
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
-                                        double enough = 0);
+                                        double enough = 0, const std::stop_token& stop = {});
 
 /// Appends every pair of triangles whose distance is at most `within` (0: those that may share a point), and perhaps
 /// some that are farther by a few roundings. In no particular order.

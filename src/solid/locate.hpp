@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "exact/rational.hpp"
 #include "hierarchy/placed_tree.hpp"
@@ -18,5 +19,17 @@ namespace impinge::solid {
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const Vec3& point);
 /// The same for a point whose coordinates are rational numbers.
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
+
+/// What is around a point that may lie on the surface.
+struct Around {
+  int beside;  ///< the winding number of p + (e³, e, e²), which no triangle holds; of p itself where none holds p
+  std::vector<std::uint32_t> holders;  ///< the triangles that p lies on, closed and degenerate ones included, unsorted
+};
+Around around(const hierarchy::PlacedTree& body, const Vec3& point);
+Around around(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
+
+/// To which side of the plane of a proper triangle that holds p the point p + (e³, e, e²) lies: +1 if it is the one
+/// that the normal points to, -1 the other one.
+int side_beside(const Triangle& triangle);
 
 }  // namespace impinge::solid

@@ -16,8 +16,8 @@ struct Topology {
   std::vector<std::uint32_t> position;  ///< per mesh vertex, numbered from 0
   std::uint32_t positions = 0;
   /// Per triangle: its shell. Two triangles are in one shell if a way leads from one to the other over edges that
-  /// exactly two proper triangles use. The two sides of a shell of a solid see one winding number each. Numbered in
-  /// the order of their first triangles; kNoShell where a triangle is degenerate.
+  /// exactly two proper triangles use, one each way. The two sides of a shell of a solid see one winding number each.
+  /// Numbered in the order of their first triangles; kNoShell where a triangle is degenerate.
   std::vector<std::uint32_t> shell;
   std::uint32_t shells = 0;
   /// Edges (by position) that are not run through as often one way as the other, by the positions of their ends. A
@@ -31,7 +31,7 @@ struct Topology {
 
 Topology examine(const Body& body);
 
-/// For each position, the triangles that use it, in compressed rows.
+/// For each position, the triangles that use it, each once and in order, in compressed rows.
 struct Fans {
   std::vector<std::uint32_t> offsets, triangles;
 };

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hierarchy/placed_tree.hpp"
+#include "hierarchy/tree_relation.hpp"
+#include "measure/lower_bounds.hpp"
+
+namespace impinge::measure {
+
+/// A triangle's world vertices (CONTRACT 1).
+Triangle world_triangle(const hierarchy::PlacedTree& body, std::uint32_t triangle);
+
+/// Two nodes or leaves; no points of theirs are nearer to each other than `lower`.
+struct NodePair {
+  hierarchy::TreeRef a, b;
+  double lower;
+};
+
+/// The way down two trees together. All lengths are the world's.
+class PairWalk {
+ public:
+  PairWalk(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b);
+
+  /// A is the body of the larger unit: the caller's second one if so.
+  [[nodiscard]] bool is_swapped() const { return swapped_; }
+  [[nodiscard]] const hierarchy::PlacedTree& a() const { return a_; }
+  [[nodiscard]] const hierarchy::PlacedTree& b() const { return b_; }
+
+  [[nodiscard]] NodePair roots() const;
+  /// Whether the bodies are so far apart beside their size that the rounding of the distance is no longer small beside
+  /// the differences between their points'.
+  [[nodiscard]] bool are_remote() const;
+
+  /// Appends the pairs of children that may be within the limit. Not for two leaves.
+  void open(const NodePair& pair, double limit, std::vector<NodePair>& children) const;
+  /// Replaces the list by the pairs of triangles of two leaves that may be.
+  void open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const;
+  [[nodiscard]] double world_length(float lower) const { return unit_ * double{lower}; }
+
+ private:
+  [[nodiscard]] float in_unit(double limit) const;
+
+  bool swapped_;
+  const hierarchy::PlacedTree &a_, &b_;
+  double unit_;  ///< A's
+  hierarchy::TreeRelation relation_;
+};
+
+}  // namespace impinge::measure
