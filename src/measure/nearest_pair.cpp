@@ -84,10 +84,10 @@ class Search {
 }  // namespace
 
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
-                                        double enough, const std::stop_token& stop) {
+                                        double enough, const SearchMeans& means) {
   if (a.mesh->triangles.empty() || b.mesh->triangles.empty()) return std::nullopt;
-  const PairWalk walk(a, b);
-  std::optional<NearestPair> found = Search(walk, within, enough).run(stop);
+  const PairWalk walk(a, b, means.for_each);
+  std::optional<NearestPair> found = Search(walk, within, enough).run(means.stop);
   if (found && walk.is_swapped())
     std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
   return found;

@@ -21,14 +21,14 @@ using hierarchy::TreeRelation;
 
 const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 
-hierarchy::TreeRef root_of(const PlacedTree& body) {
+TreeRef root_of(const PlacedTree& body, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
-  return body.tree->root(nodes_made);
+  return body.tree->root(nodes_made, for_each);
 }
 
-hierarchy::TreeRef child_of(const PlacedTree& body, const TreeRef& parent, int lane) {
+TreeRef child_of(const PlacedTree& body, const TreeRef& parent, int lane, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
-  return parent.is_leaf() ? parent : body.tree->child(parent.node(), lane, nodes_made);
+  return parent.is_leaf() ? parent : body.tree->child(parent.node(), lane, nodes_made, for_each);
 }
 
 /// From A's origin to B's in the world, in A's unit.
@@ -95,15 +95,16 @@ Triangle world_triangle(const PlacedTree& body, std::uint32_t triangle) {
   return world;
 }
 
-PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b)
+PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b, const ForEach& for_each)
     : swapped_(a.tree->unit_exponent() < b.tree->unit_exponent()),
       a_(swapped_ ? b : a),
       b_(swapped_ ? a : b),
       unit_(std::ldexp(1.0, a_.tree->unit_exponent())),
       relation_(hierarchy::relate(*a_.mesh, a_.pose, a_.tree->unit_exponent(), *b_.mesh, b_.pose,
-                                  b_.tree->unit_exponent())) {}
+                                  b_.tree->unit_exponent())),
+      for_each_(for_each) {}
 
-NodePair PairWalk::roots() const { return {root_of(a_), root_of(b_), 0}; }
+NodePair PairWalk::roots() const { return {root_of(a_, for_each_), root_of(b_, for_each_), 0}; }
 
 bool PairWalk::are_remote() const {
   const NodePair pair = roots();
@@ -124,7 +125,9 @@ void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& c
     const int i = bounds.b_is_one ? lane : one, j = bounds.b_is_one ? one : lane;
     double lower = world_length(bounds.lower[one][lane]);
     if (far) lower = std::max(lower, unit_ * far->lower(i, j));
-    if (lower <= limit) children.push_back({child_of(a_, pair.a, i), child_of(b_, pair.b, j), lower});
+    if (lower <= limit) {
+      children.push_back({child_of(a_, pair.a, i, for_each_), child_of(b_, pair.b, j, for_each_), lower});
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/for_each.hpp"
 #include "hierarchy/placed_tree.hpp"
 #include "hierarchy/tree_relation.hpp"
 #include "measure/lower_bounds.hpp"
@@ -23,7 +24,7 @@ struct NodePair {
 /// The way down two trees together. All lengths are the world's.
 class PairWalk {
  public:
-  PairWalk(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b);
+  PairWalk(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, const ForEach& for_each = {});
 
   /// A is the body of the larger unit: the caller's second one if so.
   [[nodiscard]] bool is_swapped() const { return swapped_; }
@@ -48,6 +49,7 @@ class PairWalk {
   const hierarchy::PlacedTree &a_, &b_;
   double unit_;  ///< A's
   hierarchy::TreeRelation relation_;
+  ForEach for_each_;
 };
 
 }  // namespace impinge::measure
