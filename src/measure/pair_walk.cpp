@@ -26,9 +26,14 @@ TreeRef root_of(const PlacedTree& body, const ForEach& for_each) {
   return body.tree->root(nodes_made, for_each);
 }
 
-TreeRef child_of(const PlacedTree& body, const TreeRef& parent, int lane, const ForEach& for_each) {
+void step_down(const PlacedTree& body, TreeRef& ref, std::int8_t& lane, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
-  return parent.is_leaf() ? parent : body.tree->child(parent.node(), lane, nodes_made, for_each);
+  if (lane != NodePair::kSelf) ref = body.tree->child(ref.node(), lane, nodes_made, for_each);
+  lane = NodePair::kSelf;
+}
+
+std::int8_t lane_of(const TreeRef& parent, int lane) {
+  return parent.is_leaf() ? NodePair::kSelf : static_cast<std::int8_t>(lane);
 }
 
 /// From A's origin to B's in the world, in A's unit.
@@ -104,7 +109,13 @@ PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b, const ForEach& for_
                                   b_.tree->unit_exponent())),
       for_each_(for_each) {}
 
-NodePair PairWalk::roots() const { return {root_of(a_, for_each_), root_of(b_, for_each_), 0}; }
+NodePair PairWalk::roots() const {
+  return {0, root_of(a_, for_each_), root_of(b_, for_each_), NodePair::kSelf, NodePair::kSelf, 0};
+}
+
+void PairWalk::reach(NodePair& pair) const {
+  step_down(a_, pair.a, pair.lane_a, for_each_), step_down(b_, pair.b, pair.lane_b, for_each_);
+}
 
 bool PairWalk::are_remote() const {
   const NodePair pair = roots();
@@ -125,9 +136,9 @@ void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& c
     const int i = bounds.b_is_one ? lane : one, j = bounds.b_is_one ? one : lane;
     double lower = world_length(bounds.lower[one][lane]);
     if (far) lower = std::max(lower, unit_ * far->lower(i, j));
-    if (lower <= limit) {
-      children.push_back({child_of(a_, pair.a, i, for_each_), child_of(b_, pair.b, j, for_each_), lower});
-    }
+    if (lower > limit) continue;
+    children.push_back({lower, pair.a, pair.b, lane_of(pair.a, i), lane_of(pair.b, j),
+                        static_cast<std::uint16_t>(pair.depth + 1)});
   }
 }
 
