@@ -13,7 +13,7 @@
 namespace impinge {
 
 struct MeasureOptions {
-  int threads = 0;  ///< at most so many; 0: all there are
+  int threads = 0;  ///< at most so many; 0: all there are. What searches alone shares the making of trees among them
   std::stop_token stop{};
 };
 

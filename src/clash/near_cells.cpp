@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
@@ -76,8 +77,9 @@ class OneSide {
         }
         bits_ = 0, effort_ = 0;
         std::vector<std::uint32_t> all(slabs_.size());
-        for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-        divide(Polygon(setting_.frame.to_local(own_.part.body.triangle(near_[first].a))), all, 0);
+        std::iota(all.begin(), all.end(), 0u);
+        divide(Polygon(setting_.frame.to_local(own_.part.body.triangle(near_[first].a))), all, {all.size(), 0});
+        if (is_exhausted()) return false;
         if (so_far(bits_)) return true;
       }
       first = last;
@@ -124,15 +126,28 @@ class OneSide {
     return bits;
   }
 
-  /// Halves a piece until few slabs reach it.
-  void divide(const Polygon& piece, const std::vector<std::uint32_t>& slabs, int depth) {
+  /// A triangle in more pieces than this is one that floating point gets lost in.
+  static constexpr int kMostEffort = 1 << 17;
+  [[nodiscard]] bool is_exhausted() const { return effort_ > kMostEffort; }
+
+  /// How many slabs reached a piece some halvings ago.
+  struct Before {
+    std::size_t slabs;
+    int halvings;
+  };
+
+  /// Halves a piece until few slabs reach it, or halving does not part those that lie over each other.
+  void divide(const Polygon& piece, const std::vector<std::uint32_t>& slabs, Before before) {
     constexpr std::size_t kFew = 8;
-    constexpr int kDeep = 40;
+    constexpr int kPatience = 3;
+    ++effort_;
+    if (is_exhausted()) return;
     if (slabs.empty()) {
       bits_ |= locate(setting_.frame.to_world(piece.middle()));
       return;
     }
-    if (slabs.size() <= kFew || depth >= kDeep) return subtract(piece, slabs, 0);
+    if (4 * slabs.size() <= 3 * before.slabs) before = {slabs.size(), 0};
+    if (slabs.size() <= kFew || before.halvings == kPatience) return subtract(piece, slabs, 0);
     const Cut halves = halve(piece);
     for (const Polygon* half : {&halves.within, &halves.beyond}) {
       if (half->size() == 0) continue;
@@ -141,17 +156,18 @@ class OneSide {
       std::vector<std::uint32_t> reaching;
       std::copy_if(slabs.begin(), slabs.end(), std::back_inserter(reaching),
                    [&](std::uint32_t i) { return overlap(slabs_[i].slab.box, box); });
-      divide(*half, reaching, depth + 1);
+      divide(*half, reaching, {before.slabs, before.halvings + 1});
     }
   }
 
   /// What is left of a piece outside of all slabs is evaluated: each part that a slab's side cuts off goes on alone.
   void subtract(Polygon piece, const std::vector<std::uint32_t>& slabs, std::size_t next) {
-    if (piece.is_full()) {  // never to overflow; the halves have fewer vertices, but for slivers that hold nothing
+    ++effort_;
+    if (is_exhausted()) return;
+    if (piece.is_full()) {  // its halves have fewer vertices: all but two are shared out
       const Cut halves = halve(piece);
       for (const Polygon* half : {&halves.within, &halves.beyond})
-        if (half->size() > 0 && !half->is_full()) subtract(*half, slabs, next);
-      if (halves.within.is_full() || halves.beyond.is_full()) bits_ |= kInside | kOutside;
+        if (half->size() > 0) subtract(*half, slabs, next);
       return;
     }
     if (next == slabs.size()) return evaluate(piece, slabs, 0);
@@ -186,7 +202,9 @@ class OneSide {
   /// A piece outside of the slabs, or what is left of it: near where all of it is near one triangle; else some point
   /// of it is farther than the tolerance from all, or halving it goes on.
   void evaluate(const Polygon& piece, const std::vector<std::uint32_t>& slabs, int depth) {
-    constexpr int kDeep = 10, kMost = 4096;
+    constexpr int kDeep = 10;
+    ++effort_;
+    if (is_exhausted()) return;
     for (const std::uint32_t i : slabs) {
       if (is_near(piece, slabs_[i].triangle)) {
         bits_ |= kNear;
@@ -203,19 +221,13 @@ class OneSide {
       bits_ |= locate(setting_.frame.to_world(*far));
       return;
     }
-    if (depth == kDeep || ++effort_ > kMost) {
+    if (depth == kDeep) {
       bits_ |= locate(setting_.frame.to_world(middle));
       return;
     }
     const Cut halves = halve(piece);
-    for (const Polygon* half : {&halves.within, &halves.beyond}) {
-      if (half->size() == 0) continue;
-      if (half->is_full()) {
-        bits_ |= locate(setting_.frame.to_world(middle));
-      } else {
-        evaluate(*half, slabs, depth + 1);
-      }
-    }
+    for (const Polygon* half : {&halves.within, &halves.beyond})
+      if (half->size() > 0) evaluate(*half, slabs, depth + 1);
   }
 
   const LinkedPart& own_;

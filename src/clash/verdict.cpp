@@ -42,7 +42,7 @@ Finding verdict_of(const Cells& cells, const Kinds& kinds, bool touch, bool pass
   if (kinds.a_is_solid && kinds.b_is_solid) return of_solids(cells, touch);
   if (kinds.b_is_solid) return of_surface_and_solid(cells.a, touch, 0);
   if (kinds.a_is_solid) return of_surface_and_solid(cells.b, touch, 1);
-  if (touch && (cells.a | cells.b) == kSameSide && cells.a == cells.b) return {Verdict::duplicate};
+  if (touch && may_be_equal(cells) && (cells.a & cells.b & kSameSide) != 0) return {Verdict::duplicate};
   return {!touch ? Verdict::apart : pass ? Verdict::crossing : Verdict::touching};
 }
 

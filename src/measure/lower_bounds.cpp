@@ -85,39 +85,73 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, const Tree
   }
 }
 
-/// Boxes of a leaf's triangles.
-struct TriangleBoxes {
+using TriangleLanes = hn::CappedTag<float, 16>;
+
+/// A leaf's triangles in A's frame, the x of all first corners first, and their boxes.
+struct Triangles {
+  alignas(64) float corner[9][256];
   alignas(64) float lo[3][256];
   alignas(64) float hi[3][256];
 };
 
-HWY_INLINE void box_own(const WideLeaf& leaf, TriangleBoxes& boxes) {
-  const hn::CappedTag<float, 16> d;
-  for (int r = 0; r < 3; ++r) {
-    for (std::size_t lane = 0; lane < leaf.stride; lane += hn::Lanes(d)) {
-      const auto x = hn::Load(d, leaf.row(r) + lane), y = hn::Load(d, leaf.row(r + 3) + lane),
-                 z = hn::Load(d, leaf.row(r + 6) + lane);
-      hn::Store(hn::Min(x, hn::Min(y, z)), d, boxes.lo[r] + lane);
-      hn::Store(hn::Max(x, hn::Max(y, z)), d, boxes.hi[r] + lane);
+/// Corners come from `coordinate(corner, axis, lane)`.
+template <class Coordinate>
+HWY_INLINE void lay_out(std::size_t stride, Triangles& triangles, const Coordinate& coordinate) {
+  const TriangleLanes d;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t lane = 0; lane < stride; lane += hn::Lanes(d)) {
+      const auto x = coordinate(0, axis, lane), y = coordinate(1, axis, lane), z = coordinate(2, axis, lane);
+      hn::Store(x, d, triangles.corner[axis] + lane);
+      hn::Store(y, d, triangles.corner[3 + axis] + lane);
+      hn::Store(z, d, triangles.corner[6 + axis] + lane);
+      hn::Store(hn::Min(x, hn::Min(y, z)), d, triangles.lo[axis] + lane);
+      hn::Store(hn::Max(x, hn::Max(y, z)), d, triangles.hi[axis] + lane);
     }
   }
 }
 
-HWY_INLINE void box_mapped(const WideLeaf& leaf, const FrameRelation& f, float scale, TriangleBoxes& boxes) {
-  const hn::CappedTag<float, 16> d;
-  for (int r = 0; r < 3; ++r) {
-    const auto Cx = hn::Set(d, scale * f.columns[0][r]), Cy = hn::Set(d, scale * f.columns[1][r]),
-               Cz = hn::Set(d, scale * f.columns[2][r]), c = hn::Set(d, f.c[r]);
-    for (std::size_t lane = 0; lane < leaf.stride; lane += hn::Lanes(d)) {
-      const auto posed = [&](int vertex) HWY_ATTR {
-        const auto row = [&](int i) HWY_ATTR { return hn::Load(d, leaf.row(3 * vertex + i) + lane); };
-        return hn::MulAdd(Cx, row(0), hn::MulAdd(Cy, row(1), hn::MulAdd(Cz, row(2), c)));
-      };
-      const auto x = posed(0), y = posed(1), z = posed(2);
-      hn::Store(hn::Min(x, hn::Min(y, z)), d, boxes.lo[r] + lane);
-      hn::Store(hn::Max(x, hn::Max(y, z)), d, boxes.hi[r] + lane);
-    }
+HWY_INLINE void lay_out_own(const WideLeaf& leaf, Triangles& triangles) {
+  const TriangleLanes d;
+  lay_out(leaf.stride, triangles, [&](int corner, int axis, std::size_t lane) HWY_ATTR {
+    return hn::Load(d, leaf.row(3 * corner + axis) + lane);
+  });
+}
+
+HWY_INLINE void lay_out_mapped(const WideLeaf& leaf, const FrameRelation& f, float scale, Triangles& triangles) {
+  const TriangleLanes d;
+  lay_out(leaf.stride, triangles, [&](int corner, int axis, std::size_t lane) HWY_ATTR {
+    const auto term = [&](int k, auto sum) HWY_ATTR {
+      return hn::MulAdd(hn::Set(d, scale * f.columns[k][axis]), hn::Load(d, leaf.row(3 * corner + k) + lane), sum);
+    };
+    return term(0, term(1, term(2, hn::Set(d, f.c[axis]))));
+  });
+}
+
+/// The gap between triangle `i` of A and some of B along the lines between their middles, below 0 where there is none.
+HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, const Triangles& b, std::uint32_t lane) {
+  const TriangleLanes d;
+  using V = hn::Vec<TriangleLanes>;
+  V n[3];
+  auto square = hn::Set(d, 1e-30f);  // where the middles are the same
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto sum = hn::Add(hn::Load(d, b.corner[axis] + lane),
+                             hn::Add(hn::Load(d, b.corner[3 + axis] + lane), hn::Load(d, b.corner[6 + axis] + lane)));
+    n[axis] = hn::Sub(sum, hn::Set(d, a.corner[axis][i] + a.corner[3 + axis][i] + a.corner[6 + axis][i]));
+    square = hn::MulAdd(n[axis], n[axis], square);
   }
+  const auto of_a = [&](int c) HWY_ATTR {
+    return hn::MulAdd(n[0], hn::Set(d, a.corner[3 * c][i]),
+                      hn::MulAdd(n[1], hn::Set(d, a.corner[3 * c + 1][i]),
+                                 hn::Mul(n[2], hn::Set(d, a.corner[3 * c + 2][i]))));
+  };
+  const auto of_b = [&](int c) HWY_ATTR {
+    return hn::MulAdd(n[0], hn::Load(d, b.corner[3 * c] + lane),
+                      hn::MulAdd(n[1], hn::Load(d, b.corner[3 * c + 1] + lane),
+                                 hn::Mul(n[2], hn::Load(d, b.corner[3 * c + 2] + lane))));
+  };
+  const auto greatest = hn::Max(of_a(0), hn::Max(of_a(1), of_a(2)));
+  const auto least = hn::Min(of_b(0), hn::Min(of_b(1), of_b(2)));
+  return hn::Div(hn::Sub(least, greatest), hn::Sqrt(square));
 }
 
 // How far, in A's frame, triangles of two leaves may be from where the boxes have them, together: what either leaf
@@ -131,29 +165,43 @@ HWY_INLINE float slack_of(const WideLeaf& a, const WideLeaf& b, const FrameRelat
   return 1.001f * (a.error + rounding + error_b) + 0x1p-22f * (a.frame.radius + far) + 0x1p-100f;
 }
 
+// A slab's gap is off by the slack of a coordinate times sqrt 3, in whatever direction; and by the rounding of six dot
+// products, of which two count: 3 u of |x|, less than 5.2 u of the largest coordinates each, and little of what follows.
+HWY_INLINE float slab_slack(const WideLeaf& a, const WideLeaf& b, const FrameRelation& f, const TreeRelation& trees,
+                            float slack) {
+  const float far = std::max({std::abs(f.c[0]), std::abs(f.c[1]), std::abs(f.c[2])});
+  return 1.75f * slack + 0x1p-20f * (a.frame.radius + far + 2 * static_cast<float>(trees.scale) * b.frame.radius);
+}
+
 HWY_ATTR void bound_triangles(const WideLeaf& a, const WideLeaf& b, const TreeRelation& trees, float limit,
                               std::vector<NearTriangles>& near) {
   const FrameRelation f = hierarchy::HWY_NAMESPACE::relate_frames(a.frame, b.frame, trees);
-  TriangleBoxes boxes_a, boxes_b;
-  box_own(a, boxes_a);
-  box_mapped(b, f, static_cast<float>(trees.scale), boxes_b);
-  const hn::CappedTag<float, 16> d;
+  Triangles of_a, of_b;
+  lay_out_own(a, of_a);
+  lay_out_mapped(b, f, static_cast<float>(trees.scale), of_b);
+  const TriangleLanes d;
   const float slack = slack_of(a, b, f, trees), shrink = shrink_of(trees), most = square_of(limit, shrink);
+  const float slack_of_slab = slab_slack(a, b, f, trees, slack);
+  const bool use_slabs = slack_of_slab < 1e12f;  // no dot product overflows
   near.clear();
   alignas(64) float lower[16];
   for (std::uint32_t i = 0; i < a.count; ++i) {
     for (std::uint32_t lane = 0; lane < b.count; lane += static_cast<std::uint32_t>(hn::Lanes(d))) {
       auto square = hn::Zero(d);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto apart =
-            hn::Max(hn::Sub(hn::Load(d, boxes_b.lo[axis] + lane), hn::Set(d, boxes_a.hi[axis][i])),
-                    hn::Sub(hn::Set(d, boxes_a.lo[axis][i]), hn::Load(d, boxes_b.hi[axis] + lane)));
+        const auto apart = hn::Max(hn::Sub(hn::Load(d, of_b.lo[axis] + lane), hn::Set(d, of_a.hi[axis][i])),
+                                   hn::Sub(hn::Set(d, of_a.lo[axis][i]), hn::Load(d, of_b.hi[axis] + lane)));
         const auto x = gap(d, apart, hn::Set(d, slack));
         square = hn::MulAdd(x, x, square);
       }
       unsigned bits = mask_bits(d, hn::Le(square, hn::Set(d, most)));
       if (b.count - lane < 32) bits &= (1u << (b.count - lane)) - 1;
       if (bits == 0) continue;
+      if (use_slabs) {
+        const auto x = gap(d, slab_gap(of_a, i, of_b, lane), hn::Set(d, slack_of_slab));
+        square = hn::Max(square, hn::Mul(x, x));
+        bits &= mask_bits(d, hn::Le(square, hn::Set(d, most)));
+      }
       hn::Store(hn::Mul(hn::Sqrt(square), hn::Set(d, shrink)), d, lower);
       for (; bits != 0; bits &= bits - 1) {
         const auto at = static_cast<std::uint32_t>(std::countr_zero(bits));

@@ -13,8 +13,9 @@ void near_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, 
   std::vector<NodePair> open{walk.roots()};
   std::vector<NearTriangles> near;
   while (!open.empty()) {
-    const NodePair next = open.back();
+    NodePair next = open.back();
     open.pop_back();
+    walk.reach(next);
     if (!next.a.is_leaf() || !next.b.is_leaf()) {
       walk.open(next, within, open);
       continue;

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/for_each.hpp"
 #include "core/vec3.hpp"
 #include "hierarchy/placed_tree.hpp"
 #include "impinge/contacts.hpp"
@@ -34,9 +35,15 @@ struct NearestPair {
   std::uint32_t triangle_a, triangle_b;
 };
 
-/// The nearest points of two bodies; same rules. Nothing as well if it was asked to stop.
+/// How a search is run.
+struct SearchMeans {
+  ForEach for_each{};      ///< shares the making of large nodes
+  std::stop_token stop{};  ///< a search that was stopped finds nothing
+};
+
+/// The nearest points of two bodies; same rules.
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
-                                        double enough = 0, const std::stop_token& stop = {});
+                                        double enough = 0, const SearchMeans& means = {});
 
 /// Appends every pair of triangles whose distance is at most `within` (0: those that may share a point), and perhaps
 /// some that are farther by a few roundings. In no particular order.

@@ -18,20 +18,25 @@ class Search {
       : walk_(walk), enough_(enough), tolerance_(walk.are_remote() ? kRemoteTolerance : 0), limit_(within) {}
 
   std::optional<NearestPair> run(const std::stop_token& stop) {
-    std::vector<NodePair> open{walk_.roots()};
+    // Best first: no pair is opened that is not nearer than what is found in the end. Of pairs as near as each other, as
+    // all are whose boxes overlap, the deepest comes first, so that the heap stays small.
+    const auto is_later = [](const NodePair& p, const NodePair& q) {
+      return p.lower != q.lower ? p.lower > q.lower : p.depth < q.depth;
+    };
+    std::vector<NodePair> open, children;
+    dive(open);
+    std::make_heap(open.begin(), open.end(), is_later);
     while (!open.empty() && !is_done()) {
       if (stop.stop_requested()) return std::nullopt;
-      const NodePair next = open.back();
+      std::pop_heap(open.begin(), open.end(), is_later);
+      NodePair next = open.back();
       open.pop_back();
-      if (next.lower > limit_) continue;
-      if (next.a.is_leaf() && next.b.is_leaf()) {
-        search_leaves(next);
-        continue;
+      if (next.lower > limit_) break;
+      if (search_or_open(next, children)) continue;
+      for (const NodePair& child : children) {
+        open.push_back(child);
+        std::push_heap(open.begin(), open.end(), is_later);
       }
-      const auto old_size = static_cast<std::ptrdiff_t>(open.size());
-      walk_.open(next, limit_, open);
-      std::sort(open.begin() + old_size, open.end(),
-                [](const NodePair& p, const NodePair& q) { return p.lower > q.lower; });
     }
     if (!found_) return std::nullopt;
     best_.error = best_.distance == 0 ? 0 : std::max(best_.error, best_.distance - least_);
@@ -44,6 +49,33 @@ class Search {
   static constexpr double kRemoteTolerance = 0x1p-34;
 
   [[nodiscard]] bool is_done() const { return found_ && (best_.distance == 0 || best_.distance < enough_); }
+
+  /// Whether it was two leaves.
+  bool search_or_open(NodePair& pair, std::vector<NodePair>& children) {
+    walk_.reach(pair);
+    if (pair.a.is_leaf() && pair.b.is_leaf()) {
+      search_leaves(pair);
+      return true;
+    }
+    children.clear();
+    walk_.open(pair, limit_, children);
+    return false;
+  }
+
+  /// Straight down to two leaves that are near, so that there is a limit to what is worth remembering.
+  void dive(std::vector<NodePair>& open) {
+    std::vector<NodePair> children;
+    NodePair next = walk_.roots();
+    while (!search_or_open(next, children)) {
+      if (children.empty()) break;
+      std::iter_swap(std::min_element(children.begin(), children.end(),
+                                      [](const NodePair& p, const NodePair& q) { return p.lower < q.lower; }),
+                     children.end() - 1);
+      next = children.back();
+      open.insert(open.end(), children.begin(), children.end() - 1);
+    }
+    std::erase_if(open, [&](const NodePair& pair) { return pair.lower > limit_; });
+  }
 
   void search_leaves(const NodePair& pair) {
     walk_.open_leaves(pair, limit_, near_);
@@ -84,10 +116,10 @@ class Search {
 }  // namespace
 
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
-                                        double enough, const std::stop_token& stop) {
+                                        double enough, const SearchMeans& means) {
   if (a.mesh->triangles.empty() || b.mesh->triangles.empty()) return std::nullopt;
-  const PairWalk walk(a, b);
-  std::optional<NearestPair> found = Search(walk, within, enough).run(stop);
+  const PairWalk walk(a, b, means.for_each);
+  std::optional<NearestPair> found = Search(walk, within, enough).run(means.stop);
   if (found && walk.is_swapped())
     std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
   return found;

@@ -21,14 +21,19 @@ using hierarchy::TreeRelation;
 
 const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 
-hierarchy::TreeRef root_of(const PlacedTree& body) {
+TreeRef root_of(const PlacedTree& body, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
-  return body.tree->root(nodes_made);
+  return body.tree->root(nodes_made, for_each);
 }
 
-hierarchy::TreeRef child_of(const PlacedTree& body, const TreeRef& parent, int lane) {
+void step_down(const PlacedTree& body, TreeRef& ref, std::int8_t& lane, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
-  return parent.is_leaf() ? parent : body.tree->child(parent.node(), lane, nodes_made);
+  if (lane != NodePair::kSelf) ref = body.tree->child(ref.node(), lane, nodes_made, for_each);
+  lane = NodePair::kSelf;
+}
+
+std::int8_t lane_of(const TreeRef& parent, int lane) {
+  return parent.is_leaf() ? NodePair::kSelf : static_cast<std::int8_t>(lane);
 }
 
 /// From A's origin to B's in the world, in A's unit.
@@ -95,15 +100,22 @@ Triangle world_triangle(const PlacedTree& body, std::uint32_t triangle) {
   return world;
 }
 
-PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b)
+PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b, const ForEach& for_each)
     : swapped_(a.tree->unit_exponent() < b.tree->unit_exponent()),
       a_(swapped_ ? b : a),
       b_(swapped_ ? a : b),
       unit_(std::ldexp(1.0, a_.tree->unit_exponent())),
       relation_(hierarchy::relate(*a_.mesh, a_.pose, a_.tree->unit_exponent(), *b_.mesh, b_.pose,
-                                  b_.tree->unit_exponent())) {}
+                                  b_.tree->unit_exponent())),
+      for_each_(for_each) {}
 
-NodePair PairWalk::roots() const { return {root_of(a_), root_of(b_), 0}; }
+NodePair PairWalk::roots() const {
+  return {0, root_of(a_, for_each_), root_of(b_, for_each_), NodePair::kSelf, NodePair::kSelf, 0};
+}
+
+void PairWalk::reach(NodePair& pair) const {
+  step_down(a_, pair.a, pair.lane_a, for_each_), step_down(b_, pair.b, pair.lane_b, for_each_);
+}
 
 bool PairWalk::are_remote() const {
   const NodePair pair = roots();
@@ -124,7 +136,9 @@ void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& c
     const int i = bounds.b_is_one ? lane : one, j = bounds.b_is_one ? one : lane;
     double lower = world_length(bounds.lower[one][lane]);
     if (far) lower = std::max(lower, unit_ * far->lower(i, j));
-    if (lower <= limit) children.push_back({child_of(a_, pair.a, i), child_of(b_, pair.b, j), lower});
+    if (lower > limit) continue;
+    children.push_back({lower, pair.a, pair.b, lane_of(pair.a, i), lane_of(pair.b, j),
+                        static_cast<std::uint16_t>(pair.depth + 1)});
   }
 }
 

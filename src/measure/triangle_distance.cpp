@@ -52,10 +52,13 @@ struct Found {
   Vec3 a{}, b{};
   Vec3 along[2]{};
 
-  void offer(const Vec3& p, const Vec3& q, const Vec3& first, const Vec3& second) {
+  /// Whether they are nearer than what was found before.
+  bool offer(const Vec3& p, const Vec3& q, const Vec3& first, const Vec3& second) {
     const Vec3 r = q - p;
     const double rr = dot(r, r);
-    if (rr < square) *this = {rr, p, q, {first, second}};
+    if (!(rr < square)) return false;
+    *this = {rr, p, q, {first, second}};
+    return true;
   }
 };
 
@@ -87,7 +90,7 @@ Edges edges_of(const Triangle& t) {
 /// The nearest points of two lines are found by way of d x e, whose error is u |d| |e|: the parameter is then off by u
 /// over the sine of the angle between them. The distance as a function of it is flat in as much as the sine is small,
 /// so its square is off by no more than some u^2. Parallel segments may begin anywhere.
-void offer_edges(const Edge& p, const Edge& q, Found& found) {
+bool offer_edges(const Edge& p, const Edge& q, Found& found) {
   const Vec3 r = q.start - p.start;
   const Vec3 n = cross(p.d, q.d);
   const double nn = dot(n, n);
@@ -99,7 +102,7 @@ void offer_edges(const Edge& p, const Edge& q, Found& found) {
   } else if (nn == 0) {  // parallel, or a point: the foot of what was begun with
     s = p.dd > 0 ? unit_clamped(dot(r + t * q.d, p.d) / p.dd) : s;
   }
-  found.offer(p.at(s), q.at(t), p.along(s), q.along(t));
+  return found.offer(p.at(s), q.at(t), p.along(s), q.along(t));
 }
 
 /// A triangle by its longest edge and its height over it: the two are orthogonal however thin it is.
@@ -200,12 +203,23 @@ TriangleDistance finished(const Local& local, const Found& found) {
           local.world(found.b)};
 }
 
+/// Points as close as this, in square, do not tell how the slab lies; nor does it make out much then what is found.
+constexpr double kClose = 0x1p-60;
+
 /// All features' distances, which is the triangles' distance unless they cross.
 Found nearest_features(const Local& local) {
   Found found;
   const Edges a = edges_of(local.a), b = edges_of(local.b);
-  for (const Edge& p : a)
-    for (const Edge& q : b) offer_edges(p, q, found);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (!offer_edges(a[i], b[j], found)) continue;
+      // Nearest points of two edges are those of the triangles if both third corners are out of the slab between them
+      // (Larsen et al., 1999).
+      const Vec3 r = found.b - found.a;
+      const Vec3 &third_a = local.a[(i + 2) % 3], &third_b = local.b[(j + 2) % 3];
+      if (dot(r, third_a - found.a) <= 0 && dot(r, third_b - found.b) >= 0 && found.square > kClose) return found;
+    }
+  }
   const Face face_a(a), face_b(b);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &p = local.a[i], &q = local.b[i];
