@@ -164,15 +164,11 @@ class Located {
       else if (other_.solid)
         cutting.push_back(other);  // outside of what is not solid all pieces lie alike
     }
-    std::vector<Triangle> all = shared;
-    all.insert(all.end(), cutting.begin(), cutting.end());
-    CutTriangle cut(triangle, all);
-    for (const Triangle& other : shared) cut.take_out(other);
+    const CutTriangle cut(triangle, shared, cutting);
     if (!other_.solid) {
       if (cut.pieces() > 0) bits_ |= kOutside;
       return;
     }
-    for (const Triangle& other : cutting) cut.split(other);
     for (std::size_t i = 0; i < cut.pieces() && !is_complete(); ++i) {
       const std::uint8_t where = location_of(cut.point_in(i));
       assert(where != 0);  // or a piece still meets the other's boundary
