@@ -14,7 +14,9 @@
 namespace impinge::solid {
 namespace {
 
-using Int = boost::multiprecision::cpp_int;
+using exact::integer;
+using exact::lowest_bit_of;
+using Int = exact::Integer;
 using IntPoint = std::array<Int, 3>;
 
 /// So many others need not be parted any further.
@@ -24,13 +26,6 @@ Int dot(const IntPoint& p, const IntPoint& q) { return p[0] * q[0] + p[1] * q[1]
 IntPoint difference(const IntPoint& p, const IntPoint& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 IntPoint cross(const IntPoint& p, const IntPoint& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-/// x / 2^unit, of which x is a multiple.
-Int integer(double x, int unit) {
-  if (x == 0) return 0;
-  const int lowest = lowest_bit(x);
-  return Int(static_cast<std::int64_t>(std::ldexp(x, -lowest))) << (lowest - unit);
 }
 
 /// A number as its first digits, in [1, 2), and an exponent; relatively within 2^-52.
@@ -54,13 +49,6 @@ Digits digits_of(const Int& x) {
 double quotient(const Int& x, const Digits& w) {
   const Digits digits = digits_of(x);
   return std::ldexp(digits.fraction / w.fraction, digits.exponent - w.exponent);
-}
-
-int lowest_bit_of(std::span<const Vec3> points, int lowest) {
-  for (const Vec3& p : points)
-    for (const double x : {p.x, p.y, p.z})
-      if (x != 0) lowest = std::min(lowest, lowest_bit(x));
-  return lowest;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class CutTriangle {
   [[nodiscard]] exact::RationalPoint point_in(std::size_t piece) const;
 
  private:
-  using Int = boost::multiprecision::cpp_int;
+  using Int = exact::Integer;
   using IntPoint = std::array<Int, 3>;
 
   /// a u + b v + c = 0, exactly and rounded: relatively within 2^-51 each, but for one factor, a power of two.
