@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/triangle_pair.hpp"
 #include "solid/cut_triangle.hpp"
 #include "solid/groups.hpp"
 #include "solid/locate.hpp"
@@ -20,12 +21,17 @@ namespace {
 struct Touch {
   std::uint32_t own, other;
   Kind kind;
+  bool shares_area;
 };
 
 std::vector<Touch> touches_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts) {
   std::vector<Touch> touches;
-  for (const exact::Contact& contact : contacts)
-    if (a.is_boundary(contact.a) && b.is_boundary(contact.b)) touches.push_back({contact.a, contact.b, contact.kind});
+  for (const exact::Contact& contact : contacts) {
+    if (!a.is_boundary(contact.a) || !b.is_boundary(contact.b)) continue;
+    const bool shares_area =
+        contact.kind == Kind::coplanar && exact::share_area(a.body.triangle(contact.a), b.body.triangle(contact.b));
+    touches.push_back({contact.a, contact.b, contact.kind, shares_area});
+  }
   return touches;
 }
 
@@ -89,9 +95,7 @@ class Located {
   void locate_vertices(const Enough& enough) {
     for (Touched& t : touched_) {
       if (enough()) return;
-      for (const Touch& touch : t.touches)
-        t.is_cut =
-            t.is_cut || reaches_inside(other_.body.triangle(touch.other), own_.body.triangle(t.triangle), touch.kind);
+      for (const Touch& touch : t.touches) t.is_cut = t.is_cut || cuts(touch);
       if (!other_.solid) {
         t.is_done = !t.is_cut;
         if (t.is_done) bits_ |= kOutside;
@@ -129,6 +133,12 @@ class Located {
     return (bits_ & kOutside) != 0 && ((bits_ & kInside) != 0 || !other_.solid);
   }
 
+  /// Whether the other triangle reaches into the interior of the own one.
+  [[nodiscard]] bool cuts(const Touch& touch) const {
+    if (touch.kind != Kind::touching) return touch.kind == Kind::crossing || touch.shares_area;
+    return reaches_inside(other_.body.triangle(touch.other), own_.body.triangle(touch.own));
+  }
+
   [[nodiscard]] std::array<std::uint32_t, 3> positions(std::uint32_t t) const {
     const auto& [a, b, c] = own_.body.placed.mesh->triangles[t];
     return {own_.topology.position[a], own_.topology.position[b], own_.topology.position[c]};
@@ -157,22 +167,18 @@ class Located {
     for (const Touch& touch : t.touches) {
       if (!t.is_cut) break;
       const Triangle other = other_.body.triangle(touch.other);
-      if (!reaches_inside(other, triangle, touch.kind)) continue;
-      if (touch.kind == Kind::coplanar && covers(other, triangle)) return;
-      if (touch.kind == Kind::coplanar)
+      if (!cuts(touch)) continue;
+      if (touch.shares_area && covers(other, triangle)) return;
+      if (touch.shares_area)
         shared.push_back(other);
       else if (other_.solid)
         cutting.push_back(other);  // outside of what is not solid all pieces lie alike
     }
-    std::vector<Triangle> all = shared;
-    all.insert(all.end(), cutting.begin(), cutting.end());
-    CutTriangle cut(triangle, all);
-    for (const Triangle& other : shared) cut.take_out(other);
+    const CutTriangle cut(triangle, shared, cutting);
     if (!other_.solid) {
       if (cut.pieces() > 0) bits_ |= kOutside;
       return;
     }
-    for (const Triangle& other : cutting) cut.split(other);
     for (std::size_t i = 0; i < cut.pieces() && !is_complete(); ++i) {
       const std::uint8_t where = location_of(cut.point_in(i));
       assert(where != 0);  // or a piece still meets the other's boundary
@@ -197,9 +203,7 @@ Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> con
   std::vector<Touch> touches = touches_of(a, b, contacts);
   std::uint8_t shared = 0;
   for (const Touch& touch : touches)
-    if (touch.kind == Kind::coplanar &&
-        reaches_inside(b.body.triangle(touch.other), a.body.triangle(touch.own), touch.kind))
-      shared |= shared_cell(a, b, touch);
+    if (touch.shares_area) shared |= shared_cell(a, b, touch);
   Located in_b(a, b, touches), in_a(b, a, turned(std::move(touches)));
   const auto cells = [&]() -> Cells {
     return {static_cast<std::uint8_t>(in_b.bits() | shared), static_cast<std::uint8_t>(in_a.bits() | shared)};

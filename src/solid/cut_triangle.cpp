@@ -3,7 +3,9 @@
 #include "solid/cut_triangle.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -12,13 +14,18 @@
 namespace impinge::solid {
 namespace {
 
-using Int = boost::multiprecision::cpp_int;
+using exact::integer;
+using exact::lowest_bit_of;
+using Int = exact::Integer;
+using IntPoint = std::array<Int, 3>;
 
-/// x / 2^unit, of which x is a multiple.
-Int integer(double x, int unit) {
-  if (x == 0) return 0;
-  const int lowest = lowest_bit(x);
-  return Int(static_cast<std::int64_t>(std::ldexp(x, -lowest))) << (lowest - unit);
+/// So many others need not be parted any further.
+constexpr std::size_t kFew = 12;
+
+Int dot(const IntPoint& p, const IntPoint& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+IntPoint difference(const IntPoint& p, const IntPoint& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+IntPoint cross(const IntPoint& p, const IntPoint& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
 /// A number as its first digits, in [1, 2), and an exponent; relatively within 2^-52.
@@ -44,31 +51,29 @@ double quotient(const Int& x, const Digits& w) {
   return std::ldexp(digits.fraction / w.fraction, digits.exponent - w.exponent);
 }
 
-int lowest_bit_of(std::span<const Vec3> points, int lowest) {
-  for (const Vec3& p : points)
-    for (const double x : {p.x, p.y, p.z})
-      if (x != 0) lowest = std::min(lowest, lowest_bit(x));
-  return lowest;
-}
-
 }  // namespace
 
-CutTriangle::CutTriangle(const Triangle& triangle, std::span<const Triangle> others) : origin_(triangle[0]) {
+CutTriangle::CutTriangle(const Triangle& triangle, std::span<const Triangle> shared, std::span<const Triangle> cutting)
+    : origin_(triangle[0]) {
   unit_ = lowest_bit_of(triangle, std::numeric_limits<int>::max());
-  for (const Triangle& other : others) unit_ = lowest_bit_of(other, unit_);
+  for (const auto& others : {shared, cutting})
+    for (const Triangle& other : others) unit_ = lowest_bit_of(other, unit_);
   const std::array corners{on_grid(triangle[0]), on_grid(triangle[1]), on_grid(triangle[2])};
-  const IntPoint &p = corners[1], &q = corners[2];  // the first is the origin
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    normal_[i] = p[j] * q[k] - p[k] * q[j];
-  }
+  normal_ = cross(corners[1], corners[2]);  // the first is the origin
   for (int axis = 0; axis < 3; ++axis)
     if (abs(normal_[axis]) > abs(normal_[w_])) w_ = axis;
   u_ = (w_ + 1) % 3, v_ = (w_ + 2) % 3;
   Piece whole;
   for (std::size_t i = 0; i < 3; ++i)
     whole.push_back({line(corners[i], corners[(i + 1) % 3]), normal_[w_].sign(), corner(corners[i])});
-  pieces_.push_back(std::move(whole));
+
+  std::vector<Trace> traces;
+  for (const Triangle& other : shared) traces.push_back(trace_of_coplanar(other));
+  for (const Triangle& other : cutting) traces.push_back(trace_of_crossing(other));
+  std::vector<const Trace*> all;
+  for (const Trace& trace : traces)
+    if (!trace.corners.empty()) all.push_back(&trace);
+  divide(std::move(whole), all, 2 * static_cast<int>(std::bit_width(all.size() / kFew)));
 }
 
 CutTriangle::IntPoint CutTriangle::on_grid(const Vec3& p) const {
@@ -76,7 +81,7 @@ CutTriangle::IntPoint CutTriangle::on_grid(const Vec3& p) const {
           integer(p.z, unit_) - integer(origin_.z, unit_)};
 }
 
-CutTriangle::Corner CutTriangle::corner(Int u, Int v, Int w) const {
+CutTriangle::Corner CutTriangle::corner(Int u, Int v, Int w) {
   if (w < 0) u = -u, v = -v, w = -w;
   const Digits digits = digits_of(w);
   const std::array rounded{quotient(u, digits), quotient(v, digits)};
@@ -85,7 +90,7 @@ CutTriangle::Corner CutTriangle::corner(Int u, Int v, Int w) const {
 
 CutTriangle::Corner CutTriangle::corner(const IntPoint& p) const { return corner(p[u_], p[v_], 1); }
 
-CutTriangle::Corner CutTriangle::meeting(const Line& p, const Line& q) const {
+CutTriangle::Corner CutTriangle::meeting(const Line& p, const Line& q) {
   return corner(p.b * q.c - q.b * p.c, p.c * q.a - q.c * p.a, p.a * q.b - q.a * p.b);
 }
 
@@ -125,8 +130,7 @@ std::vector<int> CutTriangle::sides_if_cut(const Piece& piece, const Line& line)
   return sides;
 }
 
-CutTriangle::Piece CutTriangle::part_of(const Piece& piece, const Line& line, int side,
-                                        const std::vector<int>& sides) const {
+CutTriangle::Piece CutTriangle::part_of(const Piece& piece, const Line& line, int side, const std::vector<int>& sides) {
   Piece part;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Edge& edge = piece[i];
@@ -139,81 +143,131 @@ CutTriangle::Piece CutTriangle::part_of(const Piece& piece, const Line& line, in
   return part;
 }
 
-// Pieces and triangles are convex: their interiors meet unless an edge of one has all of the other on its outer side.
-void CutTriangle::take_out(const Triangle& coplanar) {
-  const std::array points{on_grid(coplanar[0]), on_grid(coplanar[1]), on_grid(coplanar[2])};
-  const std::array corners{corner(points[0]), corner(points[1]), corner(points[2])};
-  std::array<const Line*, 3> edges{};
-  for (std::size_t i = 0; i < 3; ++i) edges[i] = line(points[i], points[(i + 1) % 3]);
-  const int inner = side(*edges[0], corners[2]);
-  const auto is_apart_from = [&](const Piece& piece) {
-    const auto is_beyond = [&](const Edge& edge) {
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](const Corner& p) { return side(*edge.line, p) * edge.side <= 0; });
-    };
-    return std::any_of(piece.begin(), piece.end(), is_beyond) ||
-           std::any_of(edges.begin(), edges.end(), [&](const Line* edge) {
-             return std::all_of(piece.begin(), piece.end(),
-                                [&](const Edge& e) { return side(*edge, e.from) * inner <= 0; });
-           });
-  };
-  std::vector<Piece> left;
-  for (Piece& piece : pieces_) {
-    if (is_apart_from(piece)) {
-      left.push_back(std::move(piece));
-      continue;
-    }
-    for (const Line* const edge : edges) {  // what is beyond an edge is left; the rest goes on to the next
-      const std::vector<int> sides = sides_if_cut(piece, *edge);
-      if (sides.empty()) continue;
-      left.push_back(part_of(piece, *edge, -inner, sides));
-      piece = part_of(piece, *edge, inner, sides);
-    }
+CutTriangle::Bounds CutTriangle::grown(Bounds bounds, const Corner& corner) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double x = corner.rounded[i], off = 0x1p-49 * std::abs(x) + 0x1p-900;
+    bounds.lo[i] = std::min(bounds.lo[i], x - off), bounds.hi[i] = std::max(bounds.hi[i], x + off);
   }
-  pieces_ = std::move(left);
+  return bounds;
+}
+
+CutTriangle::Bounds CutTriangle::bounds_of(const Piece& piece) {
+  Bounds bounds = kNowhere;
+  for (const Edge& edge : piece) bounds = grown(bounds, edge.from);
+  return bounds;
+}
+
+CutTriangle::Trace CutTriangle::trace_of_coplanar(const Triangle& triangle) {
+  const std::array points{on_grid(triangle[0]), on_grid(triangle[1]), on_grid(triangle[2])};
+  Trace trace{{}, {}, 0, kNowhere};
+  for (std::size_t i = 0; i < 3; ++i) {
+    trace.corners.push_back(corner(points[i]));
+    trace.lines.push_back(line(points[i], points[(i + 1) % 3]));
+    trace.bounds = grown(trace.bounds, trace.corners.back());
+  }
+  trace.inner = side(*trace.lines[0], trace.corners[2]);
+  return trace;
 }
 
 // With the origin in the triangle's plane n . x = 0, the other's m . x = d meets it where, n_w times the second less
-// m_w times the first, (n_w m_u - m_w n_u) u + (n_w m_v - m_w n_v) v = n_w d. The chord is what the other has of that
-// line. Chord and piece are convex sets, and the line is one: they meet inside unless an edge of the piece has both
-// ends of the chord on its outer side.
-void CutTriangle::split(const Triangle& other) {
-  const std::array points{on_grid(other[0]), on_grid(other[1]), on_grid(other[2])};
-  std::array<Int, 3> heights;  // over the triangle's plane
-  for (std::size_t i = 0; i < 3; ++i)
-    heights[i] = normal_[0] * points[i][0] + normal_[1] * points[i][1] + normal_[2] * points[i][2];
-  std::vector<Corner> chord;
+// m_w times the first, (n_w m_u - m_w n_u) u + (n_w m_v - m_w n_v) v = n_w d.
+CutTriangle::Trace CutTriangle::trace_of_crossing(const Triangle& triangle) {
+  const std::array points{on_grid(triangle[0]), on_grid(triangle[1]), on_grid(triangle[2])};
+  const std::array heights{dot(normal_, points[0]), dot(normal_, points[1]), dot(normal_, points[2])};
+  Trace trace{{}, {}, 0, kNowhere};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const IntPoint &p = points[i], &q = points[j];
-    if (heights[i].is_zero()) chord.push_back(corner(p));
+    if (heights[i].is_zero()) trace.corners.push_back(corner(p));
     if (heights[i].sign() * heights[j].sign() < 0)
-      chord.push_back(corner(heights[i] * q[u_] - heights[j] * p[u_], heights[i] * q[v_] - heights[j] * p[v_],
-                             heights[i] - heights[j]));
+      trace.corners.push_back(corner(heights[i] * q[u_] - heights[j] * p[u_], heights[i] * q[v_] - heights[j] * p[v_],
+                                     heights[i] - heights[j]));
   }
-  if (chord.empty()) return;
-  IntPoint p, q, m;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = points[1][i] - points[0][i], q[i] = points[2][i] - points[0][i];
-  for (std::size_t i = 0; i < 3; ++i) m[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
-  const Int d = m[0] * points[0][0] + m[1] * points[0][1] + m[2] * points[0][2];
-  const Int& n = normal_[w_];
-  const Line* const by = line(n * m[u_] - m[w_] * normal_[u_], n * m[v_] - m[w_] * normal_[v_], -n * d);
+  for (const Corner& end : trace.corners) trace.bounds = grown(trace.bounds, end);
+  const IntPoint m = cross(difference(points[1], points[0]), difference(points[2], points[0]));
+  const Int &n = normal_[w_], d = dot(m, points[0]);
+  trace.lines = {line(n * m[u_] - m[w_] * normal_[u_], n * m[v_] - m[w_] * normal_[v_], -n * d)};
+  return trace;
+}
 
+/// By halves, so that each trace is held against the pieces near it alone: where there are many of them, the piece is
+/// cut between them as well, which does no harm.
+void CutTriangle::divide(Piece piece, const std::vector<const Trace*>& traces, int depth) {
+  const Bounds bounds = bounds_of(piece);
+  std::vector<const Trace*> near;
+  for (const Trace* const trace : traces)
+    if (overlap(bounds, trace->bounds)) near.push_back(trace);
+  if (depth > 0 && near.size() > kFew) {
+    const std::size_t axis = bounds.hi[0] - bounds.lo[0] < bounds.hi[1] - bounds.lo[1] ? 1 : 0;
+    const Line* const between = line_between(near, axis);
+    if (const std::vector<int> sides = sides_if_cut(piece, *between); !sides.empty()) {
+      divide(part_of(piece, *between, 1, sides), near, depth - 1);
+      return divide(part_of(piece, *between, -1, sides), near, depth - 1);
+    }
+  }
+  std::vector<Piece> pieces;
+  pieces.push_back(std::move(piece));
+  for (const Trace* const trace : near) trace->inner != 0 ? take_out(*trace, pieces) : split(*trace, pieces);
+  std::move(pieces.begin(), pieces.end(), std::back_inserter(pieces_));
+}
+
+/// Across an axis, with half of the traces' centres on either side.
+const CutTriangle::Line* CutTriangle::line_between(const std::vector<const Trace*>& traces, std::size_t axis) {
+  std::vector<double> centers;
+  for (const Trace* const trace : traces)
+    centers.push_back(0.5 * trace->bounds.lo[axis] + 0.5 * trace->bounds.hi[axis]);
+  const auto middle = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
+  std::nth_element(centers.begin(), middle, centers.end());
+  const int unit = *middle != 0 ? std::min(0, lowest_bit(*middle)) : 0;
+  const Int along = Int(1) << -unit, at = -integer(*middle, unit);
+  return axis == 0 ? line(along, 0, at) : line(0, along, at);
+}
+
+/// Pieces, triangles and chords are convex, and a chord's line is one: the interior of a piece meets that of a
+/// triangle, or a chord, unless an edge of one has all of the other on its outer side.
+bool CutTriangle::meets_inside(const Piece& piece, const Trace& trace) {
+  if (!overlap(bounds_of(piece), trace.bounds)) return false;
+  for (const Edge& edge : piece)
+    if (std::all_of(trace.corners.begin(), trace.corners.end(),
+                    [&](const Corner& p) { return side(*edge.line, p) * edge.side <= 0; }))
+      return false;
+  if (trace.inner == 0) return true;
+  return std::none_of(trace.lines.begin(), trace.lines.end(), [&](const Line* line) {
+    return std::all_of(piece.begin(), piece.end(),
+                       [&](const Edge& edge) { return side(*line, edge.from) * trace.inner <= 0; });
+  });
+}
+
+void CutTriangle::take_out(const Trace& trace, std::vector<Piece>& pieces) const {
+  std::vector<Piece> left;
+  for (Piece& piece : pieces) {
+    if (!meets_inside(piece, trace)) {
+      left.push_back(std::move(piece));
+      continue;
+    }
+    for (const Line* const edge : trace.lines) {  // what is beyond an edge is left; the rest goes on to the next
+      const std::vector<int> sides = sides_if_cut(piece, *edge);
+      if (sides.empty()) continue;
+      left.push_back(part_of(piece, *edge, -trace.inner, sides));
+      piece = part_of(piece, *edge, trace.inner, sides);
+    }
+  }
+  pieces = std::move(left);
+}
+
+void CutTriangle::split(const Trace& trace, std::vector<Piece>& pieces) const {
   std::vector<Piece> parts;
-  for (Piece& piece : pieces_) {
-    const bool misses = std::any_of(piece.begin(), piece.end(), [&](const Edge& edge) {
-      return std::all_of(chord.begin(), chord.end(),
-                         [&](const Corner& end) { return side(*edge.line, end) * edge.side <= 0; });
-    });
-    const std::vector<int> sides = misses ? std::vector<int>{} : sides_if_cut(piece, *by);
+  for (Piece& piece : pieces) {
+    const std::vector<int> sides =
+        meets_inside(piece, trace) ? sides_if_cut(piece, *trace.lines[0]) : std::vector<int>{};
     if (sides.empty()) {
       parts.push_back(std::move(piece));
     } else {
-      parts.push_back(part_of(piece, *by, 1, sides));
-      parts.push_back(part_of(piece, *by, -1, sides));
+      parts.push_back(part_of(piece, *trace.lines[0], 1, sides));
+      parts.push_back(part_of(piece, *trace.lines[0], -1, sides));
     }
   }
-  pieces_ = std::move(parts);
+  pieces = std::move(parts);
 }
 
 bool CutTriangle::holds(const Piece& piece, const Corner& p) {

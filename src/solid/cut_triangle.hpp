@@ -18,21 +18,16 @@ namespace impinge::solid {
 /// triangles, about one of the triangle's own.
 class CutTriangle {
  public:
-  /// `others`: those that are to come.
-  CutTriangle(const Triangle& triangle, std::span<const Triangle> others);
-
-  /// Removes what a proper triangle of the same plane covers.
-  void take_out(const Triangle& coplanar);
-  /// Cuts along the plane of a proper triangle that is not parallel, where that triangle meets a piece's interior, be
-  /// it in a point: afterwards no piece's interior meets it.
-  void split(const Triangle& other);
+  /// All are proper. Of `shared`, which lie in the triangle's plane, what they cover is taken out. Of `cutting`, whose
+  /// planes are not parallel to it, none meets the interior of a piece, not in a point either.
+  CutTriangle(const Triangle& triangle, std::span<const Triangle> shared, std::span<const Triangle> cutting);
 
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
   /// A point of a piece's interior.
   [[nodiscard]] exact::RationalPoint point_in(std::size_t piece) const;
 
  private:
-  using Int = boost::multiprecision::cpp_int;
+  using Int = exact::Integer;
   using IntPoint = std::array<Int, 3>;
 
   /// a u + b v + c = 0, exactly and rounded: relatively within 2^-51 each, but for one factor, a power of two.
@@ -51,19 +46,47 @@ class CutTriangle {
     Corner from;
   };
   using Piece = std::vector<Edge>;
+  using Lines = std::vector<const Line*>;
+
+  /// Certainly around what is rounded.
+  struct Bounds {
+    std::array<double, 2> lo, hi;
+  };
+  static constexpr Bounds kNowhere{{1e300, 1e300}, {-1e300, -1e300}};
+  static bool overlap(const Bounds& a, const Bounds& b) {
+    return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1];
+  }
+
+  /// What another triangle has of the plane.
+  struct Trace {
+    std::vector<Corner> corners;  ///< its own, or the ends of its chord
+    Lines lines;                  ///< along its edges, or along its chord
+    int inner;                    ///< the side of the edges on which it lies; 0 of a chord
+    Bounds bounds;
+  };
 
   [[nodiscard]] IntPoint on_grid(const Vec3& p) const;
-  [[nodiscard]] Corner corner(Int u, Int v, Int w) const;
+  static Corner corner(Int u, Int v, Int w);
   [[nodiscard]] Corner corner(const IntPoint& p) const;
-  [[nodiscard]] Corner meeting(const Line& p, const Line& q) const;
+  static Corner meeting(const Line& p, const Line& q);
   const Line* line(Int a, Int b, Int c);
   const Line* line(const IntPoint& from, const IntPoint& to);
   static int side(const Line& line, const Corner& corner);
+  static Bounds grown(Bounds bounds, const Corner& corner);
+  static Bounds bounds_of(const Piece& piece);
 
-  /// The part of a piece on one side of a line that passes through its interior; `sides` are those of its corners.
-  [[nodiscard]] Piece part_of(const Piece& piece, const Line& line, int side, const std::vector<int>& sides) const;
+  Trace trace_of_coplanar(const Triangle& triangle);
+  Trace trace_of_crossing(const Triangle& triangle);
+  void divide(Piece piece, const std::vector<const Trace*>& traces, int depth);
+  const Line* line_between(const std::vector<const Trace*>& traces, std::size_t axis);
+
+  static bool meets_inside(const Piece& piece, const Trace& trace);
+  void take_out(const Trace& trace, std::vector<Piece>& pieces) const;
+  void split(const Trace& trace, std::vector<Piece>& pieces) const;
   /// The sides of a piece's corners of a line; empty where the line does not pass through its interior.
   static std::vector<int> sides_if_cut(const Piece& piece, const Line& line);
+  /// The part of a piece on one side of a line that passes through its interior; `sides` are those of its corners.
+  static Piece part_of(const Piece& piece, const Line& line, int side, const std::vector<int>& sides);
   [[nodiscard]] exact::RationalPoint in_space(const Corner& p) const;
   static bool holds(const Piece& piece, const Corner& p);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "core/vec3.hpp"
 #include "exact/orientation.hpp"
 #include "exact/rational.hpp"
@@ -43,8 +45,12 @@ class RationalPointSigns {
   [[nodiscard]] bool is_double() const;
 
  private:
-  const exact::RationalPoint& p_;
-  Vec3 near_, off_;  ///< the point is within `off_` of `near_`, per coordinate
+  /// How far p is from a coordinate, times the denominator and 2^-unit, of which the coordinate is a multiple.
+  [[nodiscard]] exact::Integer difference(double from, int axis, int unit) const;
+
+  std::array<exact::Integer, 3> numerators_;
+  exact::Integer denominator_;  ///< of all three
+  Vec3 near_, off_;             ///< the point is within `off_` of `near_`, per coordinate
 };
 
 /// Whether a point lies on a closed triangle, degenerate ones included.

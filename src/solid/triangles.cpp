@@ -7,7 +7,6 @@
 
 #include "exact/orientation.hpp"
 #include "exact/segment.hpp"
-#include "exact/triangle_pair.hpp"
 
 namespace impinge::solid {
 namespace {
@@ -53,9 +52,7 @@ bool meets_inside(const std::vector<Vec3>& points, const Triangle& t) {
 // on an edge of `t`. If both pass through the other's plane, each has an interval of the common line, open inside;
 // since the insides do not meet, the closed intervals share an end alone. What is left is a vertex or an edge of
 // `reaching` in the plane of `t`.
-bool reaches_inside(const Triangle& reaching, const Triangle& t, Kind kind) {
-  if (kind == Kind::crossing) return true;
-  if (kind == Kind::coplanar) return exact::share_area(reaching, t);
+bool reaches_inside(const Triangle& reaching, const Triangle& t) {
   const Sides own(reaching, t);
   if (own.on.empty() || (own.above && own.below)) return false;
   const Sides other(t, reaching);

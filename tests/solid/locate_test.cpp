@@ -107,10 +107,15 @@ TEST(WindingNumber, OfRationalPointsIsWhatRaysInGeneralDirectionsCount) {
     for (int i = 0; i < 20; ++i) {
       // On a triangle, or along the ray's axis from there by a third of nearly nothing, or anywhere.
       const auto& t = body.exact[static_cast<std::size_t>(random.integer(0, static_cast<int>(body.exact.size()) - 1))];
-      const mpq_class s(random.integer(0, 3), 3), u = mpq_class(random.integer(0, 7), 7) * (1 - s);
+      const auto ratio = [](int p, const mpz_class& q) {
+        mpq_class x(p, q);
+        x.canonicalize();
+        return x;
+      };
+      const mpq_class s = ratio(random.integer(0, 3), 3), u = ratio(random.integer(0, 7), 7) * (1 - s);
       oracle::Vec p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = t[0][k] + s * (t[1][k] - t[0][k]) + u * (t[2][k] - t[0][k]);
-      const mpq_class nearly_nothing(random.integer(-1, 1), mpz_class(3) << random.integer(0, 200));
+      const mpq_class nearly_nothing = ratio(random.integer(-1, 1), mpz_class(3) << random.integer(0, 200));
       if (i % 2 == 0) p[static_cast<std::size_t>(i / 2 % 3)] += nearly_nothing;
       ASSERT_NO_FATAL_FAILURE(expect_agrees(body, p, random));
     }
@@ -118,7 +123,7 @@ TEST(WindingNumber, OfRationalPointsIsWhatRaysInGeneralDirectionsCount) {
 }
 
 TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const double size = std::array{1.0, 0x1p-70, 0x1p60, 1e-3}[seed % 4];
