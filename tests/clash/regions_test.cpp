@@ -203,8 +203,8 @@ TEST(Regions, OfAHundredThousandPairs) {
     std::cout << name << ": " << pairs << " pairs, " << regions.size() << " regions, " << took.count() << " s\n";
     expect_sound(regions, pairs);
   };
-  timed("flush", scenes::box({0, 0, 0}, {1, 1, 1}, 100), scenes::box({0.1, 0.2, 1}, {1.1, 1.2, 2}, 110), {});
-  timed("crossing", scenes::uv_sphere(8000, 40), scenes::uv_sphere(7001, 40), {.t = {0, 0, 1}});
+  timed("flush", scenes::box({0, 0, 0}, {1, 1, 1}, 110), scenes::box({0.1, 0.2, 1}, {1.1, 1.2, 2}, 130), {});
+  timed("crossing", scenes::uv_sphere(20000, 12), scenes::uv_sphere(17001, 12), {.t = {0, 0, 1}});
   timed("bumps", scenes::bumpy_grid(150, 150, 0.01), scenes::bumpy_grid(150, 150, 0.0101),
         {.t = {0.003, 0.001, 0.0005}});
 }
