@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "clash_json.hpp"
 #include "clash_table.hpp"
@@ -18,17 +18,6 @@
 
 namespace impinge::cli {
 namespace {
-
-/// How many numbers but 0 stand there more than once.
-std::size_t repeated(std::vector<std::uint32_t> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  std::size_t count = 0;
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    const bool second = numbers[i] == numbers[i - 1] && (i == 1 || numbers[i - 2] != numbers[i]);
-    count += second && numbers[i] != 0 ? 1 : 0;
-  }
-  return count;
-}
 
 Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, ProgressLine& line,
                           const std::stop_token& stop) {
@@ -58,9 +47,8 @@ Result<Review> make_review(const ClashArguments& arguments, const std::stop_toke
   review.read_seconds = seconds_since(start);
 
   const auto read = Clock::now();
-  std::vector<std::uint32_t> groups;
-  if (!arguments.within_products) groups = products_of(review.assembly);
-  review.split_products = repeated(groups);
+  const std::vector<std::uint32_t> groups = groups_of(review.assembly, arguments);
+  review.split_products = count_shared(groups);
   const Result<Scene> scene = scene_of(review.assembly, arguments, groups);
   if (!scene) return scene.error();
   Result<Clashes> clashes = judge_all(arguments, *scene, line, stop);

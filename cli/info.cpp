@@ -42,7 +42,7 @@ Result<ObjectFacts> facts_of(io::Object object, const std::stop_token& stop) {
     Result<std::optional<Part>> part = part_of(object, stop);
     if (stop.stop_requested()) return interrupted();
     if (!part) return part.error();
-    about.part = std::move(*part);
+    about.part = *part;
   }
   about.center = world_vertex(object.pose, object.mesh.sphere_center());
   about.radius = object.mesh.sphere_radius();

@@ -8,6 +8,21 @@
 
 namespace impinge::cli {
 
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments) {
+  if (arguments.within_products) return std::vector<std::uint32_t>(assembly.objects.size());
+  return products_of(assembly);
+}
+
+std::size_t count_shared(std::vector<std::uint32_t> groups) {
+  std::sort(groups.begin(), groups.end());
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const bool is_second = groups[i] == groups[i - 1] && (i == 1 || groups[i - 2] != groups[i]);
+    count += is_second && groups[i] != 0 ? 1 : 0;
+  }
+  return count;
+}
+
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
   std::vector<std::size_t> order(pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -23,6 +23,11 @@ struct Review {
   double read_seconds = 0, judge_seconds = 0;
 };
 
+/// For each object the group within which nothing is tested, 0 for none: its IFC product, but with `--within-products`.
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments);
+/// How many groups have more than one object.
+std::size_t count_shared(std::vector<std::uint32_t> groups);
+
 /// The numbers of the pairs, worst first: by verdict; of one verdict the deepest first, then the nearest, then in
 /// canonical order.
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);

@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <set>
+#include <utility>
+
+#include "scene_command.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -54,21 +58,47 @@ TEST(Review, FailsWhatEachWordNames) {
   EXPECT_EQ(words_of(ClashArguments{}.fail_on), (std::vector<std::string>{"penetration", "inside"}));
 }
 
-TEST(Review, PartsOfOneProductOfOneFileHaveOneNumber) {
+/// Objects that are one and the same triangle, of these products of these files.
+Assembly triangles_of(const std::vector<std::pair<std::uint32_t, std::string>>& products) {
+  const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::vector<std::uint32_t> triangle{0, 1, 2};
+  const Mesh mesh = Mesh::create(std::span<const double>(xyz), triangle).value();
   Assembly assembly;
   assembly.files = {"a.ifc", "b.ifc"};
-  const Mesh none = Mesh::create(std::span<const double>(), {}).value();
-  const auto add = [&](std::uint32_t file, const std::string& product) {
-    assembly.objects.push_back({"part", "part", product, none, {}});
+  for (const auto& [file, product] : products) {
+    assembly.objects.push_back({"part", "part", product, mesh, {}});
     assembly.file_of.push_back(file);
-  };
-  add(0, "IfcDoor_1"), add(0, ""), add(0, "IfcWall_2"), add(0, "IfcDoor_1"), add(1, "IfcDoor_1"), add(1, "");
+  }
+  assembly.labels = labels_of(assembly);
+  return assembly;
+}
+
+TEST(Review, PartsOfOneProductOfOneFileHaveOneNumber) {
+  const Assembly assembly =
+      triangles_of({{0, "IfcDoor_1"}, {0, ""}, {0, "IfcWall_2"}, {0, "IfcDoor_1"}, {1, "IfcDoor_1"}, {1, ""}});
   const std::vector<std::uint32_t> numbers = products_of(assembly);
   ASSERT_EQ(numbers.size(), 6U);
   EXPECT_EQ(numbers[0], numbers[3]);
   EXPECT_EQ(std::set(numbers.begin(), numbers.end()).size(), 4U);
   EXPECT_EQ(numbers[1], 0U);
   EXPECT_EQ(numbers[5], 0U);
+  EXPECT_EQ(count_shared(numbers), 1U);
+  EXPECT_EQ(count_shared({}), 0U);
+  EXPECT_EQ(count_shared({0, 0, 2, 1, 2, 2, 3, 1}), 2U);
+}
+
+TEST(Review, PartsOfOneProductAreTestedAgainstEachOtherOnlyIfAskedFor) {
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+  const Assembly assembly = triangles_of({{0, "IfcDoor_1"}, {0, "IfcDoor_1"}, {0, ""}, {1, "IfcDoor_1"}});
+  const auto tested = [&](const ClashArguments& arguments) {
+    return scene_of(assembly, arguments, groups_of(assembly, arguments)).value().collide().value().objects;
+  };
+  EXPECT_EQ(tested({}), (Pairs{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+  ClashArguments within;
+  within.within_products = true;
+  EXPECT_EQ(tested(within), (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+  // `check` knows nothing of products.
+  EXPECT_EQ(scene_of(assembly, CheckArguments{}).value().collide().value().objects, tested(within));
 }
 
 }  // namespace
