@@ -25,6 +25,8 @@ std::array<double, 9> matrix(Turn turn) {
       return {0, 0, -1, 1, 0, 0, 0, -1, 0};
     case Turn::along_y:
       return {-1, 0, 0, 0, 0, 1, 0, 1, 0};
+    case Turn::down:
+      return {1, 0, 0, 0, -1, 0, 0, 0, -1};
   }
   return {1, 0, 0, 0, 1, 0, 0, 0, 1};
 }

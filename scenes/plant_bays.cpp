@@ -76,7 +76,7 @@ const PipeSize& any_size(Random& random, int largest = 5) {
 }
 
 /// Rings along a pipe of such a length: as a tessellator that keeps triangles from growing thin.
-int rings(double length) { return 1 + static_cast<int>(length) / 400; }
+int rings(double length) { return 1 + static_cast<int>(length) / 280; }
 
 struct FlangePair {
   std::uint32_t left, gasket, right;

@@ -29,7 +29,7 @@ std::uint32_t put_column(Bay& bay, double x, double y) {
   for (const double dx : {-kAt, kAt}) {
     for (const double dy : {-kAt, kAt}) {
       const bool is_short = bay.random.integer(0, 3) == 0;
-      const std::uint32_t anchor = bay.put("B", "anchor", parts.bolt(kAnchor, is_short ? kShort : 150), Turn::upright,
+      const std::uint32_t anchor = bay.put("B", "anchor", parts.bolt(kAnchor, is_short ? kShort : 150), Turn::down,
                                            {x + dx, y + dy, kFloor});
       bay.touching(anchor, plate, "anchor's head on plate");
       if (is_short) bay.near(anchor, block, {kThick - kShort, kThick - kShort}, "short anchor");
