@@ -78,8 +78,9 @@ class Writer {
     for (const std::uint32_t corner : mesh.triangles) append(data_, corner);
     add_view(first_byte, first_index);
     add_view(first_index, data_.size());
-    accessors_.add(R"({"bufferView":)" + std::to_string(2 * count_) + R"(,"componentType":5126,"type":"VEC3","count":)" +
-                   std::to_string(mesh.vertex_count()) + ",\"min\":" + numbers(low) + ",\"max\":" + numbers(high) + "}");
+    accessors_.add(R"({"bufferView":)" + std::to_string(2 * count_) +
+                   R"(,"componentType":5126,"type":"VEC3","count":)" + std::to_string(mesh.vertex_count()) +
+                   ",\"min\":" + numbers(low) + ",\"max\":" + numbers(high) + "}");
     accessors_.add(R"({"bufferView":)" + std::to_string(2 * count_ + 1) +
                    R"(,"componentType":5125,"type":"SCALAR","count":)" + std::to_string(mesh.triangles.size()) + "}");
     meshes_.add(R"({"primitives":[{"attributes":{"POSITION":)" + std::to_string(2 * count_) + R"(},"indices":)" +
@@ -95,8 +96,10 @@ class Writer {
   static std::string node(const PlacedObject& object, const std::string& name) {
     const auto& R = object.pose.R;
     const auto& t = object.pose.t;
-    const std::array<double, 16> columns{R[0], R[3], R[6], 0, R[1], R[4], R[7], 0, R[2], R[5], R[8], 0, t[0], t[1], t[2], 1};
-    return R"({"name":")" + name + R"(","mesh":)" + std::to_string(object.mesh) + ",\"matrix\":" + numbers(columns) + "}";
+    const std::array<double, 16> columns{R[0], R[3], R[6], 0, R[1], R[4], R[7], 0,
+                                         R[2], R[5], R[8], 0, t[0], t[1], t[2], 1};
+    return R"({"name":")" + name + R"(","mesh":)" + std::to_string(object.mesh) + ",\"matrix\":" + numbers(columns) +
+           "}";
   }
 
   std::string data_;

@@ -11,37 +11,20 @@
 
 #include "scenes/glb.hpp"
 #include "scenes/plant.hpp"
+#include "scenes/plant_answer.hpp"
 
 namespace {
 
-using impinge::Verdict;
 using impinge::scenes::Plant;
 using impinge::scenes::PlantPair;
-
-const char* word(const PlantPair& pair) {
-  switch (pair.verdict) {
-    case Verdict::duplicate:
-      return "duplicate";
-    case Verdict::inside:
-      return pair.inner == 0 ? "inside, the first in the second" : "inside, the second in the first";
-    case Verdict::penetrating:
-      return "penetrating";
-    case Verdict::crossing:
-      return "crossing";
-    case Verdict::touching:
-      return "touching";
-    case Verdict::apart:
-      break;
-  }
-  return "apart";
-}
 
 bool write_list(const Plant& plant, const char* path) {
   std::ofstream file(path);
   file << "first;second;verdict;nearest at least;nearest at most;what was planted;in a turned bay\n";
   for (const PlantPair& pair : plant.pairs) {
-    file << plant.names[pair.first] << ';' << plant.names[pair.second] << ';' << word(pair) << ';' << pair.distance.lo
-         << ';' << pair.distance.hi << ';' << pair.family << ';' << plant.is_turned[plant.bays[pair.first]] << '\n';
+    file << plant.names[pair.first] << ';' << plant.names[pair.second] << ';'
+         << impinge::scenes::in_words(pair.verdict, pair.inner) << ';' << pair.distance.lo << ';' << pair.distance.hi
+         << ';' << pair.family << ';' << plant.is_turned[plant.bays[pair.first]] << '\n';
   }
   return static_cast<bool>(file.flush());
 }

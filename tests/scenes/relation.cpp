@@ -96,8 +96,10 @@ Sides sides(const Solid& solid, const Solid& other) {
   Sides found;
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
-    if (gap(solid.boxes[i], other.box) > kBelow) found.outside = true;
-    else near.push_back(i);
+    if (gap(solid.boxes[i], other.box) > kBelow)
+      found.outside = true;
+    else
+      near.push_back(i);
   }
   const std::size_t step = 1 + near.size() / kMostTriangles;
   for (std::size_t i = 0; i < near.size() && !(found.inside && found.outside); i += step) {
@@ -109,8 +111,7 @@ Sides sides(const Solid& solid, const Solid& other) {
       const double turns = std::fabs(winding(other, p));
       bool is_on = false;
       for (std::size_t k = 0; k < other.triangles.size() && !is_on; ++k) {
-        is_on = gap(Box{p, p}, other.boxes[k]) < kTouch &&
-                triangles_apart({p, p, p}, other.triangles[k]) < kTouch;
+        is_on = gap(Box{p, p}, other.boxes[k]) < kTouch && triangles_apart({p, p, p}, other.triangles[k]) < kTouch;
       }
       if (is_on) continue;
       (turns > 0.5 ? found.inside : found.outside) = true;
@@ -137,7 +138,8 @@ Relation relation(const scenes::MeshData& data_a, const Pose& pose_a, const scen
   const Solid a = solid_of(data_a, mesh_a, pose_a), b = solid_of(data_b, mesh_b, pose_b);
   if (gap(a.box, b.box) > reach) return {Verdict::apart, -1, reach};
   const Contacts contacts = collide(mesh_a, pose_a, mesh_b, pose_b).value();
-  const bool is_crossing = std::find(contacts.kinds.begin(), contacts.kinds.end(), Kind::crossing) != contacts.kinds.end();
+  const bool is_crossing =
+      std::find(contacts.kinds.begin(), contacts.kinds.end(), Kind::crossing) != contacts.kinds.end();
   const bool is_contact = !contacts.kinds.empty();
   const Sides of_a = sides(a, b), of_b = sides(b, a);
   if (is_crossing || of_a.inside || of_b.inside) {
