@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
 #include "scenes/plant.hpp"
 #include "scenes/plant_answer.hpp"
 #include "scenes/solids.hpp"
+#include "tests/core/support.hpp"
 #include "tests/scenes/relation.hpp"
 
 namespace impinge {
@@ -66,7 +68,7 @@ class Planted : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Planted, NoMoreAndNoLessThanTheList) {
   SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  const Plant plant = scenes::plant(1200, {.seed = GetParam(), .turned = 0.5});
+  const Plant plant = scenes::plant(800, {.seed = GetParam(), .turned = 0.5});
   Relations relations(plant);
   auto next = plant.pairs.begin();
   const auto parts = static_cast<std::uint32_t>(plant.scene.objects.size());
@@ -91,6 +93,20 @@ TEST_P(Planted, NoMoreAndNoLessThanTheList) {
     }
   }
   EXPECT_EQ(next, plant.pairs.end());
+}
+
+TEST(PlantedAtFullSize, WhatSharesAPointIsOnTheList) {
+  const Plant plant = scenes::plant(10'000, {.turned = 0});
+  const Contacts contacts = test::scene_of(plant.scene).collide({.find = Options::Find::first}).value();
+  const std::set<std::array<std::uint32_t, 2>> found(contacts.objects.begin(), contacts.objects.end());
+  std::size_t listed = 0;
+  for (const PlantPair& pair : plant.pairs) {
+    const bool is_found = found.contains({pair.first, pair.second});
+    listed += is_found ? 1 : 0;
+    if (pair.verdict == Verdict::inside) continue;  // with or without contact
+    EXPECT_EQ(is_found, pair.verdict != Verdict::apart) << plant.names[pair.first] << ": " << pair.family;
+  }
+  EXPECT_EQ(listed, found.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Planted, testing::Range<std::uint64_t>(1, 4));
