@@ -25,6 +25,8 @@ std::array<double, 9> matrix(Turn turn) {
       return {0, 0, -1, 1, 0, 0, 0, -1, 0};
     case Turn::along_y:
       return {-1, 0, 0, 0, 0, 1, 0, 1, 0};
+    case Turn::down:
+      return {1, 0, 0, 0, -1, 0, 0, 0, -1};
   }
   return {1, 0, 0, 0, 1, 0, 0, 0, 1};
 }
@@ -97,7 +99,8 @@ class Builder {
     const std::size_t slot = plant_.is_turned.size();
     Pose pose;
     pose.R = is_turned ? random_rotation(random_) : quarter_turn(random_.integer(0, 3));
-    pose.t = {(static_cast<double>(slot % side_) + 0.5) * kSlot, (static_cast<double>(slot / side_ % side_) + 0.5) * kSlot,
+    pose.t = {(static_cast<double>(slot % side_) + 0.5) * kSlot,
+              (static_cast<double>(slot / side_ % side_) + 0.5) * kSlot,
               (static_cast<double>(slot / side_ / side_) + 0.5) * kSlot};
     return pose;
   }

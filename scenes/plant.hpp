@@ -15,13 +15,16 @@
 ///
 /// The unit is the millimetre. The plant is a block of cubic slots of 8 m, and in each stands one bay, whose parts keep
 /// within a ball of 3.9 m about the slot's center: bays are at least 200 mm apart, however they are turned. A bay is
-/// laid out in a frame of its own; each part is one of a few hundred meshes, placed there by an exact quarter turn and a
-/// shift. Every length is a multiple of 2^-10 mm and below 2^14 mm (corners of polygons are snapped to such multiples),
-/// so that whatever is flush is so exactly, in single precision too. A bay then stands upright, after a quarter turn
-/// about z, which keeps all that; or it is turned at random, and flush faces are off by roundings: 2^-53 of the
-/// coordinates in memory, 2^-24 in a file of single precision. What penetrates does so by at least 1 mm (thin sheets: by
-/// 1/8 mm), what is apart is so by at least 1 mm: ten times the tolerance 2^-20 |coordinate| at 100 m, the sheets a bit
-/// above it.
+/// laid out in a frame of its own; each part is one of a few hundred meshes, placed there by an exact quarter turn and
+/// a shift. Every length is a multiple of 2^-10 mm and below 2^14 mm (corners of polygons are snapped to such
+/// multiples), so that whatever is flush is so exactly, in single precision too. A bay then stands upright, after a
+/// quarter turn about z, which keeps all that; or it is turned at random, and flush faces are off by roundings: 2^-53
+/// of the coordinates in memory, 2^-24 in a file of single precision. What penetrates does so by at least 1 mm (thin
+/// sheets: by 1/8 mm), what is apart is so by at least half of that: the tolerance 2^-20 |coordinate| is 0.1 mm
+/// at 100 m. Two verdicts of turned bays need a tolerance that looks at more than how deep boundaries
+/// reach in: a part placed twice with other triangles, whose two boundaries are off each other by roundings everywhere,
+/// is still a duplicate, and what lies inside in touch with the boundary is still inside where it sticks out by a
+/// rounding.
 ///
 /// The bays (x, y, z in the bay's own frame):
 ///   line   two pipelines along x, one above the other: pipe, flange, gasket, flange, pipe, elbow, pipe along y.
@@ -31,8 +34,8 @@
 ///          wide, near, none, or negative; on top pipes along y, which rest on them, are just above, or cut in.
 ///   frame  four columns on plates, anchored in foundations; beams and box beams between columns, trays on top, in two
 ///          pieces each that meet, overlap in line, or leave a gap; a pipe through a web, one close above a beam.
-///   vessel a hollow vessel on saddles, nozzles through its wall and just above it, sensors in the wall, internals in its
-///          cavity: free, near and standing; a closed tank with boxes inside.
+///   vessel a hollow vessel on saddles, nozzles through its wall and just above it, sensors in the wall, internals
+///          in its cavity: free, near and standing; a closed tank with boxes inside.
 ///   cells  small things, two or three to a cell of 620 mm, that stay within 500: see plant_cells.cpp.
 ///   store  single parts on a grid, 25 mm and more apart; fills the plant up to the wanted number of parts.
 namespace impinge::scenes {
@@ -50,9 +53,9 @@ struct PlantPair {
 
 struct Plant {
   PlacedScene scene;
-  std::vector<std::string> names;    ///< of the objects, all different
-  std::vector<PlantPair> pairs;      ///< by (first, second)
-  std::vector<std::uint32_t> bays;   ///< of the objects
+  std::vector<std::string> names;   ///< of the objects, all different
+  std::vector<PlantPair> pairs;     ///< by (first, second)
+  std::vector<std::uint32_t> bays;  ///< of the objects
   std::vector<bool> is_turned;      ///< of the bays
 };
 

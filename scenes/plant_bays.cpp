@@ -76,7 +76,7 @@ const PipeSize& any_size(Random& random, int largest = 5) {
 }
 
 /// Rings along a pipe of such a length: as a tessellator that keeps triangles from growing thin.
-int rings(double length) { return 1 + static_cast<int>(length) / 400; }
+int rings(double length) { return 1 + static_cast<int>(length) / 280; }
 
 struct FlangePair {
   std::uint32_t left, gasket, right;
@@ -96,8 +96,10 @@ void bolt_up(Bay& bay, const PipeSize& size, double y, double z, const FlangePai
     bay.near(b, flanges.gasket, hole_gap, "bolt in hole");
     bay.near(b, flanges.right, hole_gap, "bolt in hole");
     bay.touching(n, flanges.right, "nut on flange");
-    if (room == 0) bay.touching(n, b, "tight nut on bolt");
-    else bay.near(n, b, radial_gap(size.bolt, size.bolt + room, kBoltSides), "wide nut on bolt");
+    if (room == 0)
+      bay.touching(n, b, "tight nut on bolt");
+    else
+      bay.near(n, b, radial_gap(size.bolt, size.bolt + room, kBoltSides), "wide nut on bolt");
   }
 }
 
@@ -115,8 +117,7 @@ void pipeline(Bay& bay, double z) {
   const double left = 100 * bay.random.integer(8, 20), right = 100 * bay.random.integer(8, 20);
   const double face = kGasket / 2, neck = face + size.thickness + kNeck, bend = Catalogue::bend(size);
   Catalogue& parts = bay.catalogue;
-  const std::uint32_t pipe1 =
-      bay.put("P", "pipe", parts.pipe(size, left, rings(left)), Turn::against_x, {-neck, 0, z});
+  const std::uint32_t pipe1 = bay.put("P", "pipe", parts.pipe(size, left, rings(left)), Turn::against_x, {-neck, 0, z});
   const std::uint32_t flange1 = bay.put("FL", "flange", parts.flange(size), Turn::against_x, {-face, 0, z});
   const std::uint32_t gasket = bay.put("G", "gasket", parts.gasket(size), Turn::along_x, {-face, 0, z});
   const std::uint32_t flange2 = bay.put("FL", "flange", parts.flange(size), Turn::along_x, {face, 0, z});
@@ -216,16 +217,13 @@ void vessel_bay(Bay& bay) {
   bay.near(nozzle(100, outer + gap), vessel, {gap, gap}, "nozzle above wall");
   // A side of the vessel's wall is 57 mm wide; the wall between two sides is 19.9 mm thick.
   const std::uint32_t sensor = parts.box(40, 8, 8);
-  const auto put_sensor = [&](double x, double z) {
-    return bay.put("I", "sensor", sensor, Turn::upright, {x, -4, z});
-  };
+  const auto put_sensor = [&](double x, double z) { return bay.put("I", "sensor", sensor, Turn::upright, {x, -4, z}); };
   bay.inside(put_sensor(500, inner + 6), vessel, "sensor in wall");
   bay.inside(put_sensor(600, outer - 8), vessel, "sensor in wall, in touch");
   bay.penetrating(put_sensor(700, outer - bay.length(1, 7)), vessel, "sensor half in wall");
   bay.touching(put_sensor(800, outer), vessel, "sensor on wall");
   bay.touching(put_sensor(900, inner - 8), vessel, "sensor under wall");
-  const std::uint32_t standing =
-      bay.put("I", "internal", parts.box(300, 40, 300), Turn::upright, {-600, -20, -inner});
+  const std::uint32_t standing = bay.put("I", "internal", parts.box(300, 40, 300), Turn::upright, {-600, -20, -inner});
   bay.touching(standing, vessel, "internal stands in cavity");
   const std::uint32_t raised =
       bay.put("I", "internal", parts.box(300, 40, 300), Turn::upright, {100, -20, gap - inner});

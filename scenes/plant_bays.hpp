@@ -13,9 +13,9 @@
 /// The bays of a plant (plant.hpp says what is in them), each in a frame of its own.
 namespace impinge::scenes {
 
-/// Where a mesh's z axis goes. Exact turns, of which `along_x` takes (x, y, z) to (z, x, y), `against_x` to (-z, x, -y),
-/// `along_y` to (-x, z, y).
-enum class Turn { upright, along_x, against_x, along_y };
+/// Where a mesh's z axis goes. Exact turns, of which `along_x` takes (x, y, z) to (z, x, y), `against_x` to (-z, x,
+/// -y), `along_y` to (-x, z, y), `down` to (x, -y, -z).
+enum class Turn { upright, along_x, against_x, along_y, down };
 
 struct BayPart {
   std::uint32_t mesh;

@@ -33,7 +33,9 @@ void shifted_boxes(const Cell& cell) {
   Bay::Place at{};
   for (int k = 0; k < axes; ++k) at[k] = size[k] - cell.bay.length(1, 70);
   cell.bay.penetrating(cell.box({0, 0, 0}, size), cell.box(at, size),
-                       axes == 1 ? "overlap, 4 common planes" : axes == 2 ? "overlap, 2 common planes" : "overlap");
+                       axes == 1   ? "overlap, 4 common planes"
+                       : axes == 2 ? "overlap, 2 common planes"
+                                   : "overlap");
 }
 
 void boxes_with_common_planes(const Cell& cell) {
@@ -143,8 +145,7 @@ void pin_in_bushing(const Cell& cell) {
 }
 
 void box_in_cavity(const Cell& cell) {
-  const std::uint32_t tank =
-      cell.put("TK", "tank", cell.parts().tank(200, 160, 140, 20), Turn::upright, {0, 0, 0});
+  const std::uint32_t tank = cell.put("TK", "tank", cell.parts().tank(200, 160, 140, 20), Turn::upright, {0, 0, 0});
   switch (cell.bay.random.integer(0, 2)) {
     case 0:
       return cell.bay.touching(tank, cell.box({20, 20, 20}, {160, 120, 100}), "cavity filled");
@@ -161,8 +162,8 @@ void ball(const Cell& cell) {
   constexpr double kCavity = 100;
   constexpr int kSides = 32;
   const double gap = cell.bay.length(3, 15), radius = kCavity - gap;
-  const std::uint32_t inner = cell.put("BL", "ball", cell.parts().sphere(radius, 0, kSides), Turn::upright,
-                                       {150, 150, 150});
+  const std::uint32_t inner =
+      cell.put("BL", "ball", cell.parts().sphere(radius, 0, kSides), Turn::upright, {150, 150, 150});
   if (cell.bay.random.integer(0, 1) == 0) {
     // A triangle of the cavity is off the sphere by two chords at most: across, and along a meridian.
     const double chord = std::cos(std::numbers::pi / kSides);
@@ -177,8 +178,7 @@ void bolt_to_plate(const Cell& cell) {
   const double gap = cell.bay.any_gap();
   if (gap > kPlantClearance) return near_boxes(cell);
   const double length = 120;
-  const std::uint32_t bolt =
-      cell.put("B", "bolt", cell.parts().bolt(8, length), Turn::along_x, {20, 100, 100});
+  const std::uint32_t bolt = cell.put("B", "bolt", cell.parts().bolt(8, length), Turn::along_x, {20, 100, 100});
   const std::uint32_t plate = cell.box({20 + length + gap, 50, 50}, {130, 100, 100});
   cell.bay.by_gap(bolt, plate, gap, "bolt's end at plate");
 }
@@ -214,8 +214,8 @@ void bar_in_tube(const Cell& cell) {
 void valve_with_pipe(const Cell& cell) {
   const PipeSize& size = kPipeSizes[static_cast<std::size_t>(cell.bay.random.integer(0, 1))];
   const std::uint32_t valve = cell.put("Q", "valve", cell.parts().valve(size), Turn::along_x, {0, 150, 150});
-  const std::uint32_t pipe = cell.put("P", "pipe", cell.parts().pipe(size, 200, 1), Turn::along_x,
-                                      {Catalogue::valve_length(size), 150, 150});
+  const std::uint32_t pipe =
+      cell.put("P", "pipe", cell.parts().pipe(size, 200, 1), Turn::along_x, {Catalogue::valve_length(size), 150, 150});
   cell.bay.touching(valve, pipe, "valve to pipe");
 }
 
@@ -232,10 +232,14 @@ void bars_in_concrete(const Cell& cell) {
 }  // namespace
 
 void cells_bay(Bay& bay) {
-  constexpr std::array kKinds{shifted_boxes, boxes_with_common_planes, box_in_box,      twice,
-                              thin_sheets,   edge_or_corner_contact,   near_boxes,      pin_in_bushing,
-                              box_in_cavity, ball,                     bolt_to_plate,   crossing_pipes,
-                              stiffener,     bar_in_tube,              valve_with_pipe, bars_in_concrete};
+  constexpr std::array kKinds{shifted_boxes,   boxes_with_common_planes,
+                              box_in_box,      twice,
+                              thin_sheets,     edge_or_corner_contact,
+                              near_boxes,      pin_in_bushing,
+                              box_in_cavity,   ball,
+                              bolt_to_plate,   crossing_pipes,
+                              stiffener,       bar_in_tube,
+                              valve_with_pipe, bars_in_concrete};
   constexpr double kPitch = 620;
   for (int k = 0; k < 48; ++k) {
     const Bay::Place corner{(k % 4 - 2) * kPitch, (k / 4 % 4 - 2) * kPitch, (k / 16 - 1.5) * kPitch};

@@ -10,7 +10,7 @@
 namespace impinge::scenes {
 namespace {
 
-constexpr double kX = 1200, kY = 900;         // of the columns
+constexpr double kX = 1200, kY = 900;          // of the columns
 constexpr double kFloor = -1350, kTop = 3000;  // the floor's height in the bay, and the columns' above it
 constexpr double kSide = 200, kHalf = kSide / 2;
 
@@ -18,8 +18,7 @@ constexpr double kSide = 200, kHalf = kSide / 2;
 std::uint32_t put_column(Bay& bay, double x, double y) {
   constexpr double kPlate = 400, kThick = 30, kAt = 160, kAnchor = 10, kBlock = 500, kShort = 20;
   Catalogue& parts = bay.catalogue;
-  const std::uint32_t column =
-      bay.put("C", "column", parts.h_beam(kSide, kTop), Turn::upright, {x, y, kFloor});
+  const std::uint32_t column = bay.put("C", "column", parts.h_beam(kSide, kTop), Turn::upright, {x, y, kFloor});
   const std::uint32_t plate = bay.put("BP", "base plate", parts.base_plate(kPlate, kThick, kAt, kAnchor + kHoleRoom),
                                       Turn::upright, {x, y, kFloor - kThick});
   const std::uint32_t block = bay.put("F", "foundation", parts.box(kBlock, kBlock, 300), Turn::upright,
@@ -29,11 +28,13 @@ std::uint32_t put_column(Bay& bay, double x, double y) {
   for (const double dx : {-kAt, kAt}) {
     for (const double dy : {-kAt, kAt}) {
       const bool is_short = bay.random.integer(0, 3) == 0;
-      const std::uint32_t anchor = bay.put("B", "anchor", parts.bolt(kAnchor, is_short ? kShort : 150), Turn::upright,
-                                           {x + dx, y + dy, kFloor});
+      const std::uint32_t anchor =
+          bay.put("B", "anchor", parts.bolt(kAnchor, is_short ? kShort : 150), Turn::down, {x + dx, y + dy, kFloor});
       bay.touching(anchor, plate, "anchor's head on plate");
-      if (is_short) bay.near(anchor, block, {kThick - kShort, kThick - kShort}, "short anchor");
-      else bay.penetrating(anchor, block, "anchor in foundation");
+      if (is_short)
+        bay.near(anchor, block, {kThick - kShort, kThick - kShort}, "short anchor");
+      else
+        bay.penetrating(anchor, block, "anchor in foundation");
     }
   }
   return column;
@@ -97,8 +98,7 @@ void frame_bay(Bay& bay) {
   side_by_side(trays[0].second, trays[1].first, trays[0].gap);
 
   const PipeSize& through = kPipeSizes[static_cast<std::size_t>(bay.random.integer(0, 2))];
-  const std::uint32_t pipe =
-      bay.put("P", "pipe", parts.pipe(through, 500, 2), Turn::along_y, {300, -kY - 250, kLow});
+  const std::uint32_t pipe = bay.put("P", "pipe", parts.pipe(through, 500, 2), Turn::along_y, {300, -kY - 250, kLow});
   bay.penetrating(pipe, low[0], "pipe through web");
   const double gap = bay.length(1, 15);
   const std::uint32_t above = bay.put("P", "pipe", parts.pipe(through, 1800, 5), Turn::along_x,

@@ -197,7 +197,8 @@ std::uint32_t Catalogue::base_plate(double side, double thickness, double at, do
     Section section;
     for (const double x : {0.0, 1.0}) {
       for (const double y : {0.0, 1.0}) {
-        const double left = (x - 1) * side / 2, low = (y - 1) * side / 2, right = left + side / 2, high = low + side / 2;
+        const double left = (x - 1) * side / 2, low = (y - 1) * side / 2, right = left + side / 2,
+                     high = low + side / 2;
         section.fill_between({{left, low}, {right, low}, {right, high}, {left, high}},
                              circle(hole, kHoleSides, {(2 * x - 1) * at, (2 * y - 1) * at}), kWall);
       }

@@ -54,8 +54,8 @@ class Catalogue {
   std::uint32_t cylinder(double radius, double length, int sides);
   std::uint32_t bushing(double outer, double inner, double length, int sides);
   std::uint32_t vessel(double radius, double straight, double wall, int sides);  ///< hollow, centred on the origin
-  std::uint32_t tank(double x, double y, double z, double wall);                 ///< a box with a cavity, from the origin
-  std::uint32_t sphere(double radius, double cavity, int sides);                 ///< cavity 0: none
+  std::uint32_t tank(double x, double y, double z, double wall);  ///< a box with a cavity, from the origin
+  std::uint32_t sphere(double radius, double cavity, int sides);  ///< cavity 0: none
   std::uint32_t valve(const PipeSize& size);  ///< body turned about z, a face at either end: 0 and valve_length
   static double valve_length(const PipeSize& size) { return 6 * size.radius; }
   std::uint32_t wheel(double radius, int sides);  ///< a torus about z at z = 0
