@@ -14,6 +14,7 @@
 #include "clash/judge.hpp"
 #include "clash/known_part.hpp"
 #include "clash/local_frame.hpp"
+#include "clash/regions.hpp"
 #include "clash/self_crossings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
@@ -23,6 +24,7 @@
 #include "pipeline.hpp"
 #include "scene/validate_pose.hpp"
 #include "scene_state.hpp"
+#include "solid/locate.hpp"
 #include "stage_clock.hpp"
 
 namespace impinge {
@@ -33,6 +35,10 @@ struct Placed {
   const Mesh* mesh;  ///< null: nothing is here
   Pose pose;
 };
+
+solid::Body body_of(const Mesh& mesh, const Pose& pose) {
+  return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
+}
 
 Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
 
@@ -66,7 +72,7 @@ Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const Clash
   const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
                                 {.kinds = kCrossing | kCoplanar, .threads = threads, .stop = options.stop});
   if (!contacts) return contacts.error();
-  const solid::Body body = solid::make_body({&placed.mesh->state().data, &placed.mesh->state().wide_tree, placed.pose});
+  const solid::Body body = body_of(*placed.mesh, placed.pose);
   const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
   std::vector<TrianglePair> defects;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
@@ -123,48 +129,96 @@ Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vecto
   return defects;
 }
 
-Result<std::vector<clash::KnownPart>> know_all(const std::vector<Placed>& objects, const ClashOptions& options) {
+/// A part as the verdicts see it, which is its boundary alone, and as it is.
+struct SeenPart {
+  clash::KnownPart known;
+  std::optional<Mesh> boundary;      ///< without the shells that are none, where there are such
+  std::optional<solid::Part> whole;  ///< and then the part with them
+
+  [[nodiscard]] const solid::Part& part() const { return whole ? *whole : known.linked.part; }
+};
+
+SeenPart see(const Placed& placed, const std::vector<TrianglePair>& defects) {
+  SeenPart seen{clash::know(body_of(*placed.mesh, placed.pose), defects), {}, {}};
+  const solid::Part& part = seen.known.linked.part;
+  const auto is_inner = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
+  if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_inner)) return seen;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < part.body.size(); ++t)
+    if (part.is_boundary(t))
+      triangles.insert(triangles.end(), placed.mesh->triangles()[t].begin(), placed.mesh->triangles()[t].end());
+  std::vector<double> xyz;
+  for (const Point& vertex : placed.mesh->vertices()) xyz.insert(xyz.end(), {vertex.x, vertex.y, vertex.z});
+  seen.boundary = Mesh::create(xyz, triangles).value();
+  clash::KnownPart boundary = clash::know(body_of(*seen.boundary, placed.pose), {});
+  boundary.facts = seen.known.facts;
+  seen.whole = std::move(seen.known.linked.part);
+  seen.known = std::move(boundary);
+  return seen;
+}
+
+Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, const ClashOptions& options) {
   if (auto valid = check_domain(objects); !valid) return valid.error();
   const Checks checks = list_checks(objects, options);
   const auto defects = find_all_defects(checks.placed, options);
   if (!defects) return defects.error();
-  std::vector<clash::KnownPart> parts(objects.size());
+  std::vector<SeenPart> parts(objects.size());
   run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
-    if (objects[i].mesh == nullptr || options.stop.stop_requested()) return;
-    const MeshState& mesh = objects[i].mesh->state();
-    parts[i] =
-        clash::know(solid::make_body({&mesh.data, &mesh.wide_tree, objects[i].pose}), (*defects)[checks.of_object[i]]);
+    if (objects[i].mesh != nullptr && !options.stop.stop_requested())
+      parts[i] = see(objects[i], (*defects)[checks.of_object[i]]);
   });
   if (options.stop.stop_requested()) return cancelled();
   return parts;
 }
 
+/// A part as regions of contact see it.
+struct RegionSide {
+  clash::Side side;
+  std::vector<std::uint8_t> inward;
+
+  explicit RegionSide(const solid::Part& part)
+      : side{part.body, part.topology.position, part.topology.positions, {}, {}} {
+    if (!part.solid) return;
+    side.holds = [&part](const Vec3& p) { return solid::winding_number(part.body.placed, p).value_or(0) != 0; };
+    for (const std::uint32_t shell : part.topology.shell)
+      inward.push_back(shell != solid::Topology::kNoShell && part.sides[shell].front && !part.sides[shell].back);
+    side.inward = inward;
+  }
+};
+
+std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const ClashOptions& options) {
+  const std::vector<exact::Contact> contacts = clash::contacts_of(a.body, b.body);
+  const RegionSide side_a(a), side_b(b);
+  auto regions = clash::regions_of(side_a.side, side_b.side, contacts, {}, options.stop);
+  return regions ? *std::move(regions) : std::vector<Region>();
+}
+
 /// The verdict on two parts, and what else is asked for.
-Clash make_clash(const clash::KnownPart& a, const clash::KnownPart& b, const ClashOptions& options) {
-  const solid::Body &body_a = a.linked.part.body, &body_b = b.linked.part.body;
-  const clash::Judgement judgement = clash::judge_pair(a, b, options.tolerance);
+Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
+  const clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance);
   Clash clash;
   clash.verdict = judgement.verdict, clash.inner = judgement.inner;
   clash.note = judgement.note, clash.tolerance = judgement.tolerance;
   if (options.clearance > 0 && !judgement.touch) {
-    if (const auto near = measure::nearest_pair(body_a.placed, body_b.placed, options.clearance);
-        near && near->distance < options.clearance)
+    const auto near = measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance);
+    if (near && near->distance < options.clearance)
       clash.nearest = Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
   }
-  const bool overlaps = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
-  if (options.depth && overlaps && a.facts.solid && b.facts.solid) {
+  const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
+  if (options.depth && overlap && a.known.facts.solid && b.known.facts.solid) {
     const clash::DepthGoal goal{.stop = options.stop};
+    const solid::Body &body_a = a.known.linked.part.body, &body_b = b.known.linked.part.body;
     clash.overlap_depth = {clash::depth_in(body_a, body_b, goal), clash::depth_in(body_b, body_a, goal)};
   }
+  if (options.regions && clash.verdict != Verdict::apart) clash.regions = find_regions(a.part(), b.part(), options);
   return clash;
 }
 
 /// Pairs whose boxes come as near as the options ask for, sorted.
-std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<clash::KnownPart>& parts,
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<SeenPart>& parts,
                                            const ClashOptions& options) {
   double largest = 0;
-  for (const clash::KnownPart& part : parts)
-    largest = std::max(largest, clash::largest_coordinate(part.linked.part.body.box));
+  for (const SeenPart& part : parts) largest = std::max(largest, clash::largest_coordinate(part.part().body.box));
   // Each box grows by half of the reach, and by what rounding may take from that.
   const double reach = std::max(tolerance_of(options, largest), options.clearance);
   const double half = reach / 2 + 0x1p-50 * (largest + reach);
@@ -172,7 +226,7 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   std::vector<std::uint32_t> groups(parts.size(), 0);
   std::vector<broad::BoxTree::Entry> entries;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    const Box& box = parts[i].linked.part.body.box;
+    const Box& box = parts[i].part().body.box;
     if (scene.meshes[i] == nullptr || is_empty(box)) continue;
     boxes[i] = {box.lo - Vec3{half, half, half}, box.hi + Vec3{half, half, half}};
     groups[i] = scene.objects[i].group;
@@ -198,9 +252,9 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   std::vector<Placed> objects;
   for (std::size_t i = 0; i < scene.slots.size(); ++i)
     objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
-  const auto parts = know_all(objects, options);
+  const auto parts = see_all(objects, options);
   if (!parts) return parts.error();
-  for (const clash::KnownPart& part : *parts) result.parts.push_back(part.facts);
+  for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
   clock.charge(result.parts_seconds);
 
   const std::vector<std::uint64_t> candidates = find_candidates(scene, *parts, options);
@@ -222,11 +276,11 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   return result;
 }
 
-Result<std::vector<clash::KnownPart>> know_placed(const std::vector<Placed>& objects, const ClashOptions& options) {
+Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, const ClashOptions& options) {
   if (auto valid = validate(options); !valid) return valid.error();
   for (const Placed& object : objects)
     if (auto valid = scene::validate(object.pose); !valid) return valid.error();
-  return know_all(objects, options);
+  return see_all(objects, options);
 }
 
 }  // namespace
@@ -241,7 +295,7 @@ Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options) {
 Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                     const ClashOptions& options) {
   return guarded([&]() -> Result<Clash> {
-    const auto parts = know_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
     if (!parts) return parts.error();
     Clash clash = make_clash((*parts)[0], (*parts)[1], options);
     if (options.stop.stop_requested()) return cancelled();
@@ -252,9 +306,9 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
 
 Result<PartFacts> examine(const Mesh& mesh, const Pose& pose, const ClashOptions& options) {
   return guarded([&]() -> Result<PartFacts> {
-    const auto parts = know_placed({{&mesh, pose}}, options);
+    const auto parts = see_placed({{&mesh, pose}}, options);
     if (!parts) return parts.error();
-    return (*parts)[0].facts;
+    return (*parts)[0].known.facts;
   });
 }
 

@@ -34,7 +34,6 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
      {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "exact/triangle_pair.hpp", "solid/body.hpp",
       "solid/cells.hpp", "solid/locate.hpp", "solid/part.hpp", "solid/topology.hpp", "measure/nearest.hpp",
       "measure/triangle_distance.hpp"}},
-    {"clash", {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "solid/body.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
     {"solid",
