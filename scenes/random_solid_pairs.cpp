@@ -58,7 +58,7 @@ std::vector<std::array<int, 3>> random_points(Random& random, int n, int side) {
   return points;
 }
 
-/// A hull that is not flat: not all points in the plane of three of them.
+/// A hull that is not flat: closed, as Euler's formula says, and around something.
 MeshData random_hull(Random& random, int n, int side) {
   while (true) {
     const MeshData mesh = hull(random_points(random, n, side), random.integer(0, 5));
@@ -70,7 +70,7 @@ MeshData random_hull(Random& random, int n, int side) {
       volume +=
           a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     }
-    if (volume > 0) {
+    if (volume > 0 && mesh.triangle_count() == 2 * mesh.vertex_count() - 4) {
       return mesh;
     }
   }
