@@ -10,7 +10,7 @@
 #include <string>
 
 #include "scenes/scene_file.hpp"
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {

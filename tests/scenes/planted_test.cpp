@@ -12,7 +12,7 @@
 
 #include "scenes/plant.hpp"
 #include "scenes/plant_answer.hpp"
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 #include "tests/core/support.hpp"
 #include "tests/scenes/relation.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "scenes/solids.hpp"
+#include "scenes/plant_solids.hpp"
 
 #include <gtest/gtest.h>
 
