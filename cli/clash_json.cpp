@@ -56,13 +56,12 @@ std::string json_depth(const std::optional<OverlapDepth>& depth) {
   return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", json_interval(depth->a_in_b), json_interval(depth->b_in_a));
 }
 
-/// Members of a pair. What lies in contact has a distance of 0 and no place of its own: the regions have those.
+/// Members of a pair. Null of what touches: where it does, the regions tell.
 std::string json_distance(const Clash& pair) {
   if (!pair.nearest) return "\"distance\":null,\"distance_error\":null,\"nearest\":null";
   const Nearest& nearest = *pair.nearest;
-  return fmt::format(
-      "\"distance\":{},\"distance_error\":{},\"nearest\":{}", json_number(nearest.distance), json_number(nearest.error),
-      nearest.distance > 0 ? fmt::format("[{},{}]", json_point(nearest.a), json_point(nearest.b)) : "null");
+  return fmt::format("\"distance\":{},\"distance_error\":{},\"nearest\":[{},{}]", json_number(nearest.distance),
+                     json_number(nearest.error), json_point(nearest.a), json_point(nearest.b));
 }
 
 void write_region(Sink& sink, const Region& region) {

@@ -18,19 +18,22 @@ namespace {
 /// A length for the eye.
 std::string length_text(double length) { return fmt::format("{:.4g}", length); }
 
+/// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
+const std::string kNothing = "-";
+
 /// Short enough for a column; the JSON has the sentence.
 std::string note_text(Note note) {
   switch (note) {
     case Note::none:
-      return "";
+      return kNothing;
     case Note::overlap_within_tolerance:
       return "overlap within tolerance";
     case Note::gap_within_tolerance:
       return "gap within tolerance";
     case Note::tolerance_not_applied:
-      return "tolerance not applied: thin part";
+      return "tolerance not applied";
   }
-  return "";
+  return kNothing;
 }
 
 struct PairColumn {
@@ -42,12 +45,11 @@ std::vector<PairColumn> columns_after_names(const std::vector<Clash>& pairs, con
   using enum Column::Kind;
   std::vector<PairColumn> columns;
   if (arguments.depth)
-    columns.push_back({{"depth", number}, [](const Clash& pair) {
-                         return pair.overlap_depth ? length_text(depth_of(pair)) : std::string();
-                       }});
+    columns.push_back({{"depth", number},
+                       [](const Clash& pair) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; }});
   if (arguments.clearance > 0)
     columns.push_back({{"distance", number}, [](const Clash& pair) {
-                         return pair.nearest ? length_text(pair.nearest->distance) : std::string();
+                         return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
                        }});
   if (arguments.regions)
     columns.push_back({{"regions", number}, [](const Clash& pair) { return grouped(pair.regions.size()); }});

@@ -96,7 +96,7 @@ void add_clash(CLI::App& command, Raw& raw) {
       ->type_name("auto|0|D");
   command
       .add_option("--clearance", raw.clearance,
-                  "list parts that are nearer to each other than C as well, and the distance of every pair")
+                  "list parts that are nearer to each other than C as well, with their distance")
       ->type_name("C");
   command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
   command.add_flag("--regions", to.regions,

@@ -133,7 +133,7 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
                              {"apart", "they share no point; listed if they are nearer than --clearance"}})
       .paragraph(
           "Verdicts are exact, but for the tolerance: parts that are flush by design overlap by a hair after a "
-          "rotation. A tolerance that a thin part could hide in is not applied to it, and a note says so. Parts of one "
+          "rotation. A tolerance that a thin part could hide in is not applied, and a note says so. Parts of one "
           "IFC product are not tested against each other; --ignore 'bolt*' 'bolt*' says the same of any group.")
       .section("Options:", options)
       .section("What --fail-on names:", {{"penetration", "duplicate, penetrating and crossing"},
