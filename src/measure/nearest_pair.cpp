@@ -79,10 +79,12 @@ class Search {
 
   void search_leaves(const NodePair& pair) {
     walk_.open_leaves(pair, limit_, near_);
-    std::sort(near_.begin(), near_.end(),
-              [](const NearTriangles& p, const NearTriangles& q) { return p.lower < q.lower; });
+    if (near_.empty()) return;
+    std::iter_swap(near_.begin(), std::min_element(near_.begin(), near_.end(), [](const auto& p, const auto& q) {
+                     return p.lower < q.lower;
+                   }));
     for (const NearTriangles& candidate : near_) {
-      if (walk_.world_length(candidate.lower) > limit_) return;
+      if (walk_.world_length(candidate.lower) > limit_) continue;
       test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
       if (is_done()) return;
     }
@@ -95,7 +97,7 @@ class Search {
       found_ = true, limit_ = 0, best_ = {0, 0, p, q, id_a, id_b};
       return;
     }
-    const TriangleDistance d = triangle_distance(a, b, limit_);
+    const TriangleDistance d = triangle_distance(a, b, limit_, best_.b - best_.a);
     least_ = std::min(least_, d.lower);
     if (d.lower > limit_ || d.distance > limit_) return;
     // They share no point, whatever rounding made of it.
