@@ -18,7 +18,7 @@ using Poses = std::vector<scenes::PosePair>;
 
 /// In bounding-sphere diameters.
 constexpr double kGaps[] = {0.001, 0.03, 1, 10};
-constexpr MeasureOptions kOneThread{.threads = 1};
+const MeasureOptions kOneThread{.threads = 1};
 
 bool touch(const Mesh& mesh, const scenes::PosePair& poses) {
   return !must(collide(mesh, poses.a, mesh, poses.b, {.find = Options::Find::first})).triangles.empty();
