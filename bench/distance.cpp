@@ -92,8 +92,8 @@ class DistanceTable {
 
   int poses_;
   Effort effort_;
-  Table table_{{"mesh", "triangles", "gap", "library", "questions", "us", "ratio", "ratio_low", "ratio_high", "repeats",
-                "off"}};
+  Table table_{
+      {"mesh", "triangles", "gap", "library", "questions", "us", "ratio", "ratio_low", "ratio_high", "repeats", "off"}};
 };
 
 }  // namespace
@@ -102,10 +102,9 @@ void bench_main(const Arguments& arguments) {
   pin_to_one_core();
   DistanceTable table(arguments.quick ? 8 : 40, arguments.quick ? Effort{2, 2, 0} : Effort{3, 7, 2});
   const std::vector<int> knots = arguments.quick ? std::vector{968, 9612} : std::vector{968, 9612, 100'000, 1'000'000};
-  const std::vector<std::string> files = arguments.quick
-                                             ? std::vector<std::string>{"armadillo.off"}
-                                             : std::vector<std::string>{"elephant.off", "fandisk.off", "camel.off",
-                                                                        "armadillo.off"};
+  const std::vector<std::string> files =
+      arguments.quick ? std::vector<std::string>{"armadillo.off"}
+                      : std::vector<std::string>{"elephant.off", "fandisk.off", "camel.off", "armadillo.off"};
   for (const int triangles : knots) table.add(torus_knot_subject(triangles));
   for (const std::string& file : files) table.add(demo_subject(file));
   table.write(arguments.folder);
