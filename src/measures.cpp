@@ -34,15 +34,16 @@ Result<void> validate(const Placed& placed) {
   if (placed.mesh.triangle_count() == 0) return Error{Code::bad_mesh, name + " has no triangles, and no distance"};
   if (!in_exact_domain(placed.pose, placed.mesh.state().data))
     return Error{Code::out_of_range,
-                 name + " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers "
-                        "would not be exact; scale the meshes, or move them nearer to the origin"};
+                 name +
+                     " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers "
+                     "would not be exact; scale the meshes, or move them nearer to the origin"};
   return {};
 }
 
 Result<void> validate(const Placed& a, const Placed& b, const MeasureOptions& options) {
   if (options.threads < 0)
-    return Error{Code::bad_option, "a number of threads is 0 (all there are) or more, not " +
-                                       std::to_string(options.threads)};
+    return Error{Code::bad_option,
+                 "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
   for (const Placed* const placed : {&a, &b})
     if (auto valid = validate(*placed); !valid) return valid;
   return {};
@@ -51,8 +52,7 @@ Result<void> validate(const Placed& a, const Placed& b, const MeasureOptions& op
 Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Placed& b, double within, double enough,
                                                     const MeasureOptions& options) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
-  auto found =
-      measure::nearest_pair(a.tree(), b.tree(), within, enough, {on_threads(options.threads), options.stop});
+  auto found = measure::nearest_pair(a.tree(), b.tree(), within, enough, {on_threads(options.threads), options.stop});
   if (options.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
   return found;
 }

@@ -69,12 +69,12 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, const Tree
     for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
       auto own = hn::Zero(d), other = hn::Zero(d);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto x = gap(
-            d, hn::Abs(hn::Sub(hn::Load(d, lanes.mapped.center[axis] + lane), hn::Set(d, one.center[axis][i]))),
-            hn::Add(hn::Load(d, lanes.mapped.half[axis] + lane), hn::Set(d, one.half[axis][i])));
-        const auto y = gap(
-            d, hn::Abs(hn::Sub(hn::LoadU(d, lanes.center[axis] + lane), hn::Set(d, one.mapped.center[axis][i]))),
-            hn::Add(hn::LoadU(d, lanes.half[axis] + lane), hn::Set(d, one.mapped.half[axis][i])));
+        const auto x =
+            gap(d, hn::Abs(hn::Sub(hn::Load(d, lanes.mapped.center[axis] + lane), hn::Set(d, one.center[axis][i]))),
+                hn::Add(hn::Load(d, lanes.mapped.half[axis] + lane), hn::Set(d, one.half[axis][i])));
+        const auto y =
+            gap(d, hn::Abs(hn::Sub(hn::LoadU(d, lanes.center[axis] + lane), hn::Set(d, one.mapped.center[axis][i]))),
+                hn::Add(hn::LoadU(d, lanes.half[axis] + lane), hn::Set(d, one.mapped.half[axis][i])));
         own = hn::MulAdd(x, x, own), other = hn::MulAdd(y, y, other);
       }
       const auto square = hn::Max(own, other);
@@ -89,9 +89,9 @@ using TriangleLanes = hn::CappedTag<float, 16>;
 
 /// A leaf's triangles in A's frame, the x of all first corners first, and their boxes.
 struct Triangles {
-  alignas(64) float corner[9][256];
-  alignas(64) float lo[3][256];
-  alignas(64) float hi[3][256];
+  alignas(64) float corner[9][kMostInLeaf];
+  alignas(64) float lo[3][kMostInLeaf];
+  alignas(64) float hi[3][kMostInLeaf];
 };
 
 /// Corners come from `coordinate(corner, axis, lane)`.
@@ -128,7 +128,8 @@ HWY_INLINE void lay_out_mapped(const WideLeaf& leaf, const FrameRelation& f, flo
 }
 
 /// The gap between triangle `i` of A and some of B along the lines between their middles, below 0 where there is none.
-HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, const Triangles& b, std::uint32_t lane) {
+HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, const Triangles& b,
+                                           std::uint32_t lane) {
   const TriangleLanes d;
   using V = hn::Vec<TriangleLanes>;
   V n[3];
@@ -140,9 +141,9 @@ HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, 
     square = hn::MulAdd(n[axis], n[axis], square);
   }
   const auto of_a = [&](int c) HWY_ATTR {
-    return hn::MulAdd(n[0], hn::Set(d, a.corner[3 * c][i]),
-                      hn::MulAdd(n[1], hn::Set(d, a.corner[3 * c + 1][i]),
-                                 hn::Mul(n[2], hn::Set(d, a.corner[3 * c + 2][i]))));
+    return hn::MulAdd(
+        n[0], hn::Set(d, a.corner[3 * c][i]),
+        hn::MulAdd(n[1], hn::Set(d, a.corner[3 * c + 1][i]), hn::Mul(n[2], hn::Set(d, a.corner[3 * c + 2][i]))));
   };
   const auto of_b = [&](int c) HWY_ATTR {
     return hn::MulAdd(n[0], hn::Load(d, b.corner[3 * c] + lane),
@@ -166,7 +167,8 @@ HWY_INLINE float slack_of(const WideLeaf& a, const WideLeaf& b, const FrameRelat
 }
 
 // A slab's gap is off by the slack of a coordinate times sqrt 3, in whatever direction; and by the rounding of six dot
-// products, of which two count: 3 u of |x|, less than 5.2 u of the largest coordinates each, and little of what follows.
+// products, of which two count: 3 u of |x|, less than 5.2 u of the largest coordinates each, and little of what
+// follows.
 HWY_INLINE float slab_slack(const WideLeaf& a, const WideLeaf& b, const FrameRelation& f, const TreeRelation& trees,
                             float slack) {
   const float far = std::max({std::abs(f.c[0]), std::abs(f.c[1]), std::abs(f.c[2])});
@@ -205,7 +207,7 @@ HWY_ATTR void bound_triangles(const WideLeaf& a, const WideLeaf& b, const TreeRe
       hn::Store(hn::Mul(hn::Sqrt(square), hn::Set(d, shrink)), d, lower);
       for (; bits != 0; bits &= bits - 1) {
         const auto at = static_cast<std::uint32_t>(std::countr_zero(bits));
-        near.push_back({lower[at], static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(lane + at)});
+        near.push_back({double{lower[at]}, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(lane + at)});
       }
     }
   }

@@ -22,9 +22,12 @@ struct BoxBounds {
 void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, const hierarchy::TreeRelation& relation,
                  float limit, BoxBounds& bounds);
 
+/// Of triangles (TreeConfig).
+inline constexpr int kMostInLeaf = 256;
+
 /// The triangles in places `a` and `b` of two leaves.
 struct NearTriangles {
-  float lower;
+  double lower;
   std::uint16_t a, b;
 };
 

@@ -6,6 +6,7 @@
 #include "core/shapes.hpp"
 #include "exact/triangle_pair.hpp"
 #include "measure/nearest.hpp"
+#include "measure/pair_queue.hpp"
 #include "measure/pair_walk.hpp"
 #include "measure/triangle_distance.hpp"
 
@@ -18,25 +19,15 @@ class Search {
       : walk_(walk), enough_(enough), tolerance_(walk.are_remote() ? kRemoteTolerance : 0), limit_(within) {}
 
   std::optional<NearestPair> run(const std::stop_token& stop) {
-    // Best first: no pair is opened that is not nearer than what is found in the end. Of pairs as near as each other, as
-    // all are whose boxes overlap, the deepest comes first, so that the heap stays small.
-    const auto is_later = [](const NodePair& p, const NodePair& q) {
-      return p.lower != q.lower ? p.lower > q.lower : p.depth < q.depth;
-    };
     std::vector<NodePair> open, children;
     dive(open);
-    std::make_heap(open.begin(), open.end(), is_later);
-    while (!open.empty() && !is_done()) {
+    PairQueue queue(open, limit_);
+    while (!is_done()) {
       if (stop.stop_requested()) return std::nullopt;
-      std::pop_heap(open.begin(), open.end(), is_later);
-      NodePair next = open.back();
-      open.pop_back();
-      if (next.lower > limit_) break;
-      if (search_or_open(next, children)) continue;
-      for (const NodePair& child : children) {
-        open.push_back(child);
-        std::push_heap(open.begin(), open.end(), is_later);
-      }
+      std::optional<NodePair> next = queue.pop();
+      if (!next) break;
+      if (next->lower > limit_ || search_or_open(*next, children)) continue;
+      for (const NodePair& child : children) queue.push(child);
     }
     if (!found_) return std::nullopt;
     best_.error = best_.distance == 0 ? 0 : std::max(best_.error, best_.distance - least_);
@@ -50,7 +41,7 @@ class Search {
 
   [[nodiscard]] bool is_done() const { return found_ && (best_.distance == 0 || best_.distance < enough_); }
 
-  /// Whether it was two leaves.
+  /// Whether it was two leaves. If not, the nearest of its children comes last.
   bool search_or_open(NodePair& pair, std::vector<NodePair>& children) {
     walk_.reach(pair);
     if (pair.a.is_leaf() && pair.b.is_leaf()) {
@@ -59,6 +50,9 @@ class Search {
     }
     children.clear();
     walk_.open(pair, limit_, children);
+    if (!children.empty())
+      std::iter_swap(children.end() - 1, std::min_element(children.begin(), children.end(),
+                                                          [](auto& p, auto& q) { return p.lower < q.lower; }));
     return false;
   }
 
@@ -68,9 +62,6 @@ class Search {
     NodePair next = walk_.roots();
     while (!search_or_open(next, children)) {
       if (children.empty()) break;
-      std::iter_swap(std::min_element(children.begin(), children.end(),
-                                      [](const NodePair& p, const NodePair& q) { return p.lower < q.lower; }),
-                     children.end() - 1);
       next = children.back();
       open.insert(open.end(), children.begin(), children.end() - 1);
     }
@@ -79,10 +70,11 @@ class Search {
 
   void search_leaves(const NodePair& pair) {
     walk_.open_leaves(pair, limit_, near_);
-    std::sort(near_.begin(), near_.end(),
-              [](const NearTriangles& p, const NearTriangles& q) { return p.lower < q.lower; });
+    if (near_.empty()) return;
+    std::iter_swap(near_.begin(), std::min_element(near_.begin(), near_.end(),
+                                                   [](const auto& p, const auto& q) { return p.lower < q.lower; }));
     for (const NearTriangles& candidate : near_) {
-      if (walk_.world_length(candidate.lower) > limit_) return;
+      if (walk_.world_length(candidate.lower) > limit_) continue;
       test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
       if (is_done()) return;
     }
@@ -95,7 +87,7 @@ class Search {
       found_ = true, limit_ = 0, best_ = {0, 0, p, q, id_a, id_b};
       return;
     }
-    const TriangleDistance d = triangle_distance(a, b, limit_);
+    const TriangleDistance d = triangle_distance(a, b, limit_, best_.b - best_.a);
     least_ = std::min(least_, d.lower);
     if (d.lower > limit_ || d.distance > limit_) return;
     // They share no point, whatever rounding made of it.
@@ -106,7 +98,7 @@ class Search {
 
   const PairWalk& walk_;
   const double enough_, tolerance_;
-  double limit_;  ///< what is farther is of no interest
+  double limit_;                                            ///< what is farther is of no interest
   double least_ = std::numeric_limits<double>::infinity();  ///< nothing that was passed over is nearer
   bool found_ = false;
   NearestPair best_{};
@@ -120,8 +112,7 @@ std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hi
   if (a.mesh->triangles.empty() || b.mesh->triangles.empty()) return std::nullopt;
   const PairWalk walk(a, b, means.for_each);
   std::optional<NearestPair> found = Search(walk, within, enough).run(means.stop);
-  if (found && walk.is_swapped())
-    std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
+  if (found && walk.is_swapped()) std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
   return found;
 }
 

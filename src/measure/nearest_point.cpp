@@ -47,8 +47,7 @@ struct LocalPoint {
     constexpr double kFar = 1e18;  // squares must not overflow, and nearer than it is only makes bounds lower
     double most = frame.radius;
     for (int i = 0; i < 3; ++i) {
-      const double v =
-          double{frame.axes[0][i]} * r.x + double{frame.axes[1][i]} * r.y + double{frame.axes[2][i]} * r.z;
+      const double v = double{frame.axes[0][i]} * r.x + double{frame.axes[1][i]} * r.y + double{frame.axes[2][i]} * r.z;
       x[i] = static_cast<float>(std::clamp(v, -kFar, kFar));
       most = std::max(most, std::abs(double{x[i]}));
     }
@@ -118,7 +117,7 @@ class Search {
   [[nodiscard]] double world(float lower) const { return local_.unit * (kShrink * double{lower}); }
 
   void search(const WideLeaf& leaf) {
-    float lower[256];
+    float lower[kMostInLeaf];
     bound_triangles(leaf, LocalPoint(local_, leaf.frame), lower);
     for (std::uint32_t i = 0; i < leaf.count && !is_done(); ++i)
       if (world(lower[i]) <= limit_) test(leaf.ids()[i]);
@@ -139,7 +138,7 @@ class Search {
   const Vec3 point_;
   const MeshPoint local_;
   const double enough_;
-  double limit_;  ///< what is farther is of no interest
+  double limit_;                                            ///< what is farther is of no interest
   double least_ = std::numeric_limits<double>::infinity();  ///< nothing that was passed over is nearer
   std::optional<NearestPoint> best_;
 };

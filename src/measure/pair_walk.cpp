@@ -9,6 +9,7 @@
 
 #include "core/pose.hpp"
 #include "hierarchy/round_up.hpp"
+#include "measure/far_bounds.hpp"
 
 namespace impinge::measure {
 namespace {
@@ -17,7 +18,7 @@ using hierarchy::Frame;
 using hierarchy::kWidth;
 using hierarchy::PlacedTree;
 using hierarchy::TreeRef;
-using hierarchy::TreeRelation;
+using hierarchy::WideLeaf;
 
 const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 
@@ -32,64 +33,10 @@ void step_down(const PlacedTree& body, TreeRef& ref, std::int8_t& lane, const Fo
   lane = NodePair::kSelf;
 }
 
+int size_of(const TreeRef& ref) { return ref.is_leaf() ? 1 : static_cast<int>(ref.node().size); }
+
 std::int8_t lane_of(const TreeRef& parent, int lane) {
   return parent.is_leaf() ? NodePair::kSelf : static_cast<std::int8_t>(lane);
-}
-
-/// From A's origin to B's in the world, in A's unit.
-Vec3 offset_of(const Frame& a, const Frame& b, const PlacedTree& body_a, const TreeRelation& relation) {
-  double v[3];
-  for (int i = 0; i < 3; ++i) {
-    v[i] = relation.t[i] - a.origin[i];
-    for (int k = 0; k < 3; ++k) v[i] += relation.scaled_columns[k][i] * b.origin[k];
-  }
-  return to_mat3(body_a.pose.R) * Vec3{v[0], v[1], v[2]};
-}
-
-/// How far each child reaches in a direction of the world from its parent's origin.
-struct Reach {
-  double of[kWidth];
-
-  Reach(const TreeRef& ref, const Pose& pose, const Vec3& direction) {
-    const Frame& frame = frame_of(ref);
-    const Vec3 v = transpose(to_mat3(pose.R)) * direction;
-    double n[3];
-    for (int i = 0; i < 3; ++i)
-      n[i] = double{frame.axes[0][i]} * v.x + double{frame.axes[1][i]} * v.y + double{frame.axes[2][i]} * v.z;
-    const int size = ref.is_leaf() ? 1 : static_cast<int>(ref.node().size);
-    for (int lane = 0; lane < size; ++lane) {
-      of[lane] = 0;
-      for (int i = 0; i < 3; ++i)
-        of[lane] += ref.is_leaf() ? std::abs(n[i]) * double{ref.leaf().half[i]}
-                                  : n[i] * double{ref.node().center[i][lane]} +
-                                        std::abs(n[i]) * double{ref.node().half[i][lane]};
-    }
-  }
-};
-
-/// Where nodes are far apart beside their size, the rounding of single precision is large beside them, and gaps between
-/// boxes tell little. Then the projections onto the line from the one origin to the other do, for their errors are parts
-/// of the nodes' sizes and not of the distance: F⁻ᵀ - F is at most 3.01 * 2^-20, so that 5.3 * 2^-20 of the radii (the
-/// largest coordinates, hence sqrt 3) is what n F⁻ᵀ x may be off; 2^-17 is taken.
-struct FarBounds {
-  double base;
-  Reach a, b;
-
-  [[nodiscard]] double lower(int i, int j) const { return base - a.of[i] - b.of[j]; }
-};
-
-std::optional<FarBounds> far_bounds(const NodePair& pair, const PlacedTree& a, const PlacedTree& b,
-                                    const TreeRelation& relation) {
-  const Frame &frame_a = frame_of(pair.a), &frame_b = frame_of(pair.b);
-  const Vec3 offset = offset_of(frame_a, frame_b, a, relation);
-  const double radii = double{frame_a.radius} + relation.scale * double{frame_b.radius};
-  const double distance = std::hypot(offset.x, offset.y, offset.z);  // offsets may be beyond the square root's range
-  if (!(distance > 4 * radii)) return std::nullopt;
-  const Vec3 n = (1 / distance) * offset;
-  FarBounds bounds{distance - 0x1p-17 * radii - 2 * relation.error - 0x1p-48 * distance, {pair.a, a.pose, n},
-                   {pair.b, b.pose, -1.0 * n}};
-  for (double& reach : bounds.b.of) reach *= relation.scale;
-  return bounds;
 }
 
 }  // namespace
@@ -105,8 +52,8 @@ PairWalk::PairWalk(const PlacedTree& a, const PlacedTree& b, const ForEach& for_
       a_(swapped_ ? b : a),
       b_(swapped_ ? a : b),
       unit_(std::ldexp(1.0, a_.tree->unit_exponent())),
-      relation_(hierarchy::relate(*a_.mesh, a_.pose, a_.tree->unit_exponent(), *b_.mesh, b_.pose,
-                                  b_.tree->unit_exponent())),
+      relation_(
+          hierarchy::relate(*a_.mesh, a_.pose, a_.tree->unit_exponent(), *b_.mesh, b_.pose, b_.tree->unit_exponent())),
       for_each_(for_each) {}
 
 NodePair PairWalk::roots() const {
@@ -120,30 +67,55 @@ void PairWalk::reach(NodePair& pair) const {
 bool PairWalk::are_remote() const {
   const NodePair pair = roots();
   const Frame &a = frame_of(pair.a), &b = frame_of(pair.b);
-  const Vec3 offset = offset_of(a, b, a_, relation_);
+  const Vec3 offset = offset_of(a, b, a_.pose, relation_);
   return max_component(abs(offset)) > 256 * (double{a.radius} + relation_.scale * double{b.radius});
 }
 
 float PairWalk::in_unit(double limit) const { return hierarchy::round_up(limit / unit_); }
 
 void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& children) const {
+  const auto offer = [&](int i, int j, double lower) {
+    if (world_length(lower) > limit) return;
+    children.push_back({world_length(lower), pair.a, pair.b, lane_of(pair.a, i), lane_of(pair.b, j),
+                        static_cast<std::uint16_t>(pair.depth + 1)});
+  };
+  const auto far = FarBounds::of(pair.a, a_.pose, pair.b, b_.pose, relation_);
+  double reach_a[kWidth], reach_b[kWidth];
+  if (far) far->children(pair.a, pair.b, reach_a, reach_b);
+  if (far && far->are_remote()) {
+    for (int i = 0; i < size_of(pair.a); ++i)
+      for (int j = 0; j < size_of(pair.b); ++j) offer(i, j, far->base() - reach_a[i] - reach_b[j]);
+    return;
+  }
   BoxBounds bounds;
   bound_boxes(pair.a, pair.b, relation_, in_unit(limit), bounds);
-  if (bounds.bits == 0) return;
-  const auto far = far_bounds(pair, a_, b_, relation_);
   for (std::uint64_t bits = bounds.bits; bits != 0; bits &= bits - 1) {
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
     const int i = bounds.b_is_one ? lane : one, j = bounds.b_is_one ? one : lane;
-    double lower = world_length(bounds.lower[one][lane]);
-    if (far) lower = std::max(lower, unit_ * far->lower(i, j));
-    if (lower > limit) continue;
-    children.push_back({lower, pair.a, pair.b, lane_of(pair.a, i), lane_of(pair.b, j),
-                        static_cast<std::uint16_t>(pair.depth + 1)});
+    const double lower = bounds.lower[one][lane];
+    offer(i, j, far ? std::max(lower, far->base() - reach_a[i] - reach_b[j]) : lower);
   }
 }
 
 void PairWalk::open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const {
-  bound_triangles(pair.a.leaf(), pair.b.leaf(), relation_, in_unit(limit), near);
+  const WideLeaf &a = pair.a.leaf(), &b = pair.b.leaf();
+  const auto far = FarBounds::of(pair.a, a_.pose, pair.b, b_.pose, relation_);
+  if (!far) return bound_triangles(a, b, relation_, in_unit(limit), near);
+  double reach_a[kMostInLeaf], reach_b[kMostInLeaf];
+  far->triangles(a, b, reach_a, reach_b);
+  const auto lower = [&](std::uint32_t i, std::uint32_t j) { return far->base() - reach_a[i] - reach_b[j]; };
+  const double most = limit / unit_;
+  if (!far->are_remote()) {
+    bound_triangles(a, b, relation_, in_unit(limit), near);
+    for (NearTriangles& pair_of : near) pair_of.lower = std::max(pair_of.lower, lower(pair_of.a, pair_of.b));
+    std::erase_if(near, [&](const NearTriangles& pair_of) { return pair_of.lower > most; });
+    return;
+  }
+  near.clear();
+  for (std::uint32_t i = 0; i < a.count; ++i)
+    for (std::uint32_t j = 0; j < b.count; ++j)
+      if (lower(i, j) <= most)
+        near.push_back({lower(i, j), static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)});
 }
 
 }  // namespace impinge::measure

@@ -19,7 +19,7 @@ Triangle world_triangle(const hierarchy::PlacedTree& body, std::uint32_t triangl
 struct NodePair {
   static constexpr std::int8_t kSelf = -1;
   double lower;
-  hierarchy::TreeRef a, b;      ///< parents, not to be asked for their children before the pair's turn comes
+  hierarchy::TreeRef a, b;     ///< parents, not to be asked for their children before the pair's turn comes
   std::int8_t lane_a, lane_b;  ///< kSelf: no parent but the node or leaf itself
   std::uint16_t depth;
 };
@@ -45,7 +45,7 @@ class PairWalk {
   void open(const NodePair& pair, double limit, std::vector<NodePair>& children) const;
   /// Replaces the list by the pairs of triangles of two leaves that may be.
   void open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const;
-  [[nodiscard]] double world_length(float lower) const { return unit_ * double{lower}; }
+  [[nodiscard]] double world_length(double lower) const { return unit_ * lower; }
 
  private:
   [[nodiscard]] float in_unit(double limit) const;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace impinge::measure {
 namespace {
@@ -26,6 +27,8 @@ struct Local {
 /// bound is a difference of two dot products with a vector of length 1 to within 4 u: 2 (3.5 + 6 + 14) u, and 7 u.
 /// 2^-46 = 128 u is taken for either; what was scaled back is rounded once more, which is counted in it.
 constexpr double kMargin = 0x1p-46;
+/// Triangles that share the nearest corner are as near as each other up to rounding, and one of them is enough.
+constexpr double kAllowance = 4 * kMargin;
 
 double scale_of(double largest) {
   constexpr std::uint64_t kExponent = std::uint64_t{0x7FF} << 52;
@@ -151,6 +154,14 @@ double gap_along(const Vec3& n, const Triangle& a, const Triangle& b) {
   return std::max(of_b.lo - of_a.hi, of_a.lo - of_b.hi) / std::sqrt(nn);
 }
 
+/// If a slab says that they are far enough apart, but for some allowance.
+std::optional<TriangleDistance> apart_by(const Vec3& n, const Local& local, double enough_apart, double allowance) {
+  const double gap = gap_along(n, local.a, local.b);
+  if (!(gap > kMargin) || !(local.unit * (gap - kMargin + allowance) > enough_apart)) return std::nullopt;
+  return TriangleDistance{std::numeric_limits<double>::infinity(), local.unit * kMargin, local.unit * (gap - kMargin),
+                          local.world(local.a[0]), local.world(local.b[0])};
+}
+
 /// Without its part along d. Once more, since the first time may leave nothing but rounding.
 Vec3 orthogonal_to(const Vec3& d, Vec3 v) {
   const double dd = dot(d, d);
@@ -231,24 +242,20 @@ Found nearest_features(const Local& local) {
 
 }  // namespace
 
-TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart) {
+TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart, const Vec3& guess) {
   const Local local = localised(a, b);
   if (local.unit == 0) return {0, 0, 0, a[0], b[0]};
   // Most triangles are far apart beside their size, and a slab across the line between them says so.
   const Vec3 across = (local.b[0] + local.b[1] + local.b[2]) - (local.a[0] + local.a[1] + local.a[2]);
-  const double gap = gap_along(across, local.a, local.b) - kMargin;
-  if (local.unit * gap > enough_apart)
-    return {local.unit * (gap + kMargin), local.unit * kMargin, local.unit * gap, a[0], b[0]};
+  if (const auto far = apart_by(across, local, enough_apart, 0)) return *far;
+  if (const auto far = apart_by(guess, local, enough_apart, kAllowance)) return *far;
   return finished(local, nearest_features(local));
 }
 
 TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, double enough_apart) {
   const Local local = localised({point, point, point}, triangle);
   if (local.unit == 0) return {0, 0, 0, point, triangle[0]};
-  const Vec3 across = local.b[0] + local.b[1] + local.b[2];
-  const double gap = gap_along(across, local.a, local.b) - kMargin;
-  if (local.unit * gap > enough_apart)
-    return {local.unit * (gap + kMargin), local.unit * kMargin, local.unit * gap, point, triangle[0]};
+  if (const auto far = apart_by(local.b[0] + local.b[1] + local.b[2], local, enough_apart, 0)) return *far;
   Found found;
   const Edges edges = edges_of(local.b);
   const Vec3 none{0, 0, 0}, &p = local.a[0];

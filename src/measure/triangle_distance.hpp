@@ -18,8 +18,10 @@ struct TriangleDistance {
 };
 
 /// Of triangles whose corners are in the exact domain. `enough_apart`: the nearest points are of no interest if they
-/// are farther apart than that; then `distance` may be any number that is at least `lower`, and `lower` above it.
-TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart);
+/// are farther apart than that; then `distance` may be infinite, with `lower` above it. Where `guess` is across the gap
+/// between them, which is quick to see, `lower` may be 4 margins less.
+TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart,
+                                   const Vec3& guess = {0, 0, 0});
 
 /// The point of a triangle nearest to `point`.
 TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, double enough_apart);

@@ -25,8 +25,8 @@ void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triang
   EXPECT_TRUE(oracle::is_within(least.value(), found->distance, found->error))
       << found->distance << " +- " << found->error << ", not " << std::sqrt(least.value().get_d());
   EXPECT_EQ(found->distance == 0, least.value() == 0);
-  EXPECT_TRUE(oracle::is_within(oracle::square_distance({p, p, p}, world[found->triangle]), found->distance,
-                                found->error));
+  EXPECT_TRUE(
+      oracle::is_within(oracle::square_distance({p, p, p}, world[found->triangle]), found->distance, found->error));
   double size = 0;
   for (const Triangle& t : world)
     for (const Vec3& corner : t) size = std::max(size, max_component(abs(corner - p)));

@@ -170,9 +170,9 @@ TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
   for (int i = 0; i < 300; ++i) {
     const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
-    const scenes::PlacedScene scene =
-        apart(scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),
-              {seeded.random.uniform(0, 2), 0, 0});
+    const scenes::PlacedScene scene = apart(
+        scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),
+        {seeded.random.uniform(0, 2), 0, 0});
     const Bodies bodies(scene);
     ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 1e-11));
   }
