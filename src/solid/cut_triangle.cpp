@@ -274,6 +274,12 @@ bool CutTriangle::holds(const Piece& piece, const Corner& p) {
   return std::all_of(piece.begin(), piece.end(), [&](const Edge& edge) { return side(*edge.line, p) * edge.side > 0; });
 }
 
+std::vector<exact::RationalPoint> CutTriangle::corners(std::size_t i) const {
+  std::vector<exact::RationalPoint> points;
+  for (const Edge& edge : pieces_[i]) points.push_back(in_space(edge.from));
+  return points;
+}
+
 // The mean of the rounded corners is a point of few digits, and inside unless the piece is a sliver; of the first three
 // corners, which are on no line, the exact mean is.
 exact::RationalPoint CutTriangle::point_in(std::size_t i) const {
