@@ -121,6 +121,7 @@ int CutTriangle::side(const Line& line, const Corner& p) {
 
 std::vector<int> CutTriangle::sides_if_cut(const Piece& piece, const Line& line) {
   std::vector<int> sides;
+  sides.reserve(piece.size());
   bool above = false, below = false;
   for (const Edge& edge : piece) {
     sides.push_back(side(line, edge.from));

@@ -92,6 +92,7 @@ std::vector<Triangle> cutting(const Triangle& t, const points::Source& point, in
     Triangle other = proper(point, random);
     for (Point& p : other)
       if (random.integer(0, 3) == 0) p = t[static_cast<std::size_t>(random.integer(0, 2))];
+    if (random.integer(0, 2) == 0) other[0] = 0.25 * (t[0] + t[1] + 2.0 * t[2]);  // often all that is shared
     const auto kind = is_degenerate(other) ? std::nullopt : exact::classify(t, other);
     if (kind && kind != Kind::coplanar) others.push_back(other);
   }
