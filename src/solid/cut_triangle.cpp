@@ -121,6 +121,7 @@ int CutTriangle::side(const Line& line, const Corner& p) {
 
 std::vector<int> CutTriangle::sides_if_cut(const Piece& piece, const Line& line) {
   std::vector<int> sides;
+  sides.reserve(piece.size());
   bool above = false, below = false;
   for (const Edge& edge : piece) {
     sides.push_back(side(line, edge.from));
@@ -272,6 +273,12 @@ void CutTriangle::split(const Trace& trace, std::vector<Piece>& pieces) const {
 
 bool CutTriangle::holds(const Piece& piece, const Corner& p) {
   return std::all_of(piece.begin(), piece.end(), [&](const Edge& edge) { return side(*edge.line, p) * edge.side > 0; });
+}
+
+std::vector<exact::RationalPoint> CutTriangle::corners(std::size_t i) const {
+  std::vector<exact::RationalPoint> points;
+  for (const Edge& edge : pieces_[i]) points.push_back(in_space(edge.from));
+  return points;
 }
 
 // The mean of the rounded corners is a point of few digits, and inside unless the piece is a sliver; of the first three

@@ -23,6 +23,8 @@ class CutTriangle {
   CutTriangle(const Triangle& triangle, std::span<const Triangle> shared, std::span<const Triangle> cutting);
 
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
+  /// In order along its boundary.
+  [[nodiscard]] std::vector<exact::RationalPoint> corners(std::size_t piece) const;
   /// A point of a piece's interior.
   [[nodiscard]] exact::RationalPoint point_in(std::size_t piece) const;
 

@@ -126,7 +126,7 @@ TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
-    const double size = std::array{1.0, 0x1p-70, 0x1p60, 1e-3}[seed % 4];
+    const double size = std::array{1.0, 0x1p-70, 0x1p60, 1e-7}[seed % 4];
     const std::array shapes{scenes::uv_sphere(8, 6, size),
                             scenes::scaled(scenes::box({0, 0, 0}, {1, 2, 3}, 3), size, size, size),
                             scenes::scaled(scenes::torus_knot(2, 3, 12, 5), size, size, size),
