@@ -80,10 +80,11 @@ void write_pair(Sink& sink, const Clash& pair, const ClashArguments& arguments) 
   const std::string inner = pair.verdict == Verdict::inside && pair.inner >= 0
                                 ? fmt::format("{}", pair.objects[static_cast<std::size_t>(pair.inner)])
                                 : "null";
-  sink.write(fmt::format(
-      "{{\"a\":{},\"b\":{},\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}", pair.objects[0],
-      pair.objects[1], name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
-      json_number(pair.tolerance), fails(pair, arguments.fail_on)));
+  sink.write(fmt::format("{{\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{},", pair.objects[0],
+                         pair.objects[1], pair.contacts[0], pair.contacts[1], pair.contacts[2]));
+  sink.write(fmt::format("\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}",
+                         name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
+                         json_number(pair.tolerance), fails(pair, arguments.fail_on)));
   if (arguments.depth) sink.write(",\"overlap_depth\":" + json_depth(pair.overlap_depth));
   if (arguments.clearance > 0) sink.write("," + json_distance(pair));
   if (arguments.regions) {

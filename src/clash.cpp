@@ -186,8 +186,8 @@ struct RegionSide {
   }
 };
 
-std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const ClashOptions& options) {
-  const std::vector<exact::Contact> contacts = clash::contacts_of(a.body, b.body);
+std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
+                                 const std::vector<exact::Contact>& contacts, const ClashOptions& options) {
   const RegionSide side_a(a), side_b(b);
   auto regions = clash::regions_of(side_a.side, side_b.side, contacts, {}, options.stop);
   return regions ? *std::move(regions) : std::vector<Region>();
@@ -195,10 +195,12 @@ std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, con
 
 /// The verdict on two parts, and what else is asked for.
 Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
-  const clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance);
+  clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance, options.stop);
+  if (a.whole || b.whole) judgement.contacts = clash::contacts_of(a.part().body, b.part().body);
   Clash clash;
   clash.verdict = judgement.verdict, clash.inner = judgement.inner;
   clash.note = judgement.note, clash.tolerance = judgement.tolerance;
+  for (const exact::Contact& contact : judgement.contacts) ++clash.contacts[static_cast<std::size_t>(contact.kind)];
   if (options.clearance > 0 && !judgement.touch) {
     const auto near = measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance);
     if (near && near->distance < options.clearance)
@@ -210,7 +212,8 @@ Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& optio
     const solid::Body &body_a = a.known.linked.part.body, &body_b = b.known.linked.part.body;
     clash.overlap_depth = {clash::depth_in(body_a, body_b, goal), clash::depth_in(body_b, body_a, goal)};
   }
-  if (options.regions && clash.verdict != Verdict::apart) clash.regions = find_regions(a.part(), b.part(), options);
+  if (options.regions && clash.verdict != Verdict::apart)
+    clash.regions = find_regions(a.part(), b.part(), judgement.contacts, options);
   return clash;
 }
 

@@ -58,7 +58,8 @@ struct Clash {
   Verdict verdict = Verdict::apart;
   int inner = -1;  ///< with `inside`: 0 if the first object lies in the second, 1 if the second in the first
   Note note = Note::none;
-  double tolerance = 0;  ///< that was applied
+  double tolerance = 0;                     ///< that was applied
+  std::array<std::uint64_t, 3> contacts{};  ///< pairs of triangles that share a point, by Kind
   /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
   std::optional<Nearest> nearest;
   std::optional<OverlapDepth> overlap_depth;  ///< with `depth`, of two solids that penetrate or lie inside

@@ -50,25 +50,33 @@ bool have_one_normal(const Triangle& a, const Triangle& b) {
 /// One pair of parts on its way to a verdict.
 class Case {
  public:
-  Case(const KnownPart& a, const KnownPart& b)
-      : a_(a.linked), b_(b.linked), kinds_{a.linked.part.solid, b.linked.part.solid}, thinnest_(thinnest(a, b)) {}
+  Case(const KnownPart& a, const KnownPart& b, const std::stop_token& stop)
+      : a_(a.linked),
+        b_(b.linked),
+        stop_(stop),
+        kinds_{a.linked.part.solid, b.linked.part.solid},
+        thinnest_(thinnest(a, b)) {}
 
   Judgement judge(std::optional<double> tolerance) {
+    if (!is_empty(a_.part.body.box) && !is_empty(b_.part.body.box)) decide(tolerance);
+    if (!near_.empty()) judgement_.contacts = std::move(contacts());
+    return std::move(judgement_);
+  }
+
+ private:
+  void decide(std::optional<double> tolerance) {
     Judgement& j = judgement_;
-    if (is_empty(a_.part.body.box) || is_empty(b_.part.body.box)) return j;
     const double largest = std::max(largest_coordinate(a_.part.body.box), largest_coordinate(b_.part.body.box));
     j.tolerance = tolerance.value_or(0x1p-20 * largest);
     const bool is_asked = j.tolerance > 0;
     if (j.tolerance > thinnest_ / 4) j.tolerance = 0;
     near_ = near_pairs(a_.part.body, b_.part.body, j.tolerance);
-    if (j.tolerance > 0 && judge_nearly()) return j;
+    if (j.tolerance > 0 && judge_nearly()) return;
     j.tolerance = 0;
     judge_exactly();
     if (is_asked && !near_.empty()) j.note = Note::tolerance_not_applied;
-    return j;
   }
 
- private:
   static double thinnest(const KnownPart& a, const KnownPart& b) {
     double wall = HUGE_VAL;
     for (const KnownPart* part : {&a, &b})
@@ -77,13 +85,13 @@ class Case {
   }
 
   /// Of the near pairs, those that share a point: looked for when first asked.
-  const std::vector<exact::Contact>& contacts() {
+  std::vector<exact::Contact>& contacts() {
     if (!contacts_) contacts_ = touching_of(a_.part.body, b_.part.body, near_);
     return *contacts_;
   }
 
   [[nodiscard]] solid::Enough enough() const {
-    return [kinds = kinds_](const Cells& cells) { return is_settled(cells, kinds); };
+    return [this](const Cells& cells) { return is_settled(cells, kinds_) || stop_.stop_requested(); };
   }
 
   void conclude(const Cells& cells, bool touch, bool pass) {
@@ -184,6 +192,7 @@ class Case {
   }
 
   const LinkedPart &a_, &b_;
+  const std::stop_token& stop_;
   Kinds kinds_;
   double thinnest_;
   std::vector<TrianglePair> near_;  ///< within the tolerance, sorted
@@ -193,8 +202,9 @@ class Case {
 
 }  // namespace
 
-Judgement judge_pair(const KnownPart& a, const KnownPart& b, std::optional<double> tolerance) {
-  return Case(a, b).judge(tolerance);
+Judgement judge_pair(const KnownPart& a, const KnownPart& b, std::optional<double> tolerance,
+                     const std::stop_token& stop) {
+  return Case(a, b, stop).judge(tolerance);
 }
 
 std::vector<exact::Contact> contacts_of(const solid::Body& a, const solid::Body& b) {

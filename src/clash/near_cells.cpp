@@ -252,8 +252,7 @@ std::vector<TrianglePair> swapped(const std::vector<TrianglePair>& near) {
 }  // namespace
 
 std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
-                                       const std::vector<TrianglePair>& near,
-                                       const solid::Enough& enough) {
+                                       const std::vector<TrianglePair>& near, const solid::Enough& enough) {
   if (has_inner_shells(a.part) || has_inner_shells(b.part)) return std::nullopt;
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
   if (frame.unit * tolerance < kLeastTolerance * frame.scale) return std::nullopt;

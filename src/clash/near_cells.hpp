@@ -23,7 +23,6 @@ struct LinkedPart {
 /// `near` holds at least all pairs of triangles (a, b) whose distance is at most `tolerance`, sorted by a. Stops early
 /// once `enough(cells)`. Nothing where floating point cannot tell apart what it must, or a shell is no boundary.
 std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
-                                       const std::vector<TrianglePair>& near,
-                                       const solid::Enough& enough);
+                                       const std::vector<TrianglePair>& near, const solid::Enough& enough);
 
 }  // namespace impinge::clash
