@@ -87,7 +87,7 @@ std::vector<Point> near_triangle(const Triangle& t, Random& random) {
 }
 
 TEST(WindingNumber, OfLatticePointsIsWhatRaysInGeneralDirectionsCount) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const int side = random.integer(1, 3);
@@ -100,7 +100,7 @@ TEST(WindingNumber, OfLatticePointsIsWhatRaysInGeneralDirectionsCount) {
 }
 
 TEST(WindingNumber, OfRationalPointsIsWhatRaysInGeneralDirectionsCount) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Placed body(tetrahedra(random, random.integer(1, 8), 2), poses(random)[seed % 5], seed % 2 == 0 ? 1 : 0);
@@ -123,7 +123,7 @@ TEST(WindingNumber, OfRationalPointsIsWhatRaysInGeneralDirectionsCount) {
 }
 
 TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const double size = std::array{1.0, 0x1p-70, 0x1p60, 1e-7}[seed % 4];
@@ -182,7 +182,7 @@ TEST(WindingNumber, ReachesTheEndsOfTheDomain) {
 /// p + (e³, e, e²), with an e that is small enough for small integers.
 TEST(Around, IsTheWindingNumberBesideThePointAndWhatHoldsIt) {
   const mpq_class e(1, mpz_class(1) << 100);
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Placed body(tetrahedra(random, random.integer(1, 6), 2), {}, 0);
