@@ -193,6 +193,13 @@ std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 
+OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::DepthGoal& goal) {
+  const solid::Part &part_a = a.known.linked.part, &part_b = b.known.linked.part;
+  if (part_a.solid && part_b.solid)
+    return clash::depths_of(part_a, part_b, clash::contacts_of(part_a.body, part_b.body), goal);
+  return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
+}
+
 /// The verdict on two parts, and what else is asked for.
 Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
   clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance, options.stop);
@@ -209,8 +216,7 @@ Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& optio
   const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
   if (options.depth && overlap && a.known.facts.solid && b.known.facts.solid) {
     const clash::DepthGoal goal{.stop = options.stop};
-    const solid::Body &body_a = a.known.linked.part.body, &body_b = b.known.linked.part.body;
-    clash.overlap_depth = {clash::depth_in(body_a, body_b, goal), clash::depth_in(body_b, body_a, goal)};
+    clash.overlap_depth = find_depths(a, b, goal);
   }
   if (options.regions && clash.verdict != Verdict::apart)
     clash.regions = find_regions(a.part(), b.part(), judgement.contacts, options);
@@ -304,6 +310,25 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
     if (options.stop.stop_requested()) return cancelled();
     clash.objects = {0, 1};
     return clash;
+  });
+}
+
+Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                   double precision, const MeasureOptions& options) {
+  return guarded([&]() -> Result<OverlapDepth> {
+    if (!(precision > 0 && precision <= 1))
+      return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
+                                  {.tolerance = 0, .threads = options.threads, .stop = options.stop});
+    if (!parts) return parts.error();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!(*parts)[i].known.facts.closed)
+        return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
+                                         " is not closed, so that nothing is inside of it; close it, or ask for the "
+                                         "distance instead"};
+    const OverlapDepth depth = find_depths((*parts)[0], (*parts)[1], {.precision = precision, .stop = options.stop});
+    if (options.stop.stop_requested()) return cancelled();
+    return depth;
   });
 }
 
