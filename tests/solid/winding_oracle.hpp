@@ -16,6 +16,9 @@ using Triangles = std::vector<std::array<Vec, 3>>;
 inline int sign_of_volume(const Vec& u, const Vec& v, const Vec& w) { return sgn(dot(u, cross(v, w))); }
 
 inline bool holds(const std::array<Vec, 3>& triangle, const Vec& p) {
+  const auto& [a, b, c] = triangle;
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((p[k] < a[k] && p[k] < b[k] && p[k] < c[k]) || (p[k] > a[k] && p[k] > b[k] && p[k] > c[k])) return false;
   return !common_part({p}, half_spaces(simplified({triangle[0], triangle[1], triangle[2]}))).empty();
 }
 
