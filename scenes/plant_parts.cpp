@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "scenes/shapes.hpp"
 #include "scenes/plant_solids.hpp"
+#include "scenes/shapes.hpp"
 
 namespace impinge::scenes {
 

@@ -46,8 +46,8 @@ void add_with_solids(std::vector<SolidPair>& pairs) {
   add("a sheet free in the cavity", sheet({3, 5}, {3, 5}, 4), hollow, kApart);
   add("a sheet edge on a face", upright({2, 6}, {8, 10}, 4), solid, kTouching);
   add("a sheet edge on an edge", upright({2, 6}, {8, 10}, 8), solid, kTouching);
-  add("a sheet's corner on a face", opened(shifted(hull({{0, 0, 0}, {4, 0, 4}, {0, 4, 4}, {1, 1, 4}}), 2, 2, 8), 1), solid,
-      kTouching);
+  add("a sheet's corner on a face", opened(shifted(hull({{0, 0, 0}, {4, 0, 4}, {0, 4, 4}, {1, 1, 4}}), 2, 2, 8), 1),
+      solid, kTouching);
   add("a sheet's corner on a corner", sheet({8, 10}, {8, 10}, 8), solid, kTouching);
   add("a sheet above a face", sheet({2, 6}, {2, 6}, 8.5), solid, kApart);
   add("the solid without its top", opened(solid), solid, kTouching);

@@ -71,7 +71,8 @@ Triangle some_triangle(impinge::scenes::Random& random) {
   Triangle t{point(), point(), point()};
   const double narrow = std::ldexp(1.0, -random.integer(0, 50));
   switch (random.integer(0, 4)) {
-    case 0: break;
+    case 0:
+      break;
     case 1:  // a needle
       t[1] = t[0] + narrow * direction(random);
       break;
@@ -81,7 +82,8 @@ Triangle some_triangle(impinge::scenes::Random& random) {
     case 3:  // small
       t[1] = t[0] + narrow * direction(random), t[2] = t[0] + narrow * direction(random);
       break;
-    default: t[2] = t[random.integer(0, 1)];
+    default:
+      t[2] = t[random.integer(0, 1)];
   }
   return t;
 }
@@ -117,7 +119,8 @@ TEST(Slab, HoldsWhatIsNearAndNothingThatIsFar) {
       for (const HalfSpace* face : {&slab->top, &slab->bottom}) {
         for (const Vec3& corner : t) {
           Vec3 p = corner + (face->offset - impinge::dot(face->normal, corner)) * (1 - 0x1p-30) * face->normal;
-          p = p + (slab->sides[i].offset - impinge::dot(slab->sides[i].normal, p)) * (1 - 0x1p-30) * slab->sides[i].normal;
+          p = p +
+              (slab->sides[i].offset - impinge::dot(slab->sides[i].normal, p)) * (1 - 0x1p-30) * slab->sides[i].normal;
           if (!holds(*slab, p)) continue;
           ++held;
           EXPECT_LE(square_to(p, t), most);

@@ -59,8 +59,15 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
               (std::vector<std::string>{"area", "closed", "file", "first_open_edge", "first_self_crossing", "id",
                                         "name", "open_edges", "path", "product", "self_crossings", "solid", "triangles",
                                         "volume", "wall"}));
+  // Triangles are counted as `check` counts them.
+  const json checked =
+      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "scalar", "--json", "-"}).out);
+  const json& count = checked.at("pairs").at(0);
   EXPECT_EQ(answer.at("pairs").at(0), (json{{"a", 0},
                                             {"b", 1},
+                                            {"crossing", count.at("crossing")},
+                                            {"touching", count.at("touching")},
+                                            {"coplanar", count.at("coplanar")},
                                             {"verdict", "penetrating"},
                                             {"inner", nullptr},
                                             {"note", nullptr},

@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
-#include "scenes/scene_file.hpp"
 #include "scenes/plant_solids.hpp"
+#include "scenes/scene_file.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {

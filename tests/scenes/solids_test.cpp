@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "scenes/plant_solids.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <utility>
 
 #include "scenes/plant.hpp"
+#include "scenes/plant_solids.hpp"
 #include "tests/core/support.hpp"
 #include "tests/scenes/relation.hpp"
 
