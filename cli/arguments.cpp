@@ -7,101 +7,33 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
+#include "command_options.hpp"
 #include "help.hpp"
 #include "impinge/version.hpp"
-#include "numbers.hpp"
+#include "option_values.hpp"
 #include "sink.hpp"
 #include "text.hpp"
 
 namespace impinge::cli {
 namespace {
 
-/// What CLI11 fills in: numbers stay texts, so that this program says what is wrong with them.
-struct Raw {
-  CheckArguments check;
-  InfoArguments info;
-  std::string json, limit, threads, max_file, device_share;
-  std::vector<std::string> ignored, scales;
-};
-
 struct Parser {
   CLI::App app{"impinge", "impinge"};
   CLI::App* check = nullptr;
+  CLI::App* clash = nullptr;
   CLI::App* info = nullptr;
   CLI::App* devices = nullptr;
+
+  /// The command that the user is in; null before one is named.
+  [[nodiscard]] const CLI::App* command() const {
+    const std::vector<CLI::App*> parsed = app.get_subcommands();
+    return parsed.empty() ? nullptr : parsed.front();
+  }
 };
 
 Error bad(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
-
-void add_files(CLI::App& command, std::vector<std::string>& files) {
-  command.set_help_flag("--help,-h", "this page");
-  command.add_option("FILE", files, "")->required()->type_name("");
-}
-
-void add_json(CLI::App& command, Raw& raw, const std::string& what) {
-  command
-      .add_option("--json", raw.json,
-                  "write the " + what + " as JSON to a file, or to standard output (-) in place of the table")
-      ->type_name("FILE|-");
-}
-
-void add_max_file(CLI::App& command, Raw& raw) {
-  command.add_option("--max-file", raw.max_file, "refuse larger files unread: bytes, or 500M, 2G (default: 2G)")
-      ->type_name("BYTES");
-}
-
-void add_check(CLI::App& command, Raw& raw) {
-  CheckArguments& to = raw.check;
-  add_files(command, to.files);
-  add_json(command, raw, "answer");
-  command.add_flag("--triangles", to.triangles, "list every pair of triangles in the JSON")->needs("--json");
-  command.add_flag("--first", to.first,
-                   "only whether objects touch, with one pair of triangles as the witness; faster, and without a hash");
-  command
-      .add_option("--limit", raw.limit, "keep only the first N pairs of triangles, in order of objects and triangles")
-      ->type_name("N");
-  command.add_option("--threads", raw.threads, "work on N threads, 0 for as many as the machine has (default: 0)")
-      ->type_name("N");
-  command
-      .add_option(
-          "--backend", to.backend,
-          "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
-          "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is the "
-          "same")
-      ->type_name("NAME");
-  command
-      .add_option(
-          "--device", to.device,
-          "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices (default: "
-          "IMPINGE_DEVICE, or the first)")
-      ->type_name("N|NAME");
-  command
-      .add_option("--device-share", raw.device_share,
-                  "how much of the work hybrid gives to the device, from 0 to 1 (default: what ends soonest)")
-      ->type_name("S");
-  command
-      .add_option("--ignore", raw.ignored,
-                  "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
-                  "may be given again")
-      ->type_name("A B")
-      ->type_size(2)
-      ->allow_extra_args(false);
-  command.add_option("--scale", raw.scales, "multiply the coordinates of one of the files by S; may be given again")
-      ->type_name("FILE=S")
-      ->allow_extra_args(false);
-  add_max_file(command, raw);
-  command.add_flag("--quiet", to.quiet, "print no table, no progress and no warnings");
-  command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
-}
-
-void add_info(CLI::App& command, Raw& raw) {
-  add_files(command, raw.info.files);
-  add_json(command, raw, "list");
-  add_max_file(command, raw);
-}
 
 std::vector<HelpEntry> options_of(const CLI::App& command) {
   std::vector<HelpEntry> entries;
@@ -117,36 +49,33 @@ std::vector<HelpEntry> options_of(const CLI::App& command) {
 
 std::string help_page(const Parser& parser) {
   const std::size_t width = width_of(STDOUT_FILENO).value_or(80);
-  if (parser.check->parsed()) return check_help(options_of(*parser.check), width);
-  if (parser.info->parsed()) return info_help(options_of(*parser.info), width);
-  if (parser.devices->parsed()) return devices_help(width);
-  return general_help(width);
+  const CLI::App* const command = parser.command();
+  if (command == nullptr) return general_help(width);
+  if (command == parser.check) return check_help(options_of(*command), width);
+  if (command == parser.clash) return clash_help(options_of(*command), width);
+  if (command == parser.info) return info_help(options_of(*command), width);
+  return devices_help(width);
 }
 
-/// The command that the user is in, as he would ask for its help.
+/// What shows the help of where the user is.
 std::string help_command(const Parser& parser) {
-  if (parser.check->parsed()) return "impinge check --help";
-  if (parser.info->parsed()) return "impinge info --help";
-  if (parser.devices->parsed()) return "impinge devices --help";
-  return "impinge --help";
+  return parser.command() == nullptr ? "impinge --help" : "impinge " + parser.command()->get_name() + " --help";
 }
 
 Error unexpected(const Parser& parser, const std::string& word) {
-  const bool in_command = parser.check->parsed() || parser.info->parsed() || parser.devices->parsed();
+  const CLI::App* const command = parser.command();
   const bool option = word.starts_with('-');
-  if (!in_command && !option) {
+  if (command == nullptr && !option) {
     return bad(fmt::format(
         "there is no command '{}'; impinge check FILE... finds what touches, impinge --help tells more", word));
   }
-  if (parser.devices->parsed() && !option)
+  if (command == parser.devices && !option)
     return bad("impinge devices takes no file, and no word such as '" + word + "'");
   // An option and its value may have come as one word.
   const std::string name = word.substr(0, word.find('='));
   std::string nearest;
   std::size_t distance = 4;
-  for (const CLI::App* command :
-       {static_cast<const CLI::App*>(parser.check), static_cast<const CLI::App*>(parser.info)}) {
-    if (!option || !command->parsed()) continue;
+  if (option && command != nullptr && command != parser.devices) {
     for (const CLI::Option* known : command->get_options()) {
       if (known->get_lnames().empty()) continue;
       const std::string candidate = "--" + known->get_lnames().front();
@@ -172,7 +101,7 @@ std::vector<std::string> extras(const Parser& parser) {
 /// --first = maybe".
 std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
   std::string text = error.what();
-  const CLI::App& command = parser.info->parsed() ? *parser.info : *parser.check;
+  const CLI::App& command = parser.command() != nullptr ? *parser.command() : parser.app;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
     std::string name = "--" + option->get_lnames().front();
@@ -196,70 +125,6 @@ Result<void> refuse_empty_values(int argc, const char* const* argv) {
   return {};
 }
 
-Result<void> take_scales(const std::vector<std::string>& raw, CheckArguments& to) {
-  for (const std::string& text : raw) {
-    const std::size_t at = text.rfind('=');
-    if (at == std::string::npos)
-      return bad(fmt::format("--scale takes FILE=S, such as plate.stl=25.4, not '{}'", text));
-    const std::string file = text.substr(0, at);
-    const auto factor = parse_positive(std::string_view(text).substr(at + 1));
-    if (!factor)
-      return bad(fmt::format("--scale {}: '{}' is not a positive number such as 25.4", text, text.substr(at + 1)));
-    if (std::find(to.files.begin(), to.files.end(), file) == to.files.end())
-      return bad(
-          fmt::format("--scale {}: '{}' is none of the files to read; write it as it stands among them", text, file));
-    for (const auto& [other, _] : to.scales)
-      if (other == file) return bad(fmt::format("--scale is given twice for '{}'", file));
-    to.scales.emplace_back(file, *factor);
-  }
-  return {};
-}
-
-Result<void> take_max_file(const std::string& text, std::uint64_t& to) {
-  if (text.empty()) return {};
-  const auto bytes = parse_bytes(text);
-  if (!bytes) return bad(fmt::format("--max-file takes a number of bytes such as 500M or 2G, not '{}'", text));
-  to = *bytes;
-  return {};
-}
-
-Result<Command> finish_check(Raw& raw) {
-  CheckArguments& to = raw.check;
-  if (!raw.json.empty()) to.json = raw.json;
-  if (!raw.limit.empty()) {
-    const auto limit = parse_whole(raw.limit);
-    if (!limit) return bad(fmt::format("--limit takes a whole number from 0 up, not '{}'", raw.limit));
-    to.limit = *limit;
-  }
-  if (!raw.threads.empty()) {
-    const auto threads = parse_whole(raw.threads);
-    if (!threads || *threads > 1024)
-      return bad(fmt::format("--threads takes a whole number from 0 to 1024, not '{}'", raw.threads));
-    to.threads = static_cast<int>(*threads);
-  }
-  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
-  if (std::find(std::begin(kBackends), std::end(kBackends), to.backend) == std::end(kBackends))
-    return bad(fmt::format("--backend is auto, simd, scalar, gpu, raster or hybrid, not '{}'", to.backend));
-  if (!raw.device_share.empty()) {
-    const char* const end = raw.device_share.data() + raw.device_share.size();
-    const auto [stop, error] = std::from_chars(raw.device_share.data(), end, to.device_share);
-    if (error != std::errc() || stop != end || !(to.device_share >= 0 && to.device_share <= 1))
-      return bad(fmt::format("--device-share takes a number from 0 to 1, not '{}'", raw.device_share));
-    if (to.backend != "hybrid") return bad("--device-share is for --backend hybrid");
-  }
-  for (std::size_t i = 0; i + 1 < raw.ignored.size(); i += 2)
-    to.ignored.emplace_back(raw.ignored[i], raw.ignored[i + 1]);
-  if (auto taken = take_scales(raw.scales, to); !taken) return taken.error();
-  if (auto taken = take_max_file(raw.max_file, to.max_file_bytes); !taken) return taken.error();
-  return Command(std::move(to));
-}
-
-Result<Command> finish_info(Raw& raw) {
-  if (!raw.json.empty()) raw.info.json = raw.json;
-  if (auto taken = take_max_file(raw.max_file, raw.info.max_file_bytes); !taken) return taken.error();
-  return Command(std::move(raw.info));
-}
-
 }  // namespace
 
 Result<Command> parse_command_line(int argc, const char* const* argv) {
@@ -269,10 +134,12 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   parser.app.set_version_flag("--version", "impinge " IMPINGE_VERSION);
   parser.app.allow_extras();
   parser.check = parser.app.add_subcommand("check")->allow_extras();
+  parser.clash = parser.app.add_subcommand("clash")->allow_extras();
   parser.info = parser.app.add_subcommand("info")->allow_extras();
   parser.devices = parser.app.add_subcommand("devices")->allow_extras();
   parser.devices->set_help_flag("--help,-h", "this page");
   add_check(*parser.check, raw);
+  add_clash(*parser.clash, raw);
   add_info(*parser.info, raw);
 
   if (auto refused = refuse_empty_values(argc, argv); !refused) return refused.error();
@@ -293,10 +160,10 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
     return bad(fmt::format("{}; see {}", in_plain_words(parser, error), help_command(parser)));
   }
   if (const auto extra = extras(parser); !extra.empty()) return unexpected(parser, extra.front());
-  if (parser.check->parsed() + parser.info->parsed() + parser.devices->parsed() > 1)
-    return bad("check, info and devices cannot be asked for at once");
-  if (parser.check->parsed()) return finish_check(raw);
-  if (parser.info->parsed()) return finish_info(raw);
+  if (parser.app.get_subcommands().size() > 1) return bad("check, clash, info and devices cannot be asked for at once");
+  if (parser.check->parsed()) return take_check(std::move(raw));
+  if (parser.clash->parsed()) return take_clash(std::move(raw));
+  if (parser.info->parsed()) return take_info(std::move(raw));
   if (parser.devices->parsed()) return Command(DevicesArguments{});
   return bad("no command is given; impinge check FILE... finds what touches, impinge --help tells more");
 }

@@ -15,21 +15,43 @@
 /// The command line as values. See docs/cli.md for what each means.
 namespace impinge::cli {
 
-struct CheckArguments {
+/// What `check` and `clash` are both told.
+struct SceneArguments {
   std::vector<std::string> files;
   std::optional<std::string> json;  ///< "-" is standard output
-  bool triangles = false;
-  bool first = false;
-  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   int threads = 0;
-  std::string backend = "auto";
-  std::string device;
-  double device_share = -1;  ///< below 0: as the library sees fit
   std::vector<std::pair<std::string, std::string>> ignored;
   std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, all of them in `files`
   std::uint64_t max_file_bytes = 2'000'000'000;
   bool quiet = false;
+};
+
+struct CheckArguments : SceneArguments {
+  bool triangles = false;
+  bool first = false;
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
+  std::string backend = "auto";
+  std::string device;
+  double device_share = -1;  ///< below 0: as the library sees fit
   bool stats = false;
+};
+
+/// What makes `clash` end with exit code 1.
+struct FailOn {
+  bool contact = false;      ///< whatever is not apart
+  bool penetration = false;  ///< duplicate, penetrating and crossing
+  bool inside = false;
+  bool clearance = false;  ///< apart, and nearer than the clearance
+};
+
+struct ClashArguments : SceneArguments {
+  std::optional<double> tolerance;  ///< nothing: auto
+  double clearance = 0;
+  bool depth = false;
+  bool regions = false;
+  FailOn fail_on{.penetration = true, .inside = true};
+  bool within_products = false;
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< rows of the table
 };
 
 struct InfoArguments {
@@ -45,7 +67,7 @@ struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, InfoArguments, DevicesArguments, Notice>;
+using Command = std::variant<CheckArguments, ClashArguments, InfoArguments, DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -19,7 +20,7 @@ std::uint64_t bytes_of(const std::string& file) {
   return unknown ? 0 : bytes;
 }
 
-double scale_of(const CheckArguments& arguments, const std::string& file) {
+double scale_of(const SceneArguments& arguments, const std::string& file) {
   for (const auto& [name, factor] : arguments.scales)
     if (name == file) return factor;
   return 1;
@@ -27,7 +28,7 @@ double scale_of(const CheckArguments& arguments, const std::string& file) {
 
 }  // namespace
 
-Result<Assembly> read_assembly(const CheckArguments& arguments, ProgressLine& progress, const std::stop_token& stop) {
+Result<Assembly> read_assembly(const SceneArguments& arguments, ProgressLine& progress, const std::stop_token& stop) {
   std::uint64_t all_bytes = 0, bytes_read = 0;
   for (const std::string& file : arguments.files) all_bytes += bytes_of(file);
 
@@ -73,6 +74,18 @@ std::vector<std::string> labels_of(const Assembly& assembly) {
     labels.push_back(std::move(label));
   }
   return labels;
+}
+
+std::vector<std::uint32_t> products_of(const Assembly& assembly) {
+  std::map<std::pair<std::uint32_t, std::string_view>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> products;
+  products.reserve(assembly.objects.size());
+  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
+    const std::string& product = assembly.objects[i].product;
+    const auto next = static_cast<std::uint32_t>(numbers.size() + 1);
+    products.push_back(product.empty() ? 0 : numbers.try_emplace({assembly.file_of[i], product}, next).first->second);
+  }
+  return products;
 }
 
 Error interrupted() { return {Code::cancelled, "interrupted; there is no result"}; }

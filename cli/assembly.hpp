@@ -26,12 +26,15 @@ struct Assembly {
   std::uint64_t triangles = 0;
 };
 
-/// Reads the files of a check. Errors: those of `io::read`.
-Result<Assembly> read_assembly(const CheckArguments& arguments, ProgressLine& progress, const std::stop_token& stop);
+/// Reads the files. Errors: those of `io::read`.
+Result<Assembly> read_assembly(const SceneArguments& arguments, ProgressLine& progress, const std::stop_token& stop);
 
 /// What a person is shown for each object: its name, made printable, with its file where objects of two files have the
 /// same name.
 std::vector<std::string> labels_of(const Assembly& assembly);
+
+/// For each object a number that those of the same IFC product of the same file have in common; 0 without a product.
+std::vector<std::uint32_t> products_of(const Assembly& assembly);
 
 /// The error that an interrupted command ends with, whatever it was doing.
 Error interrupted();

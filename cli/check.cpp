@@ -5,16 +5,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <filesystem>
-#include <system_error>
+#include <optional>
+#include <utility>
 
 #include "assembly.hpp"
 #include "calibration_cache.hpp"
-#include "ignore.hpp"
-#include "impinge/scene.hpp"
 #include "json_writer.hpp"
 #include "progress.hpp"
+#include "scene_command.hpp"
 #include "sink.hpp"
 #include "stats.hpp"
 #include "table.hpp"
@@ -23,10 +21,6 @@
 namespace impinge::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 struct Answer {
   Assembly assembly;
   Contacts contacts;
@@ -34,29 +28,10 @@ struct Answer {
   double check_seconds = 0;
 };
 
-Result<void> refuse_overwriting_input(const CheckArguments& arguments) {
-  for (const std::string& file : arguments.files) {
-    std::error_code unknown;
-    if (*arguments.json != "-" && std::filesystem::equivalent(*arguments.json, file, unknown))
-      return Error{Code::bad_option, fmt::format("--json {} is one of the files to read", *arguments.json)};
-  }
-  return {};
-}
-
 Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assembly, ProgressLine& line,
                          const std::stop_token& stop) {
-  Scene scene;
-  std::vector<ObjectId> ids;
-  ids.reserve(assembly.objects.size());
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    Result<ObjectId> id = scene.add(assembly.objects[i].mesh, assembly.objects[i].pose);
-    if (!id)
-      return Error{id.error().code, fmt::format("{}: object '{}': {}", assembly.files[assembly.file_of[i]],
-                                                assembly.labels[i], id.error().message)};
-    ids.push_back(*id);
-  }
-  if (auto ignored = ignore_pairs(assembly, arguments.ignored, ids, scene); !ignored) return ignored.error();
-  if (auto updated = scene.update(); !updated) return updated.error();
+  Result<Scene> scene = scene_of(assembly, arguments);
+  if (!scene) return scene.error();
 
   std::optional<CalibrationCache> cache;
   if (arguments.backend == "hybrid") cache.emplace();
@@ -71,11 +46,9 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.predict_cost = arguments.stats;
   options.progress = &progress;
   options.stop = stop;
-  line.phase(fmt::format("checking {}", counted(assembly.objects.size(), "object")), [&progress] {
-    const std::uint64_t total = progress.total.load();
-    return total > 0 ? static_cast<double>(progress.done.load()) / static_cast<double>(total) : -1.0;
-  });
-  Result<Contacts> contacts = scene.collide(options);
+  line.phase(fmt::format("checking {}", counted(assembly.objects.size(), "object")),
+             [&progress] { return fraction_of(progress); });
+  Result<Contacts> contacts = scene->collide(options);
   line.end();  // it looks at `progress`
   if (stop.stop_requested()) return interrupted();
   return contacts;
@@ -148,33 +121,23 @@ Result<void> print_answer(const Answer& answer, const CheckArguments& arguments,
   return out.flush();
 }
 
-void warn(const Assembly& assembly) {
-  if (assembly.warnings.empty()) return;
-  complain(fmt::format("{} about these files, listed by impinge info", counted(assembly.warnings.size(), "warning")));
-}
-
 }  // namespace
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-  std::optional<Target> target;
-  if (arguments.json) {
-    if (auto refused = refuse_overwriting_input(arguments); !refused) return refused.error();
-    Result<Target> checked = Target::check(*arguments.json);
-    if (!checked) return checked.error();
-    target = std::move(*checked);
-  }
+  const Result<std::optional<Target>> target = target_of(arguments);
+  if (!target) return target.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
   if (!arguments.quiet) {
-    warn(answer->assembly);
+    mention_warnings(answer->assembly);
     for (const std::string& warning : answer->contacts.warnings) complain(warning);
   }
-  if (target) {
-    auto written = target->write(
+  if (*target) {
+    auto written = (*target)->write(
         [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });
     if (!written) return written.error();
   }
-  if (!arguments.quiet && !(target && target->is_standard_output())) {
+  if (!arguments.quiet && !(*target && (*target)->is_standard_output())) {
     if (auto printed = print_answer(*answer, arguments, stop); !printed) return printed.error();
   }
   return !answer->contacts.objects.empty() || answer->contacts.truncated;

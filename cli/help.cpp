@@ -76,6 +76,8 @@ std::string general_help(std::size_t width) {
           "impinge finds every pair of triangles that touch between the objects of mesh files, exactly: no "
           "tolerance, nothing missed, nothing made up. Triangles that share a single point touch.")
       .section("Usage:", {{"impinge check FILE...", "which objects touch, and in how many triangles"},
+                          {"impinge clash FILE...",
+                           "what the parts are to each other: penetrating, inside, touching, or too near"},
                           {"impinge info FILE...", "what the files hold: objects, triangles, open surfaces, warnings"},
                           {"impinge devices", "the GPUs that --backend gpu and hybrid can use"},
                           {"impinge check --help", "all about a command, with examples"},
@@ -84,9 +86,12 @@ std::string general_help(std::size_t width) {
           "Files: OBJ, OFF, PLY and STL, read in double precision; glTF, GLB, 3MF, COLLADA, IFC, FBX and others "
           "through assimp. Several files make one scene, in the coordinates that they have.")
       .examples({{"impinge check engine.obj fixture.stl", "A table of the objects that touch."},
+                 {"impinge clash engine.obj fixture.stl", "A table of what an engineer should look at, worst first."},
                  {"impinge info engine.obj", "Look at a file before trusting it."}})
       .section("Exit codes:", kExitCodes)
-      .paragraph("impinge info ends with 0 when it could read every file.")
+      .paragraph(
+          "impinge clash ends with 1 when parts penetrate or lie inside each other, or for what --fail-on names. "
+          "impinge info ends with 0 when it could read every file.")
       .text();
 }
 
@@ -113,6 +118,40 @@ std::string check_help(const std::vector<HelpEntry>& options, std::size_t width)
       .text();
 }
 
+std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width) {
+  return Page(width)
+      .paragraph("impinge clash FILE... [options]")
+      .paragraph(
+          "Reads all files as one scene and says of each two parts what they are to each other, worst first. A part is "
+          "a solid if its surface is closed and does not cross itself; anything else is a surface, and the report "
+          "says why. The first that holds:")
+      .section("Verdicts:", {{"duplicate", "both are the same set of points"},
+                             {"inside", "the first lies in the second, a solid, whether their surfaces meet or not"},
+                             {"penetrating", "the interiors of two solids meet"},
+                             {"crossing", "a surface passes through a solid's boundary, or through a surface"},
+                             {"touching", "they share points, and no more than that"},
+                             {"apart", "they share no point; listed if they are nearer than --clearance"}})
+      .paragraph(
+          "Verdicts are exact, but for the tolerance: parts that are flush by design overlap by a hair after a "
+          "rotation. A tolerance that a thin part could hide in is not applied, and a note says so. Parts of one "
+          "IFC product are not tested against each other; --ignore 'bolt*' 'bolt*' says the same of any group.")
+      .section("Options:", options)
+      .section("What --fail-on names:", {{"penetration", "duplicate, penetrating and crossing"},
+                                         {"inside", "inside"},
+                                         {"contact", "everything but apart: penetration, inside and touching"},
+                                         {"clearance", "apart, and nearer than --clearance; touching is not among it"}})
+      .examples({{"impinge clash engine.obj fixture.stl", "What clashes?"},
+                 {"impinge clash engine.obj fixture.stl --depth --limit 20", "The twenty worst, and how deep they go."},
+                 {"impinge clash robot.ply cell.off --clearance 5 --fail-on contact,clearance",
+                  "Fail if anything touches the robot or comes nearer to it than 5 units."},
+                 {"impinge clash bracket.stl plate.stl --tolerance 0.01 --regions --json clashes.json",
+                  "What overlaps by 0.01 counts as touching; every region of contact as JSON."}})
+      .section("Exit codes:", {{"0", "nothing that --fail-on names"},
+                               {"1", "something that --fail-on names"},
+                               {"2", "an error or an interruption; a sentence on standard error says what and where"}})
+      .text();
+}
+
 std::string info_help(const std::vector<HelpEntry>& options, std::size_t width) {
   return Page(width)
       .paragraph("impinge info FILE... [options]")
@@ -120,8 +159,9 @@ std::string info_help(const std::vector<HelpEntry>& options, std::size_t width) 
           "Lists the objects of each file as `check` sees them, placed in the world: triangles, vertices, "
           "degenerate triangles (without area, exactly), whether the surface is closed, and the bounding sphere. "
           "A surface is closed when every edge is used by as many triangles one way as the other; corners are "
-          "the same where their coordinates are exactly equal. Warnings tell where a format lost precision or "
-          "a reader turned axes or changed units.")
+          "the same where their coordinates are exactly equal. An object is a solid if it is closed and no two of its "
+          "triangles cross or share an area; for others the first defects are named, with places. Warnings tell where "
+          "a format lost precision or a reader turned axes or changed units.")
       .section("Options:", options)
       .examples({{"impinge info engine.obj fixture.stl", "What do these files hold?"},
                  {"impinge info engine.obj --json -", "The same as JSON on standard output."}})

@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "assembly.hpp"
+#include "impinge/clash.hpp"
 #include "impinge/io.hpp"
 #include "json_writer.hpp"
+#include "part.hpp"
 #include "progress.hpp"
 #include "sink.hpp"
 #include "surface.hpp"
@@ -20,9 +23,40 @@
 namespace impinge::cli {
 namespace {
 
-Result<FileFacts> facts_of(const std::string& file, const InfoArguments& arguments, const std::stop_token& stop) {
+/// What the library says of the object as a part; nothing where its coordinates are outside the exact range.
+Result<std::optional<Part>> part_of(const io::Object& object, const std::stop_token& stop) {
+  ClashOptions options;
+  options.stop = stop;
+  const Result<PartFacts> facts = examine(object.mesh, object.pose, options);
+  if (facts) return std::optional(describe(*facts, object.mesh, object.pose));
+  if (facts.error().code == Code::out_of_range) return std::optional<Part>();
+  return facts.error();
+}
+
+Result<ObjectFacts> facts_of(io::Object object, const std::stop_token& stop) {
+  ObjectFacts about;
+  about.triangles = object.mesh.triangle_count();
+  about.vertices = object.mesh.vertex_count();
+  about.surface = inspect(object.mesh, object.pose);
+  if (about.surface.in_domain) {
+    Result<std::optional<Part>> part = part_of(object, stop);
+    if (stop.stop_requested()) return interrupted();
+    if (!part) return part.error();
+    about.part = *part;
+  }
+  about.center = world_vertex(object.pose, object.mesh.sphere_center());
+  about.radius = object.mesh.sphere_radius();
+  about.name = std::move(object.name);
+  about.path = std::move(object.path);
+  about.product = std::move(object.product);
+  return about;
+}
+
+Result<FileFacts> facts_of(const std::string& file, const InfoArguments& arguments, ProgressLine& line,
+                           const std::stop_token& stop) {
   FileFacts facts;
   facts.file = file;
+  line.phase("reading " + printable(file), [] { return -1.0; });
   io::ReadOptions options;
   options.max_file_bytes = arguments.max_file_bytes;
   options.stop = stop;
@@ -33,23 +67,19 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
     return facts;
   }
   facts.warnings = std::move(model->warnings);
-  for (io::Object& object : model->objects) {
+  const std::size_t total = model->objects.size();
+  for (std::size_t i = 0; i < total; ++i) {
     if (stop.stop_requested()) return interrupted();
-    ObjectFacts about;
-    about.triangles = object.mesh.triangle_count();
-    about.vertices = object.mesh.vertex_count();
-    about.surface = inspect(object.mesh, object.pose);
-    about.center = world_vertex(object.pose, object.mesh.sphere_center());
-    about.radius = object.mesh.sphere_radius();
-    if (!about.surface.in_domain)
+    line.phase(fmt::format("examining {} ({} of {})", printable(model->objects[i].name), i + 1, total),
+               [done = static_cast<double>(i) / static_cast<double>(total)] { return done; });
+    Result<ObjectFacts> about = facts_of(std::move(model->objects[i]), stop);
+    if (!about) return about.error();
+    if (!about->surface.in_domain)
       facts.warnings.push_back(
           fmt::format("object '{}' has coordinates on which no answer is exact (not below 2^300, or "
                       "not a multiple of 2^-358); check will refuse it",
-                      object.name));
-    about.name = std::move(object.name);
-    about.path = std::move(object.path);
-    about.product = std::move(object.product);
-    facts.objects.push_back(std::move(about));
+                      about->name));
+    facts.objects.push_back(std::move(*about));
   }
   return facts;
 }
@@ -62,13 +92,9 @@ std::string open_edges_text(const ObjectFacts& facts) {
   return facts.surface.open_edges == 0 ? "no area" : grouped(facts.surface.open_edges);
 }
 
-/// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
-std::string coordinate(double value, double size) {
-  const double decimals = size > 0 ? 3 - std::floor(std::log10(size)) : 3;
-  if (!(decimals <= 9) || !(decimals >= -6) || !(std::fabs(value) < 1e9)) return fmt::format("{:.5g}", value + 0.0);
-  std::string text = fmt::format("{:.{}f}", value, static_cast<int>(std::max(decimals, 0.0)));
-  if (text.find_first_of("123456789") == std::string::npos && text.front() == '-') text.erase(0, 1);
-  return text;
+std::string solid_text(const ObjectFacts& facts) {
+  if (!facts.part) return "unknown";
+  return facts.part->facts.solid ? "yes" : "no";
 }
 
 struct InfoColumn {
@@ -79,7 +105,7 @@ struct InfoColumn {
 /// The columns that leave room for names on a line of so many columns.
 std::vector<InfoColumn> columns_for(std::optional<std::size_t> width) {
   using enum Column::Kind;
-  constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 76;
+  constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 80;
   std::vector<InfoColumn> columns;
   columns.push_back({{"object", name}, [](const ObjectFacts& facts) { return printable(facts.name); }});
   columns.push_back({{"triangles", number}, [](const ObjectFacts& facts) { return grouped(facts.triangles); }});
@@ -89,6 +115,7 @@ std::vector<InfoColumn> columns_for(std::optional<std::size_t> width) {
                        return facts.surface.in_domain ? grouped(facts.surface.degenerate) : "unknown";
                      }});
   columns.push_back({{"open edges", number}, open_edges_text});
+  columns.push_back({{"solid", text}, solid_text});
   if (width.value_or(kRoomForSphere) < kRoomForSphere) return columns;
   columns.push_back({{"centre", number}, [](const ObjectFacts& facts) {
                        return fmt::format("{} {} {}", coordinate(facts.center.x, facts.radius),
@@ -114,6 +141,15 @@ void print_file(const FileFacts& facts, Sink& out) {
   table.rows = facts.objects.size();
   table.cell = [&](std::size_t row, std::size_t column) { return columns[column].text(facts.objects[row]); };
   print(table, out, width);
+
+  std::vector<std::string> labels;
+  std::vector<Part> parts;
+  for (const ObjectFacts& object : facts.objects) {
+    if (!object.part) continue;
+    labels.push_back(printable(object.name));
+    parts.push_back(*object.part);
+  }
+  print_surfaces(labels, parts, out, width);
 }
 
 }  // namespace
@@ -132,8 +168,7 @@ Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
   std::size_t listed = 0;
   for (const std::string& file : arguments.files) {
     ProgressLine line(STDERR_FILENO, true);
-    line.phase("reading " + printable(file), [] { return -1.0; });
-    Result<FileFacts> facts = facts_of(file, arguments, stop);
+    Result<FileFacts> facts = facts_of(file, arguments, line, stop);
     line.end();
     if (!facts) return facts.error();
     if (!facts->error.empty()) {

@@ -15,11 +15,7 @@ namespace {
 void write_objects(Sink& sink, const Assembly& assembly) {
   sink.write("\"objects\":[");
   for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    const io::Object& object = assembly.objects[i];
-    sink.write(fmt::format("{}\n{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}}}",
-                           i > 0 ? "," : "", i, json_string(object.name), json_string(object.path),
-                           json_string(object.product), json_string(assembly.files[assembly.file_of[i]]),
-                           object.mesh.triangle_count()));
+    sink.write(fmt::format("{}\n{{{}}}", i > 0 ? "," : "", json_identity(assembly, i)));
   }
   sink.write("\n],\n");
 }
@@ -88,10 +84,9 @@ void write_facts(Sink& sink, std::size_t id, const ObjectFacts& facts) {
   sink.write(fmt::format("{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"triangles\":{},\"vertices\":{},", id,
                          json_string(facts.name), json_string(facts.path), json_string(facts.product), facts.triangles,
                          facts.vertices));
-  sink.write(fmt::format("\"degenerate\":{},\"closed\":{},\"open_edges\":{},\"center\":[{},{},{}],\"radius\":{}}}",
+  sink.write(fmt::format("\"degenerate\":{},\"closed\":{},\"open_edges\":{},{},\"center\":{},\"radius\":{}}}",
                          known(facts.surface.degenerate), known(facts.surface.closed), known(facts.surface.open_edges),
-                         json_number(facts.center.x), json_number(facts.center.y), json_number(facts.center.z),
-                         json_number(facts.radius)));
+                         json_facts(facts.part), json_point(facts.center), json_number(facts.radius)));
 }
 
 }  // namespace
@@ -115,6 +110,13 @@ std::string json_string(std::string_view text) {
 std::string json_number(double value) {
   if (!std::isfinite(value)) return "null";
   return fmt::format("{}", value == 0 ? 0.0 : value);
+}
+
+std::string json_identity(const Assembly& assembly, std::size_t object) {
+  const io::Object& about = assembly.objects[object];
+  return fmt::format("\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}", object,
+                     json_string(about.name), json_string(about.path), json_string(about.product),
+                     json_string(assembly.files[assembly.file_of[object]]), about.mesh.triangle_count());
 }
 
 RowCounts count_row(const Contacts& contacts, std::size_t row) {

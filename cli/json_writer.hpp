@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -9,6 +11,7 @@
 
 #include "assembly.hpp"
 #include "impinge/contacts.hpp"
+#include "part.hpp"
 #include "sink.hpp"
 #include "surface.hpp"
 
@@ -20,6 +23,9 @@ std::string json_string(std::string_view text);
 
 /// The shortest number that reads back as the same double; null for infinities and NaN, and 0 for -0.
 std::string json_number(double value);
+
+/// What an object is called and where it comes from, as members of a JSON object, without braces: "id" to "triangles".
+std::string json_identity(const Assembly& assembly, std::size_t object);
 
 /// How the triangles of one row of an answer touch, counted.
 struct RowCounts {
@@ -39,6 +45,7 @@ struct ObjectFacts {
   std::string name, path, product;
   std::uint64_t triangles = 0, vertices = 0;
   Surface surface;
+  std::optional<Part> part;  ///< nothing where the coordinates are outside the exact range
   Point center{};
   double radius = 0;
 };

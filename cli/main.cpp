@@ -7,6 +7,7 @@
 
 #include "arguments.hpp"
 #include "check.hpp"
+#include "clash.hpp"
 #include "devices.hpp"
 #include "info.hpp"
 #include "interrupt.hpp"
@@ -17,7 +18,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::cli;
 
-constexpr int kNothingTouches = 0, kSomethingTouches = 1, kFailed = 2;
+constexpr int kNothing = 0, kSomething = 1, kFailed = 2;
 
 int failed(const Error& error) {
   complain(error.message);
@@ -46,7 +47,12 @@ int run(int argc, char** argv) {
   if (const auto* arguments = std::get_if<CheckArguments>(&*command)) {
     const Result<bool> touches = check(*arguments, interrupt.token());
     if (!touches.has_value()) return failed(touches.error());
-    return *touches ? kSomethingTouches : kNothingTouches;
+    return *touches ? kSomething : kNothing;
+  }
+  if (const auto* arguments = std::get_if<ClashArguments>(&*command)) {
+    const Result<bool> fails = clash(*arguments, interrupt.token());
+    if (!fails.has_value()) return failed(fails.error());
+    return *fails ? kSomething : kNothing;
   }
   const Result<bool> all_read = info(std::get<InfoArguments>(*command), interrupt.token());
   if (!all_read.has_value()) return failed(all_read.error());

@@ -59,4 +59,10 @@ std::optional<double> parse_positive(std::string_view text) {
   return value;
 }
 
+std::optional<double> parse_length(std::string_view text) {
+  const auto value = parse_all<double>(text);
+  if (!value || !std::isfinite(*value) || !(*value >= 0)) return std::nullopt;
+  return *value + 0.0;  // -0 is 0
+}
+
 }  // namespace impinge::cli

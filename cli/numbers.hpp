@@ -18,4 +18,7 @@ std::optional<std::uint64_t> parse_bytes(std::string_view text);
 /// A positive finite number: "0.001", "1e-3", "25.4".
 std::optional<double> parse_positive(std::string_view text);
 
+/// The same, or 0.
+std::optional<double> parse_length(std::string_view text);
+
 }  // namespace impinge::cli

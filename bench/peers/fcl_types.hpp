@@ -28,7 +28,8 @@ inline fcl::Transform3d fcl_transform(const Pose& pose) {
 }
 
 /// With its whole tree built.
-inline std::shared_ptr<FclModel> fcl_model(const scenes::MeshData& data) {
+template <class Volume = fcl::OBB<double>>
+std::shared_ptr<fcl::BVHModel<Volume>> fcl_model(const scenes::MeshData& data) {
   std::vector<fcl::Vector3d> vertices;
   std::vector<fcl::Triangle> triangles;
   vertices.reserve(data.vertex_count());
@@ -37,7 +38,7 @@ inline std::shared_ptr<FclModel> fcl_model(const scenes::MeshData& data) {
     vertices.emplace_back(data.xyz[i], data.xyz[i + 1], data.xyz[i + 2]);
   for (std::size_t i = 0; i < data.triangles.size(); i += 3)
     triangles.emplace_back(data.triangles[i], data.triangles[i + 1], data.triangles[i + 2]);
-  auto model = std::make_shared<FclModel>();
+  auto model = std::make_shared<fcl::BVHModel<Volume>>();
   model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
   model->addSubModel(vertices, triangles);
   model->endModel();

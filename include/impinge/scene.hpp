@@ -13,6 +13,9 @@
 
 namespace impinge {
 
+struct Clashes;       // clash.hpp
+struct ClashOptions;  // clash.hpp
+
 /// An object of one scene. A removed object's id is never valid again, though its index is used anew.
 struct ObjectId {
   std::uint32_t index = 0;       ///< what `Contacts::objects` holds; canonical order is by it
@@ -55,8 +58,10 @@ class Scene {
   /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
   Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
 
+  struct State;  // internal
+
  private:
-  struct State;
+  friend Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options);
   std::unique_ptr<State> state_;
 };
 

@@ -73,12 +73,14 @@ bool in_exact_domain(const Pose& pose, const MeshData& mesh) {
   // Beyond this the bounds themselves would overflow, and a world coordinate in the domain could only be a cancelled 0.
   if (!(largest < 0x1p900)) return false;
   for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t i : triangle) {
-      const Vec3 w = posed(pose, mesh.vertices[i]);
-      if (!in_exact_domain(w.x) || !in_exact_domain(w.y) || !in_exact_domain(w.z)) return false;
-    }
+    for (const std::uint32_t i : triangle)
+      if (!in_exact_domain(posed(pose, mesh.vertices[i]))) return false;
   }
   return true;
+}
+
+bool in_exact_domain(const Vec3& point) {
+  return in_exact_domain(point.x) && in_exact_domain(point.y) && in_exact_domain(point.z);
 }
 
 }  // namespace impinge

@@ -27,5 +27,7 @@ Vec3 rounding_radius(const Pose& pose, const MeshData& mesh);
 /// Whether every world vertex is below 2^300 and a multiple of 2^-358 (CONTRACT 3): from the stored exponents where
 /// they suffice, else by posing every vertex.
 bool in_exact_domain(const Pose& pose, const MeshData& mesh);
+/// The same for one world point, which may hold anything.
+bool in_exact_domain(const Vec3& point);
 
 }  // namespace impinge

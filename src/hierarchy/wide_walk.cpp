@@ -14,49 +14,15 @@
 #include <hwy/highway.h>
 
 #include "core/mask_bits-inl.hpp"
-#include "hierarchy/frame_relation-inl.hpp"
+#include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::hierarchy::HWY_NAMESPACE {
 
 using impinge::HWY_NAMESPACE::mask_bits;
 
-/// Up to eight boxes, the x of all centres first, then their y, and so on.
-struct alignas(64) Boxes {
-  float center[3][kWidth];
-  float half[3][kWidth];
-};
-
-/// Boxes about center - shift, turned by D, become boxes along the axes of the other frame that hold them, moved by
-/// `move`; `slack` is added on all sides.
-HWY_INLINE void map_boxes(const float center[3][kWidth], const float half[3][kWidth], const float D[3][3],
-                          const float shift[3], const float move[3], float slack, Boxes& mapped) {
-  const hn::CappedTag<float, kWidth> d;
-  for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
-    const auto shifted = [&](int i) HWY_ATTR { return hn::Sub(hn::LoadU(d, center[i] + lane), hn::Set(d, shift[i])); };
-    const auto cx = shifted(0), cy = shifted(1), cz = shifted(2);
-    const auto hx = hn::LoadU(d, half[0] + lane), hy = hn::LoadU(d, half[1] + lane), hz = hn::LoadU(d, half[2] + lane);
-    for (int i = 0; i < 3; ++i) {
-      const auto Dx = hn::Set(d, D[i][0]), Dy = hn::Set(d, D[i][1]), Dz = hn::Set(d, D[i][2]);
-      hn::Store(hn::MulAdd(Dx, cx, hn::MulAdd(Dy, cy, hn::MulAdd(Dz, cz, hn::Set(d, move[i])))), d,
-                mapped.center[i] + lane);
-      hn::Store(
-          hn::MulAdd(hn::Abs(Dx), hx, hn::MulAdd(hn::Abs(Dy), hy, hn::MulAdd(hn::Abs(Dz), hz, hn::Set(d, slack)))), d,
-          mapped.half[i] + lane);
-    }
-  }
-}
-
-/// Boxes of two frames, each also as mapped to the other.
-struct TwoSides {
-  const float (*center)[kWidth];
-  const float (*half)[kWidth];
-  Boxes mapped;
-  int size;
-};
-
 /// A bit for each box of `lanes` that may overlap box `i` of `one`: by the three axes of either frame.
-HWY_INLINE unsigned overlapping(const TwoSides& one, int i, const TwoSides& lanes) {
+HWY_INLINE unsigned overlapping(const BoxSide& one, int i, const BoxSide& lanes) {
   const hn::CappedTag<float, kWidth> d;
   unsigned bits = 0;
   for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
@@ -74,48 +40,8 @@ HWY_INLINE unsigned overlapping(const TwoSides& one, int i, const TwoSides& lane
   return bits;
 }
 
-HWY_INLINE const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
-
-/// The boxes of a node, or of a leaf as a node of one box. `own` is memory for what is not there to be pointed to.
-HWY_INLINE void open(const TreeRef& ref, float scale, Boxes& own, TwoSides& side) {
-  if (!ref.is_leaf()) {
-    const WideNode& node = ref.node();
-    side.center = node.center, side.half = node.half, side.size = static_cast<int>(node.size);
-    if (scale == 1) return;
-    for (int i = 0; i < 3; ++i) {
-      for (int lane = 0; lane < kWidth; ++lane) {
-        own.center[i][lane] = scale * node.center[i][lane];
-        own.half[i][lane] = lane < side.size ? scale * node.half[i][lane] : kNoBox;
-      }
-    }
-  } else {
-    for (int i = 0; i < 3; ++i) {
-      std::fill_n(own.center[i], kWidth, 0.0f);
-      std::fill_n(own.half[i], kWidth, kNoBox);
-      own.half[i][0] = scale * ref.leaf().half[i];
-    }
-    side.size = 1;
-  }
-  side.center = own.center, side.half = own.half;
-}
-
-// Let x be a shared point in A's frame and y, in B's, the same as B has it; |x| <= r_a, |y| <= r_b (in A's unit) in
-// every coordinate. With u = 2^-24, and frames orthonormal to within 2^-20:
-//   x = C y + c + e, e from the double error of the relation, from F_B⁻¹ - F_Bᵀ (at most 5.2 * 2^-20 r_b), and from
-//   rounding C (3 u r_b) and c (u |c|);
-//   y = Cᵀ(x - c) + (I - CᵀC) y - Cᵀ e, and CᵀC differs from I by the defect of M and those of both frames: at most
-//   sqrt 3 (3 defect + 6 * 2^-20 + 2^-21) r_b.
-// The maps of centres and half extents add less than 13 u (r_a + r_b + |c|), the test itself less than 4 u as much
-// where it is close. Underflow adds less than 2^-120.
-HWY_INLINE float slack_of(const FrameRelation& relation, const TreeRelation& trees, float radius_a, float radius_b) {
-  const float r_b = radius_b * static_cast<float>(trees.scale);
-  const float far = std::abs(relation.c[0]) + std::abs(relation.c[1]) + std::abs(relation.c[2]);
-  const float defect = static_cast<float>(trees.defect);
-  return (0x1p-15f + 8 * defect) * r_b + 0x1p-19f * (radius_a + far) + 2 * static_cast<float>(trees.error) + 0x1p-100f;
-}
-
 /// The bit of the boxes whose centres are closest.
-HWY_INLINE std::uint64_t nearest_of(std::uint64_t bits, const TwoSides& one, const TwoSides& lanes) {
+HWY_INLINE std::uint64_t nearest_of(std::uint64_t bits, const BoxSide& one, const BoxSide& lanes) {
   std::uint64_t nearest = 0;
   float least = 0;
   for (; bits != 0; bits &= bits - 1) {
@@ -139,20 +65,13 @@ struct Overlaps {
 
 Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees,
                      bool with_nearest, WalkCounts& counts) {
-  TwoSides a, b;
+  BoxSide a, b;
   Boxes own_a, own_b;
-  open(pair.a, 1, own_a, a), open(pair.b, static_cast<float>(trees.scale), own_b, b);
-  const float slack = slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius);
-  const auto& C = relation.columns;
-  const float to_a[3][3] = {{C[0][0], C[1][0], C[2][0]}, {C[0][1], C[1][1], C[2][1]}, {C[0][2], C[1][2], C[2][2]}};
-  const float to_b[3][3] = {{C[0][0], C[0][1], C[0][2]}, {C[1][0], C[1][1], C[1][2]}, {C[2][0], C[2][1], C[2][2]}};
-  constexpr float kNone[3] = {0, 0, 0};
-  map_boxes(a.center, a.half, to_b, relation.c, kNone, slack, a.mapped);
-  map_boxes(b.center, b.half, to_a, kNone, relation.c, slack, b.mapped);
+  open_both(pair.a, pair.b, relation, trees, own_a, own_b, a, b);
   counts.box_tests += static_cast<std::uint64_t>(a.size) * static_cast<std::uint64_t>(b.size);
 
   Overlaps result{0, 0, pair.b.is_leaf()};
-  const TwoSides &one = result.b_is_one ? b : a, &lanes = result.b_is_one ? a : b;
+  const BoxSide &one = result.b_is_one ? b : a, &lanes = result.b_is_one ? a : b;
   const unsigned filled = (1u << lanes.size) - 1;
   for (int i = 0; i < one.size; ++i) result.bits |= std::uint64_t{overlapping(one, i, lanes) & filled} << (kWidth * i);
   if (with_nearest) result.nearest = nearest_of(result.bits, one, lanes);

@@ -13,7 +13,7 @@ namespace impinge::test {
 namespace {
 
 const std::vector<std::vector<std::string>> kPages = {
-    {"--help"}, {"check", "--help"}, {"info", "--help"}, {"devices", "--help"}};
+    {"--help"}, {"check", "--help"}, {"clash", "--help"}, {"info", "--help"}, {"devices", "--help"}};
 
 /// The lines that begin with the program's name between "Examples:" and the next empty line.
 std::vector<std::string> examples_of(const std::string& page) {
@@ -43,7 +43,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 9U);
+  EXPECT_EQ(count, 14U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 
@@ -70,6 +70,11 @@ TEST(Help, ListsEveryOption) {
   for (const char* option : {"--json FILE|-", "--triangles", "--first", "--limit N", "--threads N", "--backend NAME",
                              "--ignore A B", "--scale FILE=S", "--max-file BYTES", "--quiet", "--stats", "--help"})
     EXPECT_NE(page.find("  " + std::string(option) + " "), std::string::npos) << option;
+  const std::string clash = impinge(folder, {"clash", "--help"}).out;
+  for (const char* option :
+       {"--tolerance auto|0|D", "--clearance C", "--depth", "--regions", "--fail-on LIST", "--json FILE|-", "--limit N",
+        "--ignore A B", "--within-products", "--scale FILE=S", "--threads N", "--max-file BYTES", "--quiet", "--help"})
+    EXPECT_NE(clash.find("  " + std::string(option) + " "), std::string::npos) << option;
 }
 
 }  // namespace

@@ -14,6 +14,17 @@ namespace {
 
 using nlohmann::json;
 
+/// The place that the defects' line names, if it is one of the edges that (2 0 0), (2 2 2) and (2 0 2) are the ends of:
+/// which of them comes first is open.
+std::string first_open_edge(const std::string& text) {
+  for (const char* a : {"(2 0 0)", "(2 2 2)", "(2 0 2)"})
+    for (const char* b : {"(2 0 0)", "(2 2 2)", "(2 0 2)"}) {
+      const std::string edge = std::string(a) + "-" + b;
+      if (std::string_view(a) != b && text.find("first at " + edge + "\n") != std::string::npos) return edge;
+    }
+  return "none of the open edges";
+}
+
 TEST(Info, ListsObjectsTrianglesAndOpenEdges) {
   const Folder folder;
   Solid open = cube(0, 0, 0);
@@ -25,12 +36,14 @@ TEST(Info, ListsObjectsTrianglesAndOpenEdges) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out,
             "closed.off: 1 object, 12 triangles\n"
-            "object  triangles  vertices  degenerate  open edges             centre  radius\n"
-            "closed         12         8           0      closed  5.000 6.000 7.000   1.732\n"
+            "object  triangles  vertices  degenerate  open edges  solid             centre  radius\n"
+            "closed         12         8           0      closed  yes    5.000 6.000 7.000   1.732\n"
             "\n"
             "open.off: 1 object, 12 triangles\n"
-            "object  triangles  vertices  degenerate  open edges             centre  radius\n"
-            "open           12         8           1           3  1.000 1.000 1.000   1.732\n");
+            "object  triangles  vertices  degenerate  open edges  solid             centre  radius\n"
+            "open           12         8           1           3  no     1.000 1.000 1.000   1.732\n"
+            "open is no solid: 3 open edges, first at " +
+                first_open_edge(run.out) + "\n");
 }
 
 TEST(Info, JsonHoldsTheSame) {
@@ -55,6 +68,13 @@ TEST(Info, JsonHoldsTheSame) {
   EXPECT_EQ(object.at("degenerate"), 0);
   EXPECT_EQ(object.at("closed"), true);
   EXPECT_EQ(object.at("open_edges"), 0);
+  EXPECT_EQ(object.at("solid"), true);
+  EXPECT_EQ(object.at("self_crossings"), 0);
+  EXPECT_TRUE(object.at("first_open_edge").is_null());
+  EXPECT_TRUE(object.at("first_self_crossing").is_null());
+  EXPECT_NEAR(object.at("volume"), 8.0, 1e-9);
+  EXPECT_NEAR(object.at("area"), 24.0, 1e-9);
+  EXPECT_NEAR(object.at("wall"), 2.0 / 3, 1e-9);
   EXPECT_NEAR(object.at("center").at(2), 7.0, 1e-9);
   EXPECT_NEAR(object.at("radius"), std::sqrt(3.0), 1e-9);
   EXPECT_TRUE(answer.at("files").at(1).at("error").is_string());
@@ -62,6 +82,43 @@ TEST(Info, JsonHoldsTheSame) {
   EXPECT_EQ(right.at("id"), 2);
   EXPECT_EQ(right.at("name"), "right");
   EXPECT_NEAR(right.at("center").at(0), 3.0, 1e-6);
+}
+
+TEST(Info, NamesWhereAPartCrossesItself) {
+  const Folder folder;
+  // Two boxes in one part; they cross around (5 5 5), and neither is open.
+  Solid both = box({0, 0, 0}, {6, 6, 6});
+  const Solid second = box({4, 4, 4}, {10, 10, 10});
+  for (const auto& [a, b, c] : second.triangles) both.triangles.push_back({a + 8, b + 8, c + 8});
+  both.vertices.insert(both.vertices.end(), second.vertices.begin(), second.vertices.end());
+  folder.write("both.off", off(both));
+  const Ended run = impinge(folder, {"info", "both.off", "--json", "out.json"});
+  EXPECT_NE(run.out.find("both is no solid: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(" self-crossings, first near ("), std::string::npos) << run.out;
+  const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
+  EXPECT_EQ(object.at("closed"), true);
+  EXPECT_EQ(object.at("solid"), false);
+  EXPECT_TRUE(object.at("volume").is_null());
+  EXPECT_TRUE(object.at("wall").is_null());
+  EXPECT_GT(object.at("self_crossings"), 0);
+  const json& crossing = object.at("first_self_crossing");
+  // One triangle of each box, and a place that is in the box of both.
+  EXPECT_LT(crossing.at("triangles").at(0), 12);
+  EXPECT_GE(crossing.at("triangles").at(1), 12);
+  for (const json& coordinate : crossing.at("near")) {
+    EXPECT_GE(coordinate, 4.0);
+    EXPECT_LE(coordinate, 6.0);
+  }
+}
+
+TEST(Info, WhereNothingIsExactNothingIsSaidOfSolids) {
+  const Folder folder;
+  folder.write("far.off", "OFF\n3 1 0\n1e200 0 0\n0 1e100 0\n0 0 1e-200\n3 0 1 2\n");
+  const Ended run = impinge(folder, {"info", "far.off", "--json", "out.json"});
+  EXPECT_NE(run.out.find("unknown"), std::string::npos) << run.out;
+  const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
+  for (const char* key : {"solid", "closed", "open_edges", "self_crossings", "volume", "area", "wall"})
+    EXPECT_TRUE(object.at(key).is_null()) << key;
 }
 
 TEST(Info, LeavesOutColumnsOnNarrowTerminals) {

@@ -26,16 +26,18 @@ void write_long_work(const Folder& folder) {
 
 class Interruption : public testing::TestWithParam<int> {};
 
-TEST_P(Interruption, EndsCleanlyWithoutHalfADocument) {
+void expect_clean_end(const std::vector<std::string>& arguments, int signal) {
   const Folder folder;
   write_long_work(folder);
   folder.write("out.json", "{\"old\":true}");
   const std::vector<std::string> before = folder.names();
-  Running running(folder, {IMPINGE_PROGRAM, "check", "p.off", "q.off", "--json", "out.json", "--triangles"});
-  ASSERT_TRUE(running.handles(GetParam(), 20s));
+  std::vector<std::string> words{IMPINGE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  Running running(folder, words);
+  ASSERT_TRUE(running.handles(signal, 20s));
   std::this_thread::sleep_for(300ms);
   const auto start = std::chrono::steady_clock::now();
-  running.send(GetParam());
+  running.send(signal);
   const Ended run = running.wait();
   EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
   EXPECT_EQ(run.signal, 0);
@@ -46,9 +48,25 @@ TEST_P(Interruption, EndsCleanlyWithoutHalfADocument) {
   EXPECT_EQ(folder.read("out.json"), "{\"old\":true}");
 }
 
+TEST_P(Interruption, EndsCleanlyWithoutHalfADocument) {
+  expect_clean_end({"check", "p.off", "q.off", "--json", "out.json", "--triangles"}, GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Interrupt, Interruption, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
-TEST(Interrupt, TheProgressLineIsDrawnOnATerminalAndWiped) {
+TEST(Interrupt, EndsAClashCleanlyToo) {
+  expect_clean_end({"clash", "p.off", "q.off", "--json", "out.json", "--regions"}, SIGINT);
+}
+
+struct Drawn {
+  const char* command;
+  const char* label;
+};
+
+class DrawnProgress : public testing::TestWithParam<Drawn> {};
+
+TEST_P(DrawnProgress, IsSeenOnATerminalAndWiped) {
+  const auto& [command, label] = GetParam();
   const Folder folder;
   write_long_work(folder);
   int screen = -1, terminal = -1;
@@ -59,7 +77,7 @@ TEST(Interrupt, TheProgressLineIsDrawnOnATerminalAndWiped) {
   Launch launch;
   launch.err = terminal;
   launch.environment["TERM"] = "xterm";
-  Running running(folder, {IMPINGE_PROGRAM, "check", "p.off", "q.off"}, launch);
+  Running running(folder, {IMPINGE_PROGRAM, command, "p.off", "q.off"}, launch);
   ASSERT_TRUE(running.handles(SIGINT, 20s));
   std::string seen;
   const auto read_until = [&](const std::string& text) {
@@ -72,16 +90,20 @@ TEST(Interrupt, TheProgressLineIsDrawnOnATerminalAndWiped) {
       if (got > 0) seen.append(buffer, static_cast<std::size_t>(got));
     }
   };
-  read_until("checking 2 objects");
+  read_until(label);
   running.send(SIGINT);
   read_until("no result\r\n");
   const Ended run = running.wait();
   ::close(terminal);
   ::close(screen);
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(seen.find("checking 2 objects"), std::string::npos) << seen;
+  EXPECT_NE(seen.find(label), std::string::npos) << seen;
   EXPECT_EQ(seen.rfind("\r\x1b[Kimpinge: interrupted"), seen.rfind("\r\x1b[K")) << seen;
 }
+
+INSTANTIATE_TEST_SUITE_P(Interrupt, DrawnProgress,
+                         testing::Values(Drawn{"check", "checking 2 objects"}, Drawn{"clash", "judging 2 parts"}),
+                         [](const auto& test) { return test.param.command; });
 
 }  // namespace
 }  // namespace impinge::test

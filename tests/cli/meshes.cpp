@@ -32,14 +32,20 @@ void append(std::string& bytes, T value) {
 
 }  // namespace
 
-Solid cube(int x, int y, int z) {
+Solid cube(int x, int y, int z) { return box({x, y, z}, {x + 2, y + 2, z + 2}); }
+
+Solid box(const std::array<int, 3>& lo, const std::array<int, 3>& hi) {
   Solid solid;
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 2; ++i) solid.vertices.push_back({x + 2 * i, y + 2 * j, z + 2 * k});
+  for (const int z : {lo[2], hi[2]})
+    for (const int y : {lo[1], hi[1]})
+      for (const int x : {lo[0], hi[0]}) solid.vertices.push_back({x, y, z});
   solid.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return solid;
+}
+
+Solid sheet(const std::array<int, 2>& lo, const std::array<int, 2>& hi, int z) {
+  return {{{lo[0], lo[1], z}, {hi[0], lo[1], z}, {hi[0], hi[1], z}, {lo[0], hi[1], z}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
 std::string off(const Solid& solid) {

@@ -19,6 +19,12 @@ struct Solid {
 /// diagonals, so flush cubes have the same diagonal.
 Solid cube(int x, int y, int z);
 
+/// The same as a box from its lowest corner to its highest.
+Solid box(const std::array<int, 3>& lo, const std::array<int, 3>& hi);
+
+/// Two triangles in the plane of height z: a rectangle with four open edges.
+Solid sheet(const std::array<int, 2>& lo, const std::array<int, 2>& hi, int z);
+
 std::string off(const Solid& solid);
 std::string obj(const Solid& solid);
 std::string ply(const Solid& solid);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace impinge::cli {
@@ -35,6 +36,15 @@ TEST(Numbers, FactorsArePositiveAndFinite) {
   EXPECT_EQ(parse_positive("1e-3"), 0.001);
   for (const char* text : {"", "0", "-0", "-1", "inf", "nan", "1e999", "1,5", "2x", " 2", "1e-999"})
     EXPECT_EQ(parse_positive(text), std::nullopt) << text;
+}
+
+TEST(Numbers, LengthsMayBeNothing) {
+  EXPECT_EQ(parse_length("0"), 0.0);
+  EXPECT_FALSE(std::signbit(parse_length("-0").value()));
+  EXPECT_EQ(parse_length("2.5"), 2.5);
+  EXPECT_EQ(parse_length("1e-9"), 1e-9);
+  for (const char* text : {"", "-1", "-1e-9", "inf", "-inf", "nan", "-nan", "1e999", "1,5", "2mm", " 2", "auto"})
+    EXPECT_EQ(parse_length(text), std::nullopt) << text;
 }
 
 }  // namespace

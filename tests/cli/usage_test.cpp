@@ -63,13 +63,55 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{{"check", "a.off", "--max-file", "2X"}, "'2X'"},
                     Wrong{{"info", "a.off", "--max-file", "-1"}, "'-1'"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Clash, WrongUsage,
+    testing::Values(Wrong{{"clash"}, "no file"}, Wrong{{"clash", "a.off", "--tolerence", "0"}, "mean --tolerance?"},
+                    Wrong{{"clash", "a.off", "--stats"}, "see impinge clash --help"},
+                    Wrong{{"clash", "a.off", "--tolerance", "-1"}, "--tolerance takes auto, or a length from 0 up"},
+                    Wrong{{"clash", "a.off", "--tolerance", "-0.001"}, "'-0.001'"},
+                    Wrong{{"clash", "a.off", "--tolerance", "nan"}, "--tolerance takes auto"},
+                    Wrong{{"clash", "a.off", "--tolerance", "inf"}, "'inf'"},
+                    Wrong{{"clash", "a.off", "--tolerance", "1e999"}, "'1e999'"},
+                    Wrong{{"clash", "a.off", "--tolerance", "1mm"}, "'1mm'"},
+                    Wrong{{"clash", "a.off", "--tolerance", "0,5"}, "'0,5'"},
+                    Wrong{{"clash", "a.off", "--tolerance", "Auto"}, "'Auto'"},
+                    Wrong{{"clash", "a.off", "--tolerance="}, "no value"},
+                    Wrong{{"clash", "a.off", "--tolerance"}, "--tolerance needs auto|0|D"},
+                    Wrong{{"clash", "a.off", "--tolerance", "0", "--tolerance", "1"}, "more than once"},
+                    Wrong{{"clash", "a.off", "--clearance", "-1"}, "--clearance takes a length from 0 up"},
+                    Wrong{{"clash", "a.off", "--clearance", "nan"}, "'nan'"},
+                    Wrong{{"clash", "a.off", "--clearance", "-inf"}, "'-inf'"},
+                    Wrong{{"clash", "a.off", "--clearance", "auto"}, "'auto'"},
+                    Wrong{{"clash", "a.off", "--fail-on", "penetrating"},
+                          "contact, penetration, inside or clearance, or several with commas between them, not "
+                          "'penetrating'"},
+                    Wrong{{"clash", "a.off", "--fail-on", "inside,"}, "not ''"},
+                    Wrong{{"clash", "a.off", "--fail-on", "inside,,contact"}, "not ''"},
+                    Wrong{{"clash", "a.off", "--fail-on", "inside, contact"}, "not ' contact'"},
+                    Wrong{{"clash", "a.off", "--fail-on", ""}, "not ''"},
+                    Wrong{{"clash", "a.off", "--fail-on"}, "--fail-on needs LIST"},
+                    Wrong{{"clash", "a.off", "--fail-on", "clearance"}, "add --clearance C"},
+                    Wrong{{"clash", "a.off", "--fail-on", "clearance", "--clearance", "0"}, "add --clearance C"},
+                    Wrong{{"clash", "a.off", "--depth=maybe"}, "takes no value"},
+                    Wrong{{"clash", "a.off", "--limit", "-1"}, "--limit takes"},
+                    Wrong{{"clash", "a.off", "--threads", "two"}, "--threads takes"},
+                    Wrong{{"clash", "a.off", "--ignore", "a"}, "--ignore needs A B"},
+                    Wrong{{"clash", "a.off", "--ignore", "a", "b"}, "nothing is named 'b'"},
+                    Wrong{{"clash", "a.off", "--scale", "b.off=2"}, "none of the files"},
+                    Wrong{{"clash", "a.off", "--max-file", "2X"}, "'2X'"},
+                    Wrong{{"clash", "a.off", "--json", "a.off"}, "one of the files to read"}));
+
 TEST(Usage, VersionAndHelpEndWell) {
   const Folder folder;
   const Ended version = impinge(folder, {"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.out, "impinge " IMPINGE_VERSION "\n");
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"--help"}, {"-h"}, {"check", "--help"}, {"info", "--help"}, {"check", "-h", "x"}})
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                {"-h"},
+                                                {"check", "--help"},
+                                                {"clash", "--help"},
+                                                {"info", "--help"},
+                                                {"check", "-h", "x"}})
     EXPECT_EQ(impinge(folder, words).code, 0);
 }
 

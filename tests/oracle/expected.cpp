@@ -16,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <utility>
 
@@ -26,6 +27,18 @@
 #include "tests/core/instruction_sets.hpp"
 
 extern char** environ;
+
+namespace impinge::scenes {
+
+void PrintTo(const Judgement& judgement, std::ostream* out) {
+  constexpr std::array<const char*, 6> kNames{"duplicate", "inside", "penetrating", "crossing", "touching", "apart"};
+  *out << kNames.at(static_cast<std::size_t>(judgement.verdict));
+  if (judgement.verdict == Verdict::inside) {
+    *out << (judgement.inner == 0 ? " (a in b)" : judgement.inner == 1 ? " (b in a)" : " (neither in the other)");
+  }
+}
+
+}  // namespace impinge::scenes
 
 namespace impinge::expected {
 namespace {
@@ -95,7 +108,7 @@ Set kept_or_run(const fs::path& set_file, std::vector<std::string> command) {
   if (!runs(command)) {
     ADD_FAILURE() << "There is no expected set " << set_file
                   << ", and the oracle that computes it failed or is missing: " << command[0]
-                  << ". Build the targets impinge_oracle and impinge_model_oracle.";
+                  << ". Build the targets impinge_oracle, impinge_model_oracle and impinge_verdict_oracle.";
     return {};
   }
   auto computed = read_set(set_file);
@@ -103,19 +116,24 @@ Set kept_or_run(const fs::path& set_file, std::vector<std::string> command) {
   return computed ? *std::move(computed) : Set{};
 }
 
-Set of_scene(const scenes::PlacedScene& scene, bool rationals) {
+/// Which program, with which option or none, and what its sets are named.
+struct Oracle {
+  const char *program, *option, *extension;
+};
+
+Set of_scene(const scenes::PlacedScene& scene, const Oracle& oracle) {
   const std::string bytes = scenes::scene_bytes(scene);
   const fs::path folder = IMPINGE_ORACLE_DIR;
   fs::create_directories(folder);
-  const fs::path set_file = folder / (name_of(bytes) + (rationals ? ".rational" : ".set"));
+  const fs::path set_file = folder / (name_of(bytes) + oracle.extension);
   if (auto kept = read_set(set_file)) {
     return *std::move(kept);
   }
   const std::string scene_file = set_file.string() + ".scene." + std::to_string(::getpid());
   std::ofstream(scene_file, std::ios::binary) << bytes;
-  std::vector<std::string> command{IMPINGE_ORACLE_PROGRAM};
-  if (rationals) {
-    command.emplace_back("--rational");
+  std::vector<std::string> command{oracle.program};
+  if (oracle.option != nullptr) {
+    command.emplace_back(oracle.option);
   }
   command.push_back(scene_file);
   Set set = kept_or_run(set_file, std::move(command));
@@ -175,8 +193,21 @@ std::string written_kind(std::uint32_t kind) {
 
 }  // namespace
 
-Set by_oracle(const scenes::PlacedScene& scene) { return of_scene(scene, false); }
-Set by_rationals(const scenes::PlacedScene& scene) { return of_scene(scene, true); }
+Set by_oracle(const scenes::PlacedScene& scene) { return of_scene(scene, {IMPINGE_ORACLE_PROGRAM, nullptr, ".set"}); }
+Set by_rationals(const scenes::PlacedScene& scene) {
+  return of_scene(scene, {IMPINGE_ORACLE_PROGRAM, "--rational", ".rational"});
+}
+
+scenes::Judgement judgement(const scenes::SolidPair& pair, bool by_tetrahedra) {
+  const Set set = of_scene(scenes::pair_scene(pair.a, pair.b),
+                           by_tetrahedra ? Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, "--tetrahedra", ".tetrahedra"}
+                                         : Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, nullptr, ".verdict"});
+  if (set.size() != 1) {
+    ADD_FAILURE() << "No verdict on " << pair.name;
+    return {};
+  }
+  return {static_cast<Verdict>(set[0][2]), static_cast<int>(set[0][3]) - 1};
+}
 
 Set of_model(const std::filesystem::path& model) {
   const std::string bytes = bytes_of(model);

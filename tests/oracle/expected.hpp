@@ -5,13 +5,20 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "impinge/contacts.hpp"
 #include "impinge/options.hpp"
 #include "scenes/scene.hpp"
+#include "scenes/solid_pairs.hpp"
 #include "tests/core/ways.hpp"
+
+namespace impinge::scenes {
+/// For messages of failed tests.
+void PrintTo(const Judgement& judgement, std::ostream* out);
+}  // namespace impinge::scenes
 
 /// Expected sets, computed by the oracle's own programs and kept in IMPINGE_ORACLE_DIR under the scene's hash, so that
 /// each is computed once for all presets. What goes wrong fails the running test with a sentence.
@@ -25,6 +32,8 @@ using Set = std::vector<Contact>;
 Set by_oracle(const scenes::PlacedScene& scene);
 /// What it finds by rationals alone, every triangle against every other.
 Set by_rationals(const scenes::PlacedScene& scene);
+/// Its verdict on two solids; `by_tetrahedra`: on the same solids, put together in another way.
+scenes::Judgement judgement(const scenes::SolidPair& pair, bool by_tetrahedra = false);
 /// What it finds in a model file that it loads itself.
 Set of_model(const std::filesystem::path& model);
 

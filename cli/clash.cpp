@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "clash_json.hpp"
+#include "clash_table.hpp"
+#include "progress.hpp"
+#include "review.hpp"
+#include "scene_command.hpp"
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, ProgressLine& line,
+                          const std::stop_token& stop) {
+  Progress progress;
+  ClashOptions options;
+  options.tolerance = arguments.tolerance;
+  options.clearance = arguments.clearance;
+  options.depth = arguments.depth;
+  options.regions = arguments.regions;
+  options.threads = arguments.threads;
+  options.progress = &progress;
+  options.stop = stop;
+  line.phase(fmt::format("judging {}", counted(scene.size(), "part")), [&progress] { return fraction_of(progress); });
+  Result<Clashes> clashes = find_clashes(scene, options);
+  line.end();  // it looks at `progress`
+  if (stop.stop_requested()) return interrupted();
+  return clashes;
+}
+
+Result<Review> make_review(const ClashArguments& arguments, const std::stop_token& stop) {
+  ProgressLine line(STDERR_FILENO, !arguments.quiet);
+  Review review;
+  const auto start = Clock::now();
+  Result<Assembly> assembly = read_assembly(arguments, line, stop);
+  if (!assembly) return assembly.error();
+  review.assembly = std::move(*assembly);
+  review.read_seconds = seconds_since(start);
+
+  const auto read = Clock::now();
+  const std::vector<std::uint32_t> groups = groups_of(review.assembly, arguments);
+  review.split_products = count_shared(groups);
+  const Result<Scene> scene = scene_of(review.assembly, arguments, groups);
+  if (!scene) return scene.error();
+  Result<Clashes> clashes = judge_all(arguments, *scene, line, stop);
+  if (!clashes) return clashes.error();
+  review.clashes = std::move(*clashes);
+  review.judge_seconds = seconds_since(read);
+
+  review.parts.reserve(review.clashes.parts.size());
+  for (std::size_t i = 0; i < review.clashes.parts.size(); ++i) {
+    const io::Object& object = review.assembly.objects[i];
+    review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
+  }
+  review.clashes.parts.clear();
+  return review;
+}
+
+Result<void> print_on_standard_output(const Review& review, const ClashArguments& arguments,
+                                      const std::stop_token& stop) {
+  Sink out(STDOUT_FILENO, "standard output");
+  print_review(review, arguments, out, width_of(STDOUT_FILENO), stop);
+  if (stop.stop_requested()) return interrupted();
+  return out.flush();
+}
+
+}  // namespace
+
+Result<bool> clash(const ClashArguments& arguments, const std::stop_token& stop) {
+  const Result<std::optional<Target>> target = target_of(arguments);
+  if (!target) return target.error();
+  const Result<Review> review = make_review(arguments, stop);
+  if (!review) return review.error();
+  if (!arguments.quiet) mention_warnings(review->assembly);
+  if (*target) {
+    auto written = (*target)->write([&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); });
+    if (!written) return written.error();
+  }
+  if (!arguments.quiet && !(*target && (*target)->is_standard_output())) {
+    if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();
+  }
+  return count_failing(review->clashes.pairs, arguments.fail_on) > 0;
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "json_writer.hpp"
+
+namespace impinge::cli {
+namespace {
+
+/// [one,another], by a function that makes the text of each.
+std::string json_list(const auto& items, auto text_of) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ',';
+    text += text_of(item);
+  }
+  return text += ']';
+}
+
+void write_settings(Sink& sink, const ClashArguments& arguments) {
+  sink.write(fmt::format("\"settings\":{{\"tolerance\":{},\"clearance\":{},\"depth\":{},\"regions\":{},\"fail_on\":{},",
+                         arguments.tolerance ? json_number(*arguments.tolerance) : "\"auto\"",
+                         json_number(arguments.clearance), arguments.depth, arguments.regions,
+                         json_list(words_of(arguments.fail_on), json_string)));
+  sink.write(fmt::format("\"ignore\":{},\"within_products\":{},\"scale\":{}}},\n",
+                         json_list(arguments.ignored,
+                                   [](const auto& pair) {
+                                     return fmt::format("[{},{}]", json_string(pair.first), json_string(pair.second));
+                                   }),
+                         arguments.within_products, json_list(arguments.scales, [](const auto& scale) {
+                           return fmt::format("[{},{}]", json_string(scale.first), json_number(scale.second));
+                         })));
+}
+
+void write_parts(Sink& sink, const Review& review) {
+  sink.write("\"objects\":[");
+  for (std::size_t i = 0; i < review.parts.size(); ++i)
+    sink.write(fmt::format("{}\n{{{},\"closed\":{},\"open_edges\":{},{}}}", i > 0 ? "," : "",
+                           json_identity(review.assembly, i), review.parts[i].facts.closed,
+                           review.parts[i].facts.open_edges, json_facts(review.parts[i])));
+  sink.write("\n],\n");
+}
+
+std::string json_interval(const Interval& interval) {
+  return fmt::format("[{},{}]", json_number(interval.lo), json_number(interval.hi));
+}
+
+std::string json_depth(const std::optional<OverlapDepth>& depth) {
+  if (!depth) return "null";
+  return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", json_interval(depth->a_in_b), json_interval(depth->b_in_a));
+}
+
+/// Members of a pair. Null of what touches: where it does, the regions tell.
+std::string json_distance(const Clash& pair) {
+  if (!pair.nearest) return "\"distance\":null,\"distance_error\":null,\"nearest\":null";
+  const Nearest& nearest = *pair.nearest;
+  return fmt::format("\"distance\":{},\"distance_error\":{},\"nearest\":[{},{}]", json_number(nearest.distance),
+                     json_number(nearest.error), json_point(nearest.a), json_point(nearest.b));
+}
+
+void write_region(Sink& sink, const Region& region) {
+  const auto number = [](std::uint32_t triangle) { return fmt::format("{}", triangle); };
+  sink.write(
+      fmt::format("{{\"pairs\":{},\"box\":{},\"area\":{},\"length\":{},\"centroid\":{},\"normal\":{},\"lines\":[",
+                  region.pairs, json_list(region.box, json_point), json_number(region.area), json_number(region.length),
+                  json_point(region.centroid), json_point(region.normal)));
+  for (std::size_t i = 0; i < region.lines.size(); ++i)
+    sink.write((i > 0 ? "," : "") + json_list(region.lines[i], json_point));
+  sink.write(fmt::format("],\"triangles_a\":{},\"triangles_b\":{}}}", json_list(region.triangles_a, number),
+                         json_list(region.triangles_b, number)));
+}
+
+void write_pair(Sink& sink, const Clash& pair, const ClashArguments& arguments) {
+  const std::string inner = pair.verdict == Verdict::inside && pair.inner >= 0
+                                ? fmt::format("{}", pair.objects[static_cast<std::size_t>(pair.inner)])
+                                : "null";
+  sink.write(fmt::format("{{\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{},", pair.objects[0],
+                         pair.objects[1], pair.contacts[0], pair.contacts[1], pair.contacts[2]));
+  sink.write(fmt::format("\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}",
+                         name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
+                         json_number(pair.tolerance), fails(pair, arguments.fail_on)));
+  if (arguments.depth) sink.write(",\"overlap_depth\":" + json_depth(pair.overlap_depth));
+  if (arguments.clearance > 0) sink.write("," + json_distance(pair));
+  if (arguments.regions) {
+    sink.write(",\"regions\":[");
+    for (std::size_t i = 0; i < pair.regions.size(); ++i) {
+      if (i > 0) sink.write(",");
+      write_region(sink, pair.regions[i]);
+    }
+    sink.write("]");
+  }
+  sink.write("}");
+}
+
+void write_counts(Sink& sink, const Review& review, const FailOn& fail_on) {
+  std::array<std::uint64_t, 6> counts{};
+  for (const Clash& pair : review.clashes.pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
+  sink.write("\"counts\":{");
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    sink.write(fmt::format("\"{}\":{},", name(static_cast<Verdict>(i)), counts[i]));
+  sink.write(fmt::format("\"fail\":{},\"candidates\":{}}}", count_failing(review.clashes.pairs, fail_on),
+                         review.clashes.candidates));
+}
+
+}  // namespace
+
+Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArguments& arguments,
+                              const std::stop_token& stop) {
+  sink.write("{\"version\":1,\n");
+  write_settings(sink, arguments);
+  write_parts(sink, review);
+  sink.write("\"pairs\":[");
+  bool first = true;
+  for (const Clash& pair : review.clashes.pairs) {
+    if (sink.failed()) break;
+    if (stop.stop_requested()) return interrupted();
+    sink.write(first ? "\n" : ",\n");
+    first = false;
+    write_pair(sink, pair, arguments);
+  }
+  sink.write("\n],\n");
+  write_counts(sink, review, arguments.fail_on);
+  sink.write("}\n");
+  return {};
+}
+
+}  // namespace impinge::cli

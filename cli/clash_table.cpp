@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "table.hpp"
+#include "text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+/// A length for the eye.
+std::string length_text(double length) { return fmt::format("{:.4g}", length); }
+
+/// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
+const std::string kNothing = "-";
+
+/// Short enough for a column; the JSON has the sentence.
+std::string note_text(Note note) {
+  switch (note) {
+    case Note::none:
+      return kNothing;
+    case Note::overlap_within_tolerance:
+      return "overlap within tolerance";
+    case Note::gap_within_tolerance:
+      return "gap within tolerance";
+    case Note::tolerance_not_applied:
+      return "tolerance not applied";
+  }
+  return kNothing;
+}
+
+struct PairColumn {
+  Column column;
+  std::string (*text)(const Clash& pair);
+};
+
+std::vector<PairColumn> columns_after_names(const std::vector<Clash>& pairs, const ClashArguments& arguments) {
+  using enum Column::Kind;
+  std::vector<PairColumn> columns;
+  if (arguments.depth)
+    columns.push_back({{"depth", number},
+                       [](const Clash& pair) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; }});
+  if (arguments.clearance > 0)
+    columns.push_back({{"distance", number}, [](const Clash& pair) {
+                         return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
+                       }});
+  if (arguments.regions)
+    columns.push_back({{"regions", number}, [](const Clash& pair) { return grouped(pair.regions.size()); }});
+  if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
+    columns.push_back({{"note", text}, [](const Clash& pair) { return note_text(pair.note); }});
+  return columns;
+}
+
+void print_pairs(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
+                 const std::stop_token& stop) {
+  const std::vector<Clash>& pairs = review.clashes.pairs;
+  const std::vector<std::size_t> order = ranked(pairs);
+  const std::vector<PairColumn> after = columns_after_names(pairs, arguments);
+  Table table;
+  table.rows = static_cast<std::size_t>(std::min<std::uint64_t>(order.size(), arguments.limit));
+  table.columns = {{"verdict", Column::Kind::text}, {"part", Column::Kind::name}, {"part", Column::Kind::name}};
+  for (const PairColumn& column : after) table.columns.push_back(column.column);
+  table.cell = [&](std::size_t row, std::size_t column) -> std::string {
+    const Clash& pair = pairs[order[row]];
+    if (column == 0) return std::string(name(pair.verdict));
+    if (column > 2) return after[column - 3].text(pair);
+    // "inside  bolt  plate" reads as it is: the bolt lies inside the plate.
+    const bool inner_is_second = pair.verdict == Verdict::inside && pair.inner == 1;
+    return review.assembly.labels[pair.objects[(column == 1) == inner_is_second ? 1 : 0]];
+  };
+  if (table.rows > 0) print(table, sink, width, stop);
+  if (table.rows < order.size())
+    sink.write(fmt::format("({} of {}, by --limit; --json has them all.)\n", grouped(table.rows),
+                           counted(order.size(), "pair")));
+  if (!order.empty()) sink.write("\n");
+}
+
+/// "3 inside, 12 penetrating", in the order of the table.
+std::string counts_text(const std::vector<Clash>& pairs, double clearance) {
+  std::array<std::uint64_t, 6> counts{};
+  for (const Clash& pair : pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const auto verdict = static_cast<Verdict>(i);
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {}", grouped(counts[i]),
+                        verdict == Verdict::apart ? fmt::format("nearer than {}", clearance) : name(verdict));
+  }
+  if (!text.empty()) return text;
+  return clearance > 0 ? fmt::format("nothing is nearer than {}", clearance) : "nothing touches";
+}
+
+std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<double>& asked) {
+  if (asked) return *asked > 0 ? fmt::format("tolerance {}", *asked) : "no tolerance";
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Clash& pair : pairs) {
+    if (pair.note == Note::tolerance_not_applied) continue;
+    least = std::min(least, pair.tolerance);
+    most = std::max(most, pair.tolerance);
+  }
+  if (!(least <= most)) return "tolerance auto";
+  const std::string from = fmt::format("{:.2g}", least), to = fmt::format("{:.2g}", most);
+  return from == to ? fmt::format("tolerance {} (auto)", to) : fmt::format("tolerance {} to {} (auto)", from, to);
+}
+
+std::string summary(const Review& review, const ClashArguments& arguments) {
+  const std::vector<Clash>& pairs = review.clashes.pairs;
+  const auto solids = static_cast<std::uint64_t>(
+      std::count_if(review.parts.begin(), review.parts.end(), [](const Part& part) { return part.facts.solid; }));
+  std::string text = fmt::format("{}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"),
+                                 counted(solids, "solid"), counted(review.parts.size() - solids, "surface"),
+                                 counts_text(pairs, arguments.clearance), tolerance_text(pairs, arguments.tolerance));
+  if (review.parts.size() == 1) text += "There is only one part, and no part is tested against itself.\n";
+  if (review.split_products > 0)
+    text += fmt::format(
+        "Parts of one IFC product are not tested against each other ({} of several parts): "
+        "--within-products tests them too.\n",
+        counted(review.split_products, "product"));
+  const std::uint64_t failing = count_failing(pairs, arguments.fail_on);
+  text += fmt::format("{} ({}).\n",
+                      failing == 0   ? "No pair fails"
+                      : failing == 1 ? "1 pair fails"
+                                     : grouped(failing) + " pairs fail",
+                      fmt::join(words_of(arguments.fail_on), ", "));
+  return text + fmt::format("{}; read in {}, judged in {}.\n", counted(review.assembly.triangles, "triangle"),
+                            duration(review.read_seconds), duration(review.judge_seconds));
+}
+
+}  // namespace
+
+void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
+                  const std::stop_token& stop) {
+  print_pairs(review, arguments, sink, width, stop);
+  print_surfaces(review.assembly.labels, review.parts, sink, width);
+  if (std::any_of(review.parts.begin(), review.parts.end(), [](const Part& part) { return !part.facts.solid; }))
+    sink.write("\n");
+  sink.write(summary(review, arguments));
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+
+#include "review.hpp"
+#include "sink.hpp"
+
+namespace impinge::cli {
+
+/// The ranked table, the parts that are no solids, and the summary.
+void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
+                  const std::stop_token& stop);
+
+}  // namespace impinge::cli

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "command_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace impinge::cli {
+namespace {
+
+void add_files(CLI::App& command, std::vector<std::string>& files) {
+  command.set_help_flag("--help,-h", "this page");
+  command.add_option("FILE", files, "")->required()->type_name("");
+}
+
+void add_json(CLI::App& command, Raw& raw, const std::string& what) {
+  command
+      .add_option("--json", raw.json,
+                  "write the " + what + " as JSON to a file, or to standard output (-) in place of the table")
+      ->type_name("FILE|-");
+}
+
+void add_threads(CLI::App& command, Raw& raw) {
+  command.add_option("--threads", raw.threads, "work on N threads, 0 for as many as the machine has (default: 0)")
+      ->type_name("N");
+}
+
+void add_ignore(CLI::App& command, Raw& raw) {
+  command
+      .add_option("--ignore", raw.ignored,
+                  "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
+                  "may be given again")
+      ->type_name("A B")
+      ->type_size(2)
+      ->allow_extra_args(false);
+}
+
+void add_scale(CLI::App& command, Raw& raw) {
+  command.add_option("--scale", raw.scales, "multiply the coordinates of one of the files by S; may be given again")
+      ->type_name("FILE=S")
+      ->allow_extra_args(false);
+}
+
+void add_max_file(CLI::App& command, Raw& raw) {
+  command.add_option("--max-file", raw.max_file, "refuse larger files unread: bytes, or 500M, 2G (default: 2G)")
+      ->type_name("BYTES");
+}
+
+void add_quiet(CLI::App& command, bool& quiet) {
+  command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
+}
+
+}  // namespace
+
+void add_check(CLI::App& command, Raw& raw) {
+  CheckArguments& to = raw.check;
+  add_files(command, to.files);
+  add_json(command, raw, "answer");
+  command.add_flag("--triangles", to.triangles, "list every pair of triangles in the JSON")->needs("--json");
+  command.add_flag("--first", to.first,
+                   "only whether objects touch, with one pair of triangles as the witness; faster, and without a hash");
+  command
+      .add_option("--limit", raw.limit, "keep only the first N pairs of triangles, in order of objects and triangles")
+      ->type_name("N");
+  add_threads(command, raw);
+  command
+      .add_option(
+          "--backend", to.backend,
+          "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
+          "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is the "
+          "same")
+      ->type_name("NAME");
+  command
+      .add_option(
+          "--device", to.device,
+          "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices (default: "
+          "IMPINGE_DEVICE, or the first)")
+      ->type_name("N|NAME");
+  command
+      .add_option("--device-share", raw.device_share,
+                  "how much of the work hybrid gives to the device, from 0 to 1 (default: what ends soonest)")
+      ->type_name("S");
+  add_ignore(command, raw);
+  add_scale(command, raw);
+  add_max_file(command, raw);
+  add_quiet(command, to.quiet);
+  command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
+}
+
+void add_clash(CLI::App& command, Raw& raw) {
+  ClashArguments& to = raw.clash;
+  add_files(command, to.files);
+  command
+      .add_option("--tolerance", raw.tolerance,
+                  "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, "
+                  "2^-20 of a pair's largest coordinate (default: auto)")
+      ->type_name("auto|0|D");
+  command
+      .add_option("--clearance", raw.clearance,
+                  "list parts that are nearer to each other than C as well, with their distance")
+      ->type_name("C");
+  command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
+  command.add_flag("--regions", to.regions,
+                   "find the regions of contact, with place, area, normal and lines in the JSON");
+  command
+      .add_option("--fail-on", raw.fail_on,
+                  "what makes the exit code 1: contact, penetration, inside, clearance, or several with commas "
+                  "between them; may be given again (default: penetration,inside)")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  add_json(command, raw, "verdicts");
+  command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
+      ->type_name("N");
+  add_ignore(command, raw);
+  command.add_flag("--within-products", to.within_products,
+                   "test the parts of one IFC product against each other as well");
+  add_scale(command, raw);
+  add_threads(command, raw);
+  add_max_file(command, raw);
+  add_quiet(command, to.quiet);
+}
+
+void add_info(CLI::App& command, Raw& raw) {
+  add_files(command, raw.info.files);
+  add_json(command, raw, "list");
+  add_max_file(command, raw);
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+
+/// What each command takes, as CLI11 is told.
+namespace impinge::cli {
+
+/// What CLI11 fills in: numbers stay texts, so that this program says what is wrong with them.
+struct Raw {
+  CheckArguments check;
+  ClashArguments clash;
+  InfoArguments info;
+  std::string json, limit, threads, max_file, device_share, tolerance, clearance;
+  std::vector<std::string> ignored, scales, fail_on;
+};
+
+/// Declare a command's options, which write into `raw` as the command line is parsed.
+void add_check(CLI::App& command, Raw& raw);
+void add_clash(CLI::App& command, Raw& raw);
+void add_info(CLI::App& command, Raw& raw);
+
+}  // namespace impinge::cli

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "option_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "numbers.hpp"
+
+namespace impinge::cli {
+namespace {
+
+Error bad(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
+
+Result<void> take_limit(const std::string& text, std::uint64_t& to) {
+  if (text.empty()) return {};
+  const auto limit = parse_whole(text);
+  if (!limit) return bad(fmt::format("--limit takes a whole number from 0 up, not '{}'", text));
+  to = *limit;
+  return {};
+}
+
+Result<void> take_threads(const std::string& text, int& to) {
+  if (text.empty()) return {};
+  const auto threads = parse_whole(text);
+  if (!threads || *threads > 1024)
+    return bad(fmt::format("--threads takes a whole number from 0 to 1024, not '{}'", text));
+  to = static_cast<int>(*threads);
+  return {};
+}
+
+Result<void> take_backend(const Raw& raw, CheckArguments& to) {
+  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
+  if (std::find(std::begin(kBackends), std::end(kBackends), to.backend) == std::end(kBackends))
+    return bad(fmt::format("--backend is auto, simd, scalar, gpu, raster or hybrid, not '{}'", to.backend));
+  if (raw.device_share.empty()) return {};
+  const char* const end = raw.device_share.data() + raw.device_share.size();
+  const auto [stop, error] = std::from_chars(raw.device_share.data(), end, to.device_share);
+  if (error != std::errc() || stop != end || !(to.device_share >= 0 && to.device_share <= 1))
+    return bad(fmt::format("--device-share takes a number from 0 to 1, not '{}'", raw.device_share));
+  if (to.backend != "hybrid") return bad("--device-share is for --backend hybrid");
+  return {};
+}
+
+Result<void> take_scales(const std::vector<std::string>& raw, SceneArguments& to) {
+  for (const std::string& text : raw) {
+    const std::size_t at = text.rfind('=');
+    if (at == std::string::npos)
+      return bad(fmt::format("--scale takes FILE=S, such as plate.stl=25.4, not '{}'", text));
+    const std::string file = text.substr(0, at);
+    const auto factor = parse_positive(std::string_view(text).substr(at + 1));
+    if (!factor)
+      return bad(fmt::format("--scale {}: '{}' is not a positive number such as 25.4", text, text.substr(at + 1)));
+    if (std::find(to.files.begin(), to.files.end(), file) == to.files.end())
+      return bad(
+          fmt::format("--scale {}: '{}' is none of the files to read; write it as it stands among them", text, file));
+    for (const auto& [other, _] : to.scales)
+      if (other == file) return bad(fmt::format("--scale is given twice for '{}'", file));
+    to.scales.emplace_back(file, *factor);
+  }
+  return {};
+}
+
+Result<void> take_max_file(const std::string& text, std::uint64_t& to) {
+  if (text.empty()) return {};
+  const auto bytes = parse_bytes(text);
+  if (!bytes) return bad(fmt::format("--max-file takes a number of bytes such as 500M or 2G, not '{}'", text));
+  to = *bytes;
+  return {};
+}
+
+/// What `check` and `clash` both take; `--threads` has been taken.
+Result<void> take_scene(const Raw& raw, SceneArguments& to) {
+  if (!raw.json.empty()) to.json = raw.json;
+  for (std::size_t i = 0; i + 1 < raw.ignored.size(); i += 2)
+    to.ignored.emplace_back(raw.ignored[i], raw.ignored[i + 1]);
+  if (auto taken = take_scales(raw.scales, to); !taken) return taken;
+  return take_max_file(raw.max_file, to.max_file_bytes);
+}
+
+Result<void> take_lengths(const Raw& raw, ClashArguments& to) {
+  if (!raw.tolerance.empty() && raw.tolerance != "auto") {
+    to.tolerance = parse_length(raw.tolerance);
+    if (!to.tolerance)
+      return bad(fmt::format("--tolerance takes auto, or a length from 0 up in the files' unit such as 0.01, not '{}'",
+                             raw.tolerance));
+  }
+  if (raw.clearance.empty()) return {};
+  const auto clearance = parse_length(raw.clearance);
+  if (!clearance)
+    return bad(
+        fmt::format("--clearance takes a length from 0 up in the files' unit such as 2.5, not '{}'", raw.clearance));
+  to.clearance = *clearance;
+  return {};
+}
+
+Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments& to) {
+  if (lists.empty()) return {};
+  to.fail_on = {};
+  for (const std::string& list : lists) {
+    std::string_view left = list;
+    for (bool more = true; more;) {
+      const std::size_t comma = left.find(',');
+      const std::string_view word = left.substr(0, comma);
+      more = comma != std::string_view::npos;
+      if (more) left.remove_prefix(comma + 1);
+      bool* const named = word == "contact"       ? &to.fail_on.contact
+                          : word == "penetration" ? &to.fail_on.penetration
+                          : word == "inside"      ? &to.fail_on.inside
+                          : word == "clearance"   ? &to.fail_on.clearance
+                                                  : nullptr;
+      if (named == nullptr)
+        return bad(
+            fmt::format("--fail-on takes contact, penetration, inside or clearance, or several with commas "
+                        "between them, not '{}'",
+                        word));
+      *named = true;
+    }
+  }
+  if (to.fail_on.clearance && to.clearance == 0)
+    return bad("--fail-on clearance needs the distance to keep: add --clearance C, with C above 0");
+  return {};
+}
+
+}  // namespace
+
+Result<Command> take_check(Raw raw) {
+  CheckArguments& to = raw.check;
+  if (auto taken = take_limit(raw.limit, to.limit); !taken) return taken.error();
+  if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
+  if (auto taken = take_backend(raw, to); !taken) return taken.error();
+  if (auto taken = take_scene(raw, to); !taken) return taken.error();
+  return Command(std::move(to));
+}
+
+Result<Command> take_clash(Raw raw) {
+  ClashArguments& to = raw.clash;
+  if (auto taken = take_lengths(raw, to); !taken) return taken.error();
+  if (auto taken = take_fail_on(raw.fail_on, to); !taken) return taken.error();
+  if (auto taken = take_limit(raw.limit, to.limit); !taken) return taken.error();
+  if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
+  if (auto taken = take_scene(raw, to); !taken) return taken.error();
+  return Command(std::move(to));
+}
+
+Result<Command> take_info(Raw raw) {
+  if (!raw.json.empty()) raw.info.json = raw.json;
+  if (auto taken = take_max_file(raw.max_file, raw.info.max_file_bytes); !taken) return taken.error();
+  return Command(std::move(raw.info));
+}
+
+}  // namespace impinge::cli

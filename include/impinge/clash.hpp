@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "impinge/measures.hpp"
+#include "impinge/mesh.hpp"
+#include "impinge/options.hpp"
+#include "impinge/regions.hpp"
+#include "impinge/result.hpp"
+#include "impinge/scene.hpp"
+
+/// What a design review asks of two parts (docs/verdicts.md). A part is a solid if it is closed (by position) and no
+/// two of its triangles cross or share an area; its interior is where its boundary winds around points, whichever way
+/// its normals look. Anything else is a surface.
+namespace impinge {
+
+/// The first that holds.
+enum class Verdict : std::uint8_t {
+  duplicate,    ///< the same set of points
+  inside,       ///< one's interior contains the other's, in contact or not; or a surface lies within a solid
+  penetrating,  ///< the interiors of two solids meet
+  crossing,     ///< a surface passes through a solid's boundary, or through a surface
+  touching,     ///< they share a point
+  apart,
+};
+
+/// What the tolerance did to a verdict.
+enum class Note : std::uint8_t {
+  none,
+  overlap_within_tolerance,  ///< exactly they overlap, by no more than the tolerance
+  gap_within_tolerance,      ///< exactly they are apart, by no more than the tolerance
+  tolerance_not_applied,     ///< it is above a quarter of one part's wall, or below what rounding leaves of such
+                             ///< coordinates: the verdict is the exact one
+};
+
+struct ClashOptions {
+  /// Parts that overlap by no more than this, for certain, are taken to touch. Nothing: 2^-20 of the largest |world
+  /// coordinate| of each pair, which is what rotating flush parts in files of single precision leaves. 0: exactly.
+  std::optional<double> tolerance;
+  double clearance = 0;  ///< pairs nearer than this are listed with their distance, though they are apart
+  bool depth = false;    ///< measure overlap depths of what penetrates
+  bool regions = false;  ///< find regions of contact
+  int threads = 0;       ///< at most so many; 0: all there are
+  Progress* progress = nullptr;
+  std::stop_token stop{};
+};
+
+/// Two parts and what is said of them.
+struct Clash {
+  std::array<std::uint32_t, 2> objects{};  ///< the lower first
+  Verdict verdict = Verdict::apart;
+  int inner = -1;  ///< with `inside`: 0 if the first object lies in the second, 1 if the second in the first
+  Note note = Note::none;
+  double tolerance = 0;                     ///< that was applied
+  std::array<std::uint64_t, 3> contacts{};  ///< pairs of triangles that share a point, by Kind
+  /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
+  std::optional<Nearest> nearest;
+  std::optional<OverlapDepth> overlap_depth;  ///< with `depth`, of two solids that penetrate or lie inside
+  std::vector<Region> regions;                ///< with `regions`
+};
+
+/// What a part is. Lengths in the caller's unit.
+struct PartFacts {
+  bool solid = false, closed = false;
+  std::uint64_t open_edges = 0, self_crossings = 0;  ///< what keeps it from being a solid
+  std::optional<Segment> open_edge;                  ///< the first of them
+  std::optional<TrianglePair> self_crossing;         ///< likewise
+  double volume = 0, area = 0;
+  double wall = 0;  ///< of a solid: 2 volume / area, the thickness of a sheet of that volume and area
+};
+
+struct Clashes {
+  std::vector<Clash> pairs;  ///< by (object, object); those that are apart and not nearer than the clearance left out
+  std::vector<PartFacts> parts;  ///< by object index
+  std::uint64_t candidates = 0;  ///< pairs whose bounds are near enough
+  double parts_seconds = 0;      ///< wall clock: to see what the parts are
+  double pairs_seconds = 0;      ///< and to judge the pairs
+};
+
+/// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored
+/// pairs are left out. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative or not finite).
+Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {});
+
+/// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors: likewise.
+Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                    const ClashOptions& options = {});
+
+/// What one placed mesh is. Errors: `bad_pose`, `out_of_range`, `bad_option`.
+Result<PartFacts> examine(const Mesh& mesh, const Pose& pose = {}, const ClashOptions& options = {});
+
+/// "penetrating" and so on; a sentence about the note, "" for none.
+std::string_view name(Verdict verdict);
+std::string_view sentence(Note note);
+
+}  // namespace impinge

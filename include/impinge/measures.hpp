@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+#include "impinge/mesh.hpp"
+#include "impinge/result.hpp"
+
+/// How near, how deep, inside or out. All lengths are in the caller's unit.
+namespace impinge {
+
+struct MeasureOptions {
+  int threads = 0;  ///< at most so many; 0: all there are. What searches alone shares the making of trees among them
+  std::stop_token stop{};
+};
+
+/// A number known to lie between two others.
+struct Interval {
+  double lo = 0, hi = 0;
+};
+
+/// Two points, one of each mesh, that are nearest to each other.
+struct Nearest {
+  double distance = 0;  ///< 0 if and only if the meshes share a point
+  double error = 0;     ///< the exact distance is within so much of it
+  Point a{}, b{};       ///< where, up to rounding
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+};
+
+/// The distance between two placed meshes as sets of triangles: 0 where triangles touch; what closed meshes enclose
+/// does not count. Branch and bound over both trees (Larsen, Gottschalk, Lin and Manocha, "Fast Proximity Queries
+/// with Swept Sphere Volumes", 1999, with boxes).
+/// Errors: `bad_pose`, `out_of_range`, `bad_mesh` (one without triangles), `bad_option`, `cancelled`.
+Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                         const MeasureOptions& options = {});
+
+/// Whether some points of the two are nearer to each other than `limit`: exact at 0 (never), and elsewhere wherever the
+/// distance is not within its error of the limit. Much faster than the distance itself.
+/// Errors: as `distance`; `bad_option` also for a limit that is negative or not a number.
+Result<bool> closer_than(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b, double limit,
+                         const MeasureOptions& options = {});
+
+enum class Location : std::uint8_t { outside, inside, boundary };
+
+/// Where a point lies to a closed mesh, exactly: on a triangle, or else inside where the mesh winds around it.
+/// Errors: `bad_pose`, `out_of_range` (also of the point), `bad_mesh` (not closed: vertices count as one where their
+/// world coordinates are equal).
+Result<Location> locate(const Point& point, const Mesh& mesh, const Pose& pose = {});
+
+/// How deep the boundary of one solid reaches into the other: the greatest distance of a point of a's boundary that
+/// lies inside b from b's boundary; and the other way round. 0 where nothing reaches in. This is not the shortest way
+/// to pull the two apart, which may be longer or shorter (docs/verdicts.md).
+struct OverlapDepth {
+  Interval a_in_b, b_in_a;
+};
+
+/// Each interval holds the true depth for certain; its width is at most `precision` times the depth, unless that is
+/// below what rounding leaves, or would take more than some 260,000 points to find out. Errors: as `locate`;
+/// `bad_option` (precision not in (0, 1]), `cancelled`.
+Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                   double precision = 0.01, const MeasureOptions& options = {});
+
+}  // namespace impinge

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "impinge/contacts.hpp"
+#include "impinge/measures.hpp"
+#include "impinge/mesh.hpp"
+#include "impinge/result.hpp"
+
+namespace impinge {
+
+/// One connected region of contact between two placed meshes. What a pair of triangles shares is a point, a segment or
+/// (if they are coplanar) a convex polygon. Which corners that has is decided exactly, and each coordinate of a corner
+/// is the double nearest to the exact one. Sums over them are taken in double, about the middle of the box. A closed
+/// mesh may have its normals outwards or all of them inwards; of an open one, the side that its triangles' normals look
+/// to counts as outside.
+struct Region {
+  std::uint64_t pairs = 0;     ///< of triangles
+  std::array<Point, 2> box{};  ///< lowest and highest corner of what the pairs share
+  /// That of the polygons that coplanar pairs share, and that of the patch that each closed line of crossing spans:
+  /// the length of half the integral of r x dr along it, which for a plane line is the area that it encloses. Each line
+  /// counts by itself: a bolt through a plate has an area at either face.
+  double area = 0;
+  double length = 0;  ///< of the lines
+  /// Of the area; without area of the lines; without lines the mean of the points.
+  Point centroid{};
+  /// Unit: the way in which b must go to leave a, or {0, 0, 0} where contact says none. Exchanging a and b turns it
+  /// round. With area, the direction of the sum of: for each polygon, half of its area times (outward normal of a -
+  /// outward normal of b); for each closed line of crossing, the integral of a's outward normal over the part of a's
+  /// surface inside b that it bounds. (Through a plate the two faces cancel: 0.) Without area: the mean outward normal
+  /// of the triangles of a in contact if they all look one way; or else the opposite of b's if those do; or else the
+  /// difference of both means.
+  Point normal{};
+  /// First the lines in which the surfaces cross or touch, then the outlines of the area that polygons cover together.
+  /// A closed line ends with the point with which it begins. Which end is the first says nothing.
+  std::vector<std::vector<Point>> lines;
+  std::vector<std::uint32_t> triangles_a, triangles_b;  ///< those in some pair, sorted
+};
+
+/// The regions of contact between a and b, largest first: by area, then length, then pairs, then the first pair in
+/// canonical order. Two pairs of triangles belong to one region if in both meshes their triangles are the same or
+/// neighbours (have a vertex in common, by equal world coordinates), if what they share has a corner in common, or if
+/// a part of one surface that lies inside the other mesh leads from one to the other: a bolt through a plate is one
+/// region. Only closed meshes have an inside. (That part is told by points which are rounded: where it is narrower than
+/// rounding, regions may stay apart.) The same for every number of threads.
+/// Errors: as `collide`.
+Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
+                                            const Pose& pose_b, const MeasureOptions& options = {});
+
+}  // namespace impinge

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/clash.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "broad/box_tree.hpp"
+#include "clash/depth.hpp"
+#include "clash/judge.hpp"
+#include "clash/known_part.hpp"
+#include "clash/local_frame.hpp"
+#include "clash/regions.hpp"
+#include "clash/self_crossings.hpp"
+#include "core/guarded.hpp"
+#include "core/pose.hpp"
+#include "impinge/collide.hpp"
+#include "measure/nearest.hpp"
+#include "on_threads.hpp"
+#include "pipeline.hpp"
+#include "scene/validate_pose.hpp"
+#include "scene_state.hpp"
+#include "solid/locate.hpp"
+#include "stage_clock.hpp"
+
+namespace impinge {
+namespace {
+
+/// A mesh that was placed somewhere.
+struct Placed {
+  const Mesh* mesh;  ///< null: nothing is here
+  Pose pose;
+};
+
+solid::Body body_of(const Mesh& mesh, const Pose& pose) {
+  return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
+}
+
+Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
+
+Result<void> validate(const ClashOptions& options) {
+  if (auto valid = impinge::validate(Options{.threads = options.threads}); !valid) return valid;
+  const auto check = [](double length, const std::string& what) -> Result<void> {
+    if (length >= 0 && std::isfinite(length)) return {};
+    return Error{Code::bad_option, what + " is " + std::to_string(length) + "; choose a length, 0 or more"};
+  };
+  if (auto valid = check(options.tolerance.value_or(0), "tolerance"); !valid) return valid;
+  return check(options.clearance, "clearance");
+}
+
+Result<void> check_domain(const std::vector<Placed>& objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].mesh == nullptr || in_exact_domain(objects[i].pose, objects[i].mesh->state().data)) continue;
+    return Error{Code::out_of_range,
+                 "object " + std::to_string(i) +
+                     " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
+                     "not be exact; scale the scene, or move it nearer to the origin"};
+  }
+  return {};
+}
+
+double tolerance_of(const ClashOptions& options, double largest) {
+  return options.tolerance.value_or(0x1p-20 * largest);
+}
+
+/// The pairs of a placed mesh's own triangles that keep it from being a solid.
+Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
+  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
+                                {.kinds = kCrossing | kCoplanar, .threads = threads, .stop = options.stop});
+  if (!contacts) return contacts.error();
+  const solid::Body body = body_of(*placed.mesh, placed.pose);
+  const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
+  std::vector<TrianglePair> defects;
+  for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
+    const TrianglePair& pair = contacts->triangles[i];
+    if (pair.a < pair.b &&
+        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
+      defects.push_back(pair);
+  }
+  return defects;
+}
+
+/// What is to be looked through for defects: a mesh as it was made, once however often it is placed; or each object
+/// where it is, if every rounding counts.
+struct Checks {
+  std::vector<Placed> placed;
+  std::vector<std::size_t> of_object;
+};
+
+Checks list_checks(const std::vector<Placed>& objects, const ClashOptions& options) {
+  Checks checks;
+  std::map<const MeshState*, std::size_t> known;
+  for (const Placed& object : objects) {
+    checks.of_object.push_back(checks.placed.size());
+    if (object.mesh == nullptr) continue;
+    const MeshState& mesh = object.mesh->state();
+    if (options.tolerance.value_or(1) > 0 && in_exact_domain(Pose{}, mesh.data)) {
+      const auto [place, is_new] = known.emplace(&mesh, checks.placed.size());
+      checks.of_object.back() = place->second;
+      if (is_new) checks.placed.push_back({object.mesh, Pose{}});
+    } else {
+      checks.placed.push_back(object);
+    }
+  }
+  return checks;
+}
+
+/// Large meshes one after the other, each by all threads; small ones side by side.
+Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vector<Placed>& placed,
+                                                                const ClashOptions& options) {
+  constexpr std::size_t kLarge = 1 << 16;
+  const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
+  std::vector<Result<std::vector<TrianglePair>>> found(placed.size(), std::vector<TrianglePair>());
+  run_each(on_threads(options.threads), placed.size(), [&](std::size_t i) {
+    if (!is_large(i) && !options.stop.stop_requested()) found[i] = find_defects(placed[i], options, 1);
+  });
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    if (is_large(i)) found[i] = find_defects(placed[i], options, options.threads);
+  if (options.stop.stop_requested()) return cancelled();
+  std::vector<std::vector<TrianglePair>> defects;
+  for (auto& some : found) {
+    if (!some) return some.error();
+    defects.push_back(*std::move(some));
+  }
+  return defects;
+}
+
+/// A part as the verdicts see it, which is its boundary alone, and as it is.
+struct SeenPart {
+  clash::KnownPart known;
+  std::optional<Mesh> boundary;      ///< without the shells that are none, where there are such
+  std::optional<solid::Part> whole;  ///< and then the part with them
+
+  [[nodiscard]] const solid::Part& part() const { return whole ? *whole : known.linked.part; }
+};
+
+SeenPart see(const Placed& placed, const std::vector<TrianglePair>& defects) {
+  SeenPart seen{clash::know(body_of(*placed.mesh, placed.pose), defects), {}, {}};
+  const solid::Part& part = seen.known.linked.part;
+  const auto is_inner = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
+  if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_inner)) return seen;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < part.body.size(); ++t)
+    if (part.is_boundary(t))
+      triangles.insert(triangles.end(), placed.mesh->triangles()[t].begin(), placed.mesh->triangles()[t].end());
+  std::vector<double> xyz;
+  for (const Point& vertex : placed.mesh->vertices()) xyz.insert(xyz.end(), {vertex.x, vertex.y, vertex.z});
+  seen.boundary = Mesh::create(xyz, triangles).value();
+  clash::KnownPart boundary = clash::know(body_of(*seen.boundary, placed.pose), {});
+  boundary.facts = seen.known.facts;
+  seen.whole = std::move(seen.known.linked.part);
+  seen.known = std::move(boundary);
+  return seen;
+}
+
+Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, const ClashOptions& options) {
+  if (auto valid = check_domain(objects); !valid) return valid.error();
+  const Checks checks = list_checks(objects, options);
+  const auto defects = find_all_defects(checks.placed, options);
+  if (!defects) return defects.error();
+  std::vector<SeenPart> parts(objects.size());
+  run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
+    if (objects[i].mesh != nullptr && !options.stop.stop_requested())
+      parts[i] = see(objects[i], (*defects)[checks.of_object[i]]);
+  });
+  if (options.stop.stop_requested()) return cancelled();
+  return parts;
+}
+
+/// A part as regions of contact see it.
+struct RegionSide {
+  clash::Side side;
+  std::vector<std::uint8_t> inward;
+
+  explicit RegionSide(const solid::Part& part)
+      : side{part.body, part.topology.position, part.topology.positions, {}, {}} {
+    if (!part.solid) return;
+    side.holds = [&part](const Vec3& p) { return solid::winding_number(part.body.placed, p).value_or(0) != 0; };
+    for (const std::uint32_t shell : part.topology.shell)
+      inward.push_back(shell != solid::Topology::kNoShell && part.sides[shell].front && !part.sides[shell].back);
+    side.inward = inward;
+  }
+};
+
+std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
+                                 const std::vector<exact::Contact>& contacts, const ClashOptions& options) {
+  const RegionSide side_a(a), side_b(b);
+  auto regions = clash::regions_of(side_a.side, side_b.side, contacts, {}, options.stop);
+  return regions ? *std::move(regions) : std::vector<Region>();
+}
+
+OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::DepthGoal& goal) {
+  const solid::Part &part_a = a.known.linked.part, &part_b = b.known.linked.part;
+  if (part_a.solid && part_b.solid)
+    return clash::depths_of(part_a, part_b, clash::contacts_of(part_a.body, part_b.body), goal);
+  return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
+}
+
+/// The verdict on two parts, and what else is asked for.
+Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
+  clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance, options.stop);
+  if (a.whole || b.whole) judgement.contacts = clash::contacts_of(a.part().body, b.part().body);
+  Clash clash;
+  clash.verdict = judgement.verdict, clash.inner = judgement.inner;
+  clash.note = judgement.note, clash.tolerance = judgement.tolerance;
+  for (const exact::Contact& contact : judgement.contacts) ++clash.contacts[static_cast<std::size_t>(contact.kind)];
+  if (options.clearance > 0 && !judgement.touch) {
+    const auto near = measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance);
+    if (near && near->distance < options.clearance)
+      clash.nearest = Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
+  }
+  const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
+  if (options.depth && overlap && a.known.facts.solid && b.known.facts.solid) {
+    const clash::DepthGoal goal{.stop = options.stop};
+    clash.overlap_depth = find_depths(a, b, goal);
+  }
+  if (options.regions && clash.verdict != Verdict::apart)
+    clash.regions = find_regions(a.part(), b.part(), judgement.contacts, options);
+  return clash;
+}
+
+/// Pairs whose boxes come as near as the options ask for, sorted.
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<SeenPart>& parts,
+                                           const ClashOptions& options) {
+  double largest = 0;
+  for (const SeenPart& part : parts) largest = std::max(largest, clash::largest_coordinate(part.part().body.box));
+  // Each box grows by half of the reach, and by what rounding may take from that.
+  const double reach = std::max(tolerance_of(options, largest), options.clearance);
+  const double half = reach / 2 + 0x1p-50 * (largest + reach);
+  std::vector<Box> boxes(parts.size());
+  std::vector<std::uint32_t> groups(parts.size(), 0);
+  std::vector<broad::BoxTree::Entry> entries;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const Box& box = parts[i].part().body.box;
+    if (scene.meshes[i] == nullptr || is_empty(box)) continue;
+    boxes[i] = {box.lo - Vec3{half, half, half}, box.hi + Vec3{half, half, half}};
+    groups[i] = scene.objects[i].group;
+    const auto& [lo, hi] = boxes[i];
+    entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
+  }
+  broad::BoxTree tree;
+  tree.build(entries);
+  broad::BoxTree::Search search;
+  tree.find_pairs(boxes, groups, search);
+  std::vector<std::uint64_t> candidates = std::move(search.found);
+  const auto is_ignored = [&](std::uint64_t key) {
+    return scene.ignored.contains(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key));
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_ignored), candidates.end());
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options) {
+  StageClock clock;
+  Clashes result;
+  std::vector<Placed> objects;
+  for (std::size_t i = 0; i < scene.slots.size(); ++i)
+    objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
+  const auto parts = see_all(objects, options);
+  if (!parts) return parts.error();
+  for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
+  clock.charge(result.parts_seconds);
+
+  const std::vector<std::uint64_t> candidates = find_candidates(scene, *parts, options);
+  result.candidates = candidates.size();
+  if (options.progress != nullptr) options.progress->done = 0, options.progress->total = candidates.size();
+  std::vector<std::optional<Clash>> clashes(candidates.size());
+  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
+    if (options.stop.stop_requested()) return;
+    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
+    Clash clash = make_clash((*parts)[a], (*parts)[b], options);
+    clash.objects = {a, b};
+    if (clash.verdict != Verdict::apart || clash.nearest) clashes[i] = std::move(clash);
+    if (options.progress != nullptr) options.progress->done.fetch_add(1, std::memory_order_relaxed);
+  });
+  if (options.stop.stop_requested()) return cancelled();
+  for (std::optional<Clash>& clash : clashes)
+    if (clash) result.pairs.push_back(std::move(*clash));
+  clock.charge(result.pairs_seconds);
+  return result;
+}
+
+Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, const ClashOptions& options) {
+  if (auto valid = validate(options); !valid) return valid.error();
+  for (const Placed& object : objects)
+    if (auto valid = scene::validate(object.pose); !valid) return valid.error();
+  return see_all(objects, options);
+}
+
+}  // namespace
+
+Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options) {
+  return guarded([&]() -> Result<Clashes> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    return clashes_of(*scene.state_, options);
+  });
+}
+
+Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                    const ClashOptions& options) {
+  return guarded([&]() -> Result<Clash> {
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
+    if (!parts) return parts.error();
+    Clash clash = make_clash((*parts)[0], (*parts)[1], options);
+    if (options.stop.stop_requested()) return cancelled();
+    clash.objects = {0, 1};
+    return clash;
+  });
+}
+
+Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                   double precision, const MeasureOptions& options) {
+  return guarded([&]() -> Result<OverlapDepth> {
+    if (!(precision > 0 && precision <= 1))
+      return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
+                                  {.tolerance = 0, .threads = options.threads, .stop = options.stop});
+    if (!parts) return parts.error();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!(*parts)[i].known.facts.closed)
+        return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
+                                         " is not closed, so that nothing is inside of it; close it, or ask for the "
+                                         "distance instead"};
+    const OverlapDepth depth = find_depths((*parts)[0], (*parts)[1], {.precision = precision, .stop = options.stop});
+    if (options.stop.stop_requested()) return cancelled();
+    return depth;
+  });
+}
+
+Result<PartFacts> examine(const Mesh& mesh, const Pose& pose, const ClashOptions& options) {
+  return guarded([&]() -> Result<PartFacts> {
+    const auto parts = see_placed({{&mesh, pose}}, options);
+    if (!parts) return parts.error();
+    return (*parts)[0].known.facts;
+  });
+}
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 6> kNames{"duplicate", "inside",   "penetrating",
+                                                   "crossing",  "touching", "apart"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view sentence(Note note) {
+  constexpr std::array<std::string_view, 4> kSentences{
+      "", "they overlap by no more than the tolerance", "they are apart by no more than the tolerance",
+      "the tolerance is too large for a part so thin, or too small for its coordinates: the verdict is the exact one"};
+  return kSentences[static_cast<std::size_t>(note)];
+}
+
+}  // namespace impinge

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "clash/near_cells.hpp"
+#include "impinge/clash.hpp"
+
+namespace impinge::clash {
+
+/// A part to be judged, with its facts.
+struct KnownPart {
+  LinkedPart linked;
+  PartFacts facts;
+};
+
+/// `defects` are the pairs of the body's own triangles that keep it from being a solid.
+KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects);
+
+}  // namespace impinge::clash

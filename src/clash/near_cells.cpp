@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/near_cells.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include "clash/local_frame.hpp"
+#include "clash/slab.hpp"
+#include "measure/nearest.hpp"
+#include "measure/triangle_distance.hpp"
+#include "solid/locate.hpp"
+
+namespace impinge::clash {
+namespace {
+
+using solid::kInside;
+using solid::kNear;
+using solid::kOutside;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+bool has_inner_shells(const solid::Part& part) {
+  return std::any_of(part.sides.begin(), part.sides.end(), [](const auto& side) { return side.front == side.back; });
+}
+
+struct Setting {
+  LocalFrame frame;
+  double tolerance;  ///< in the world
+};
+
+/// One part's boundary against the other's.
+class OneSide {
+ public:
+  OneSide(const LinkedPart& own, const LinkedPart& other, const Setting& setting, std::vector<TrianglePair> near)
+      : own_(own), other_(other.part), setting_(setting), near_(std::move(near)) {
+    for (const TrianglePair& pair : near_)
+      if (near_triangles_.empty() || near_triangles_.back() != pair.a) near_triangles_.push_back(pair.a);
+  }
+
+  /// The bits of what has no near triangle of the other's: shells, and the rims of what is left of those that have.
+  std::uint8_t look_at_clear() {
+    std::vector<bool> is_met(own_.part.topology.shells, false);
+    std::uint32_t unmet = own_.part.topology.shells;
+    const auto meet = [&](std::uint32_t t) {
+      const std::uint32_t shell = shell_of(t);
+      const bool is_first = shell != solid::Topology::kNoShell && !is_met[shell];
+      if (is_first) is_met[shell] = true, --unmet;
+      return is_first;
+    };
+    for (const std::uint32_t t : near_triangles_) meet(t);
+    std::uint8_t bits = 0;
+    const auto& triangles = own_.part.body.placed.mesh->triangles;
+    for (std::uint32_t t = 0; unmet > 0; ++t)
+      if (meet(t)) bits |= locate(own_.part.body.world[triangles[t][0]]);
+    return bits | look_at_rims();
+  }
+
+  /// The bits of the near triangles, cut into pieces; `so_far` is told of each triangle's, and ends it by true. False
+  /// if some could not be told.
+  template <class SoFar>
+  bool look_at_near(const SoFar& so_far) {
+    std::size_t first = 0;
+    while (first < near_.size()) {
+      std::size_t last = first;
+      while (last < near_.size() && near_[last].a == near_[first].a) ++last;
+      if (shell_of(near_[first].a) != solid::Topology::kNoShell) {
+        slabs_.clear();
+        for (std::size_t i = first; i < last; ++i) {
+          const Triangle triangle = setting_.frame.to_local(other_.body.triangle(near_[i].b));
+          const auto slab = make_slab(triangle, setting_.frame.unit * setting_.tolerance, setting_.frame.scale);
+          if (!slab) return false;
+          slabs_.push_back({*slab, triangle});
+        }
+        bits_ = 0, effort_ = 0;
+        std::vector<std::uint32_t> all(slabs_.size());
+        std::iota(all.begin(), all.end(), 0u);
+        divide(Polygon(setting_.frame.to_local(own_.part.body.triangle(near_[first].a))), all, {all.size(), 0});
+        if (is_exhausted()) return false;
+        if (so_far(bits_)) return true;
+      }
+      first = last;
+    }
+    return true;
+  }
+
+ private:
+  struct NearTriangle {
+    Slab slab;
+    Triangle triangle;
+  };
+
+  [[nodiscard]] std::uint32_t shell_of(std::uint32_t triangle) const { return own_.part.topology.shell[triangle]; }
+
+  /// Of a point that is not near the other part.
+  [[nodiscard]] std::uint8_t locate(const Vec3& point) const {
+    const Box& box = other_.body.box;
+    if (!other_.solid || !overlap(box, {point, point})) return kOutside;
+    const auto winding = solid::winding_number(other_.body.placed, point);
+    return !winding ? kNear : *winding != 0 ? kInside : kOutside;
+  }
+
+  std::uint8_t look_at_rims() const {
+    std::vector<std::uint32_t> rim;
+    const auto& triangles = own_.part.body.placed.mesh->triangles;
+    const auto& position = own_.part.topology.position;
+    const auto is_near = [&](std::uint32_t t) {
+      return std::binary_search(near_triangles_.begin(), near_triangles_.end(), t);
+    };
+    for (const std::uint32_t t : near_triangles_)
+      for (const std::uint32_t vertex : triangles[t]) rim.push_back(vertex);
+    std::sort(rim.begin(), rim.end(), [&](std::uint32_t v, std::uint32_t w) { return position[v] < position[w]; });
+    std::uint8_t bits = 0;
+    for (std::size_t i = 0; i < rim.size() && bits != (kInside | kOutside); ++i) {
+      const std::uint32_t at = position[rim[i]];
+      if (i > 0 && position[rim[i - 1]] == at) continue;
+      const auto fan = own_.fans.triangles.begin();
+      const auto begin = fan + own_.fans.offsets[at], end = fan + own_.fans.offsets[at + 1];
+      const bool is_clear = std::any_of(
+          begin, end, [&](std::uint32_t t) { return shell_of(t) != solid::Topology::kNoShell && !is_near(t); });
+      if (is_clear) bits |= locate(own_.part.body.world[rim[i]]);
+    }
+    return bits;
+  }
+
+  /// A triangle in more pieces than this is one that floating point gets lost in.
+  static constexpr int kMostEffort = 1 << 17;
+  [[nodiscard]] bool is_exhausted() const { return effort_ > kMostEffort; }
+
+  /// How many slabs reached a piece some halvings ago.
+  struct Before {
+    std::size_t slabs;
+    int halvings;
+  };
+
+  /// Halves a piece until few slabs reach it, or halving does not part those that lie over each other.
+  void divide(const Polygon& piece, const std::vector<std::uint32_t>& slabs, Before before) {
+    constexpr std::size_t kFew = 8;
+    constexpr int kPatience = 3;
+    ++effort_;
+    if (is_exhausted()) return;
+    if (slabs.empty()) {
+      bits_ |= locate(setting_.frame.to_world(piece.middle()));
+      return;
+    }
+    if (4 * slabs.size() <= 3 * before.slabs) before = {slabs.size(), 0};
+    if (slabs.size() <= kFew || before.halvings == kPatience) return subtract(piece, slabs, 0);
+    const Cut halves = halve(piece);
+    for (const Polygon* half : {&halves.within, &halves.beyond}) {
+      if (half->size() == 0) continue;
+      Box box{(*half)[0], (*half)[0]};
+      for (const Vec3& point : *half) box = {min(box.lo, point), max(box.hi, point)};
+      std::vector<std::uint32_t> reaching;
+      std::copy_if(slabs.begin(), slabs.end(), std::back_inserter(reaching),
+                   [&](std::uint32_t i) { return overlap(slabs_[i].slab.box, box); });
+      divide(*half, reaching, {before.slabs, before.halvings + 1});
+    }
+  }
+
+  /// What is left of a piece outside of all slabs is evaluated: each part that a slab's side cuts off goes on alone.
+  void subtract(Polygon piece, const std::vector<std::uint32_t>& slabs, std::size_t next) {
+    ++effort_;
+    if (is_exhausted()) return;
+    if (piece.is_full()) {  // its halves have fewer vertices: all but two are shared out
+      const Cut halves = halve(piece);
+      for (const Polygon* half : {&halves.within, &halves.beyond})
+        if (half->size() > 0) subtract(*half, slabs, next);
+      return;
+    }
+    if (next == slabs.size()) return evaluate(piece, slabs, 0);
+    const Slab& slab = slabs_[slabs[next]].slab;
+    const auto go_on = [&](const HalfSpace& half_space) {
+      const Cut parts = cut(piece, half_space);
+      if (parts.beyond.size() > 0) subtract(parts.beyond, slabs, next + 1);
+      piece = parts.within;
+      return piece.size() > 0;
+    };
+    const auto misses = [&](const HalfSpace& half_space) {
+      return std::all_of(piece.begin(), piece.end(),
+                         [&](const Vec3& p) { return dot(half_space.normal, p) > half_space.offset; });
+    };
+    if (misses(slab.top) || misses(slab.bottom) ||
+        std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses))
+      return subtract(piece, slabs, next + 1);
+    for (std::size_t i = 0; i < slab.size; ++i)
+      if (!go_on(slab.sides[i])) return;
+    if (go_on(slab.top) && go_on(slab.bottom)) bits_ |= kNear;
+  }
+
+  /// The farthest that the piece's points are from a triangle: at its vertices, for the triangle is convex.
+  [[nodiscard]] bool is_near(const Polygon& piece, const Triangle& triangle) const {
+    const double most = setting_.frame.unit * setting_.tolerance * (1 - 0x1p-16);
+    return std::all_of(piece.begin(), piece.end(), [&](const Vec3& p) {
+      const auto found = measure::point_distance(p, triangle, kFar);
+      return found.distance + found.margin <= most;
+    });
+  }
+
+  /// A piece outside of the slabs, or what is left of it: near where all of it is near one triangle; else some point
+  /// of it is farther than the tolerance from all, or halving it goes on.
+  void evaluate(const Polygon& piece, const std::vector<std::uint32_t>& slabs, int depth) {
+    constexpr int kDeep = 10;
+    ++effort_;
+    if (is_exhausted()) return;
+    for (const std::uint32_t i : slabs) {
+      if (is_near(piece, slabs_[i].triangle)) {
+        bits_ |= kNear;
+        return;
+      }
+    }
+    const auto is_far = [&](const Vec3& point) {
+      const Vec3 world = setting_.frame.to_world(point);
+      return !measure::nearest_point(other_.body.placed, world, setting_.tolerance, setting_.tolerance);
+    };
+    const Vec3 middle = piece.middle();
+    const Vec3* far = is_far(middle) ? &middle : std::find_if(piece.begin(), piece.end(), is_far);
+    if (far != piece.end()) {
+      bits_ |= locate(setting_.frame.to_world(*far));
+      return;
+    }
+    if (depth == kDeep) {
+      bits_ |= locate(setting_.frame.to_world(middle));
+      return;
+    }
+    const Cut halves = halve(piece);
+    for (const Polygon* half : {&halves.within, &halves.beyond})
+      if (half->size() > 0) evaluate(*half, slabs, depth + 1);
+  }
+
+  const LinkedPart& own_;
+  const solid::Part& other_;
+  const Setting& setting_;
+  std::vector<TrianglePair> near_;  ///< own first, sorted
+  std::vector<std::uint32_t> near_triangles_;
+  std::vector<NearTriangle> slabs_;  ///< of the triangle at work
+  std::uint8_t bits_ = 0;
+  int effort_ = 0;
+};
+
+std::vector<TrianglePair> swapped(const std::vector<TrianglePair>& near) {
+  std::vector<TrianglePair> result(near.size());
+  std::transform(near.begin(), near.end(), result.begin(), [](const TrianglePair& p) {
+    return TrianglePair{p.b, p.a};
+  });
+  std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
+  return result;
+}
+
+}  // namespace
+
+std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
+                                       const std::vector<TrianglePair>& near, const solid::Enough& enough) {
+  if (has_inner_shells(a.part) || has_inner_shells(b.part)) return std::nullopt;
+  const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
+  if (frame.unit * tolerance < kLeastTolerance * frame.scale) return std::nullopt;
+  const Setting setting{frame, tolerance};
+
+  solid::Cells cells;
+  OneSide side_a(a, b, setting, near), side_b(b, a, setting, swapped(near));
+  cells.a |= side_a.look_at_clear(), cells.b |= side_b.look_at_clear();
+  if (enough(cells)) return cells;
+  const bool told = side_a.look_at_near([&](std::uint8_t bits) {
+    return cells.a |= bits, enough(cells);
+  }) && (enough(cells) || side_b.look_at_near([&](std::uint8_t bits) { return cells.b |= bits, enough(cells); }));
+  return told ? std::optional(cells) : std::nullopt;
+}
+
+}  // namespace impinge::clash

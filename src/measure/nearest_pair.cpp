@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
+#include "core/shapes.hpp"
+#include "exact/triangle_pair.hpp"
+#include "measure/nearest.hpp"
+#include "measure/pair_queue.hpp"
+#include "measure/pair_walk.hpp"
+#include "measure/triangle_distance.hpp"
+
+namespace impinge::measure {
+namespace {
+
+class Search {
+ public:
+  Search(const PairWalk& walk, double within, double enough)
+      : walk_(walk), enough_(enough), tolerance_(walk.are_remote() ? kRemoteTolerance : 0), limit_(within) {}
+
+  std::optional<NearestPair> run(const std::stop_token& stop) {
+    std::vector<NodePair> open, children;
+    dive(open);
+    PairQueue queue(open, limit_);
+    while (!is_done()) {
+      if (stop.stop_requested()) return std::nullopt;
+      std::optional<NodePair> next = queue.pop();
+      if (!next) break;
+      if (next->lower > limit_ || search_or_open(*next, children)) continue;
+      for (const NodePair& child : children) queue.push(child);
+    }
+    if (!found_) return std::nullopt;
+    best_.error = best_.distance == 0 ? 0 : std::max(best_.error, best_.distance - least_);
+    return best_;
+  }
+
+ private:
+  /// Of bodies that are remote from each other, a great many pairs are as near as the nearest up to a few roundings of
+  /// single precision; to tell them apart would take as long as testing all pairs.
+  static constexpr double kRemoteTolerance = 0x1p-34;
+
+  [[nodiscard]] bool is_done() const { return found_ && (best_.distance == 0 || best_.distance < enough_); }
+
+  /// Whether it was two leaves. If not, the nearest of its children comes last.
+  bool search_or_open(NodePair& pair, std::vector<NodePair>& children) {
+    walk_.reach(pair);
+    if (pair.a.is_leaf() && pair.b.is_leaf()) {
+      search_leaves(pair);
+      return true;
+    }
+    children.clear();
+    walk_.open(pair, limit_, children);
+    if (!children.empty())
+      std::iter_swap(children.end() - 1, std::min_element(children.begin(), children.end(),
+                                                          [](auto& p, auto& q) { return p.lower < q.lower; }));
+    return false;
+  }
+
+  /// Straight down to two leaves that are near, so that there is a limit to what is worth remembering.
+  void dive(std::vector<NodePair>& open) {
+    std::vector<NodePair> children;
+    NodePair next = walk_.roots();
+    while (!search_or_open(next, children)) {
+      if (children.empty()) break;
+      next = children.back();
+      open.insert(open.end(), children.begin(), children.end() - 1);
+    }
+    std::erase_if(open, [&](const NodePair& pair) { return pair.lower > limit_; });
+  }
+
+  void search_leaves(const NodePair& pair) {
+    walk_.open_leaves(pair, limit_, near_);
+    if (near_.empty()) return;
+    std::iter_swap(near_.begin(), std::min_element(near_.begin(), near_.end(),
+                                                   [](const auto& p, const auto& q) { return p.lower < q.lower; }));
+    for (const NearTriangles& candidate : near_) {
+      if (walk_.world_length(candidate.lower) > limit_) continue;
+      test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
+      if (is_done()) return;
+    }
+  }
+
+  void test(std::uint32_t id_a, std::uint32_t id_b) {
+    const Triangle a = world_triangle(walk_.a(), id_a), b = world_triangle(walk_.b(), id_b);
+    if (overlap(box_of(a), box_of(b)) && exact::classify(a, b)) {
+      const auto [p, q] = common_point(a, b);
+      found_ = true, limit_ = 0, best_ = {0, 0, p, q, id_a, id_b};
+      return;
+    }
+    const TriangleDistance d = triangle_distance(a, b, limit_, best_.b - best_.a);
+    least_ = std::min(least_, d.lower);
+    if (d.lower > limit_ || d.distance > limit_) return;
+    // They share no point, whatever rounding made of it.
+    const double distance = std::max(d.distance, std::numeric_limits<double>::denorm_min());
+    found_ = true, limit_ = distance * (1 - tolerance_), best_ = {distance, d.margin, d.a, d.b, id_a, id_b};
+    least_ = std::min(least_, limit_);
+  }
+
+  const PairWalk& walk_;
+  const double enough_, tolerance_;
+  double limit_;                                            ///< what is farther is of no interest
+  double least_ = std::numeric_limits<double>::infinity();  ///< nothing that was passed over is nearer
+  bool found_ = false;
+  NearestPair best_{};
+  std::vector<NearTriangles> near_;
+};
+
+}  // namespace
+
+std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
+                                        double enough, const SearchMeans& means) {
+  if (a.mesh->triangles.empty() || b.mesh->triangles.empty()) return std::nullopt;
+  const PairWalk walk(a, b, means.for_each);
+  std::optional<NearestPair> found = Search(walk, within, enough).run(means.stop);
+  if (found && walk.is_swapped()) std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
+  return found;
+}
+
+}  // namespace impinge::measure

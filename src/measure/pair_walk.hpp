@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/for_each.hpp"
+#include "hierarchy/placed_tree.hpp"
+#include "hierarchy/tree_relation.hpp"
+#include "measure/lower_bounds.hpp"
+
+namespace impinge::measure {
+
+/// A triangle's world vertices (CONTRACT 1).
+Triangle world_triangle(const hierarchy::PlacedTree& body, std::uint32_t triangle);
+
+/// Two children of nodes, or leaves; no points of theirs are nearer to each other than `lower`.
+struct NodePair {
+  static constexpr std::int8_t kSelf = -1;
+  double lower;
+  hierarchy::TreeRef a, b;     ///< parents, not to be asked for their children before the pair's turn comes
+  std::int8_t lane_a, lane_b;  ///< kSelf: no parent but the node or leaf itself
+  std::uint16_t depth;
+};
+
+/// The way down two trees together. All lengths are the world's.
+class PairWalk {
+ public:
+  PairWalk(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, const ForEach& for_each = {});
+
+  /// A is the body of the larger unit: the caller's second one if so.
+  [[nodiscard]] bool is_swapped() const { return swapped_; }
+  [[nodiscard]] const hierarchy::PlacedTree& a() const { return a_; }
+  [[nodiscard]] const hierarchy::PlacedTree& b() const { return b_; }
+
+  [[nodiscard]] NodePair roots() const;
+  /// Whether the bodies are so far apart beside their size that the rounding of the distance is no longer small beside
+  /// the differences between their points'.
+  [[nodiscard]] bool are_remote() const;
+
+  /// Makes the two out of their parents' children, where that is still to be done.
+  void reach(NodePair& pair) const;
+  /// Appends the pairs of children that may be within the limit. For a pair that was reached, not both of it leaves.
+  void open(const NodePair& pair, double limit, std::vector<NodePair>& children) const;
+  /// Replaces the list by the pairs of triangles of two leaves that may be.
+  void open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const;
+  [[nodiscard]] double world_length(double lower) const { return unit_ * lower; }
+
+ private:
+  [[nodiscard]] float in_unit(double limit) const;
+
+  bool swapped_;
+  const hierarchy::PlacedTree &a_, &b_;
+  double unit_;  ///< A's
+  hierarchy::TreeRelation relation_;
+  ForEach for_each_;
+};
+
+}  // namespace impinge::measure

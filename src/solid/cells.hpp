@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "exact/contact.hpp"
+#include "solid/part.hpp"
+
+namespace impinge::solid {
+
+/// Where the open 2-cells of a boundary, cut by another body's boundary, lie in that other body; or-ed bits.
+enum Where : std::uint8_t {
+  kInside = 1,     ///< in its interior (winding number not 0)
+  kOutside = 2,    ///< in its exterior
+  kSameSide = 4,   ///< in its boundary, both interiors on one side; of a body that is not solid: in its triangles
+  kOtherSide = 8,  ///< in its boundary, the interiors on either side
+  kNear = 16,      ///< within the tolerance of its boundary (with a tolerance: in place of the two above)
+};
+
+/// Which bits occur among the cells of a (cut by b) and of b (cut by a).
+struct Cells {
+  std::uint8_t a = 0, b = 0;
+};
+
+/// Whether no further cell is of interest.
+using Enough = std::function<bool(const Cells&)>;
+
+/// Exactly, by rational numbers where points must be constructed. `contacts` are all pairs of triangles that share a
+/// point, of whichever kind. The inside and outside of a part that is not solid are not looked for: the other's cells
+/// are then only in its triangles or kOutside. What lies in the triangles of both is kSameSide unless both are solid.
+/// Stops early, with what was found until then, once `enough(cells)`.
+Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts, const Enough& enough);
+
+}  // namespace impinge::solid

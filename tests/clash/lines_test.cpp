@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenes/random.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge::clash {
+namespace {
+
+Vec3 on_axis(double x) { return {x, 0, 0}; }
+
+TEST(Lines, AreWhatTheirPiecesMakeInAnyOrder) {
+  // A square, a line of two pieces given twice, and a loop with a tail.
+  const std::vector<Vec3> square{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < 4; ++i) pieces.push_back(piece(square[i], square[(i + 1) % 4], 1));
+  for (const int i : {0, 1, 0, 1}) pieces.push_back(piece(on_axis(i), on_axis(i + 1)));
+  const std::vector<Vec3> loop{{5, 0, 0}, {6, 1, 0}, {6, -1, 0}};
+  for (std::size_t i = 0; i < 3; ++i) pieces.push_back(piece(loop[i], loop[(i + 1) % 3]));
+  pieces.push_back(piece(loop[0], on_axis(4), 2));
+  pieces.push_back(piece(on_axis(4), on_axis(4)));  // a point is no piece of a line
+  test::Seeded seeded(1);
+  for (int turn = 0; turn < 20; ++turn) {
+    for (std::size_t i = pieces.size(); i > 1; --i)
+      std::swap(pieces[i - 1], pieces[static_cast<std::size_t>(seeded.random.integer(0, static_cast<int>(i) - 1))]);
+    const std::vector<Polyline> lines = joined(pieces);
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[0].points, (std::vector<Vec3>{on_axis(0), on_axis(1), on_axis(2)}));
+    EXPECT_FALSE(lines[0].closed());
+    EXPECT_EQ(lines[1].points, (std::vector<Vec3>{on_axis(4), on_axis(5)}));
+    EXPECT_EQ(lines[1].flow, -2);
+    EXPECT_EQ(lines[2].points, (std::vector<Vec3>{loop[0], loop[2], loop[1], loop[0]}));
+    EXPECT_TRUE(lines[2].closed());
+    EXPECT_EQ(lines[3].points, (std::vector<Vec3>{square[0], square[1], square[2], square[3], square[0]}));
+    EXPECT_EQ(lines[3].flow, 4);
+  }
+}
+
+/// Two loops that cross in two points: each line keeps its direction of flow there.
+TEST(Lines, GoOnAsTheyFlowWhereTheyCross) {
+  const Vec3 low{0, 0, 0}, high{0, 1, 0}, left{-1, 0.5, 0}, right{1, 0.5, 0}, in{-0.5, 0.5, 0}, out{0.5, 0.5, 0};
+  std::vector<Piece> pieces;
+  const auto loop = [&](const std::vector<Vec3>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      pieces.push_back(piece(points[i], points[(i + 1) % points.size()], 1));
+  };
+  loop({low, out, high, left});
+  loop({low, right, high, in});
+  const std::vector<Polyline> lines = joined(pieces);
+  std::size_t used = 0;
+  for (const Polyline& line : lines) {
+    EXPECT_TRUE(line.closed());
+    EXPECT_EQ(std::abs(line.flow), static_cast<double>(line.points.size() - 1));
+    used += line.points.size() - 1;
+  }
+  EXPECT_EQ(used, pieces.size());
+}
+
+TEST(Lines, UseEveryPieceOfANetOnce) {
+  test::Seeded seeded(2);
+  for (int turn = 0; turn < 50; ++turn) {
+    std::vector<Piece> pieces;
+    for (int i = 0; i < 60; ++i)
+      pieces.push_back(piece(on_axis(seeded.random.integer(0, 12)), on_axis(seeded.random.integer(0, 12))));
+    std::vector<std::array<double, 2>> expected, found;
+    for (const Piece& p : pieces)
+      if (p.from != p.to) expected.push_back({p.from.x, p.to.x});
+    for (const Polyline& line : joined(pieces))
+      for (std::size_t i = 1; i < line.points.size(); ++i)
+        found.push_back(
+            {std::min(line.points[i - 1].x, line.points[i].x), std::max(line.points[i - 1].x, line.points[i].x)});
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
+}
+
+}  // namespace
+}  // namespace impinge::clash

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The verdicts on a plant's parts, no more and no less than were planted.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "impinge/clash.hpp"
+#include "scenes/plant.hpp"
+#include "scenes/plant_answer.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+/// Distances in a turned bay are off by roundings of 2^-53 of its coordinates.
+constexpr double kSlack = 1e-6;
+
+void expect_right(const scenes::Plant& plant, const ClashOptions& options) {
+  const Result<Clashes> clashes = find_clashes(test::scene_of(plant.scene), options);
+  ASSERT_TRUE(clashes) << clashes.error().message;
+  for (std::size_t i = 0; i < clashes->parts.size(); ++i) EXPECT_TRUE(clashes->parts[i].solid) << plant.names[i];
+  const auto answer = scenes::compare(plant, clashes->pairs, {.clearance = options.clearance, .slack = kSlack});
+  for (const std::string& fault : answer.faults) ADD_FAILURE() << fault;
+}
+
+class PlantClash : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(PlantClash, FindsWhatWasPlanted) {
+  SCOPED_TRACE("seed " + std::to_string(GetParam()));
+  expect_right(scenes::plant(700, {.seed = GetParam(), .turned = 0.5}), {.clearance = scenes::kPlantClearance});
+}
+
+TEST_P(PlantClash, FindsItWithoutAClearance) {
+  SCOPED_TRACE("seed " + std::to_string(GetParam()));
+  expect_right(scenes::plant(400, {.seed = GetParam(), .turned = 0.5}), {});
+}
+
+TEST_P(PlantClash, NeedsNoToleranceWhereNothingIsTurned) {
+  SCOPED_TRACE("seed " + std::to_string(GetParam()));
+  expect_right(scenes::plant(700, {.seed = GetParam(), .turned = 0}),
+               {.tolerance = 0, .clearance = scenes::kPlantClearance});
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, PlantClash, testing::Range<std::uint64_t>(1, 4));
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// The document of `impinge clash --json`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "meshes.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+class ClashDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));  // penetrates a
+    folder.write("big.off", off(box({20, 0, 0}, {26, 6, 6})));
+    folder.write("small.off", off(box({22, 2, 2}, {24, 4, 4})));  // inside big
+    folder.write("sheet.off", off(sheet({29, 0}, {33, 3}, 1)));   // 3 from big
+  }
+  [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"clash", "a.off", "b.off", "big.off", "small.off", "sheet.off", "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return impinge(folder, words);
+  }
+  Folder folder;
+};
+
+std::vector<std::string> keys(const json& object) {
+  std::vector<std::string> names;
+  for (const auto& item : object.items()) names.push_back(item.key());
+  return names;
+}
+
+TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
+  const Ended run = clash({});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "");
+  const json answer = json::parse(run.out);
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"counts", "objects", "pairs", "settings", "version"}));
+  EXPECT_EQ(answer.at("version"), 1);
+  EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
+                                         {"clearance", 0.0},
+                                         {"depth", false},
+                                         {"regions", false},
+                                         {"fail_on", {"penetration", "inside"}},
+                                         {"ignore", json::array()},
+                                         {"within_products", false},
+                                         {"scale", json::array()}}));
+  ASSERT_EQ(answer.at("objects").size(), 5U);
+  for (const json& object : answer.at("objects"))
+    EXPECT_EQ(keys(object),
+              (std::vector<std::string>{"area", "closed", "file", "first_open_edge", "first_self_crossing", "id",
+                                        "name", "open_edges", "path", "product", "self_crossings", "solid", "triangles",
+                                        "volume", "wall"}));
+  // Triangles are counted as `check` counts them.
+  const json checked =
+      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "scalar", "--json", "-"}).out);
+  const json& count = checked.at("pairs").at(0);
+  EXPECT_EQ(answer.at("pairs").at(0), (json{{"a", 0},
+                                            {"b", 1},
+                                            {"crossing", count.at("crossing")},
+                                            {"touching", count.at("touching")},
+                                            {"coplanar", count.at("coplanar")},
+                                            {"verdict", "penetrating"},
+                                            {"inner", nullptr},
+                                            {"note", nullptr},
+                                            {"tolerance", std::ldexp(3.0, -20)},
+                                            {"fails", true}}));
+  EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
+  EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);
+  EXPECT_EQ(answer.at("pairs").size(), 2U);
+  json counts = answer.at("counts");
+  EXPECT_GE(counts.at("candidates"), 2);
+  counts.erase("candidates");
+  EXPECT_EQ(counts, (json{{"duplicate", 0},
+                          {"inside", 1},
+                          {"penetrating", 1},
+                          {"crossing", 0},
+                          {"touching", 0},
+                          {"apart", 0},
+                          {"fail", 2}}));
+}
+
+TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
+  const json objects = json::parse(clash({}).out).at("objects");
+  const json& solid = objects.at(2);
+  EXPECT_EQ(solid.at("name"), "big");
+  EXPECT_EQ(solid.at("solid"), true);
+  EXPECT_EQ(solid.at("open_edges"), 0);
+  EXPECT_TRUE(solid.at("first_open_edge").is_null());
+  EXPECT_NEAR(solid.at("volume"), 216, 1e-9);
+  EXPECT_NEAR(solid.at("area"), 216, 1e-9);
+  EXPECT_NEAR(solid.at("wall"), 2, 1e-9);
+  const json& surface = objects.at(4);
+  EXPECT_EQ(surface.at("solid"), false);
+  EXPECT_EQ(surface.at("closed"), false);
+  EXPECT_EQ(surface.at("open_edges"), 4);
+  EXPECT_EQ(surface.at("self_crossings"), 0);
+  EXPECT_TRUE(surface.at("volume").is_null());
+  EXPECT_TRUE(surface.at("wall").is_null());
+  EXPECT_NEAR(surface.at("area"), 12, 1e-9);
+  // Which edge is the first is open; it is a side of the rectangle.
+  json edge = surface.at("first_open_edge");
+  ASSERT_EQ(edge.size(), 2U);
+  EXPECT_TRUE((edge[0][0] == edge[1][0]) != (edge[0][1] == edge[1][1])) << edge;
+  for (const json& end : edge) {
+    EXPECT_TRUE(end[0] == 29.0 || end[0] == 33.0) << edge;
+    EXPECT_TRUE(end[1] == 0.0 || end[1] == 3.0) << edge;
+    EXPECT_EQ(end[2], 1.0) << edge;
+  }
+}
+
+TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
+  const json answer = json::parse(
+      clash({"--depth", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"}).out);
+  EXPECT_EQ(answer.at("settings").at("tolerance"), 0.25);
+  EXPECT_EQ(answer.at("settings").at("clearance"), 3.5);
+  EXPECT_EQ(answer.at("settings").at("fail_on"), json::array({"clearance"}));
+  ASSERT_EQ(answer.at("pairs").size(), 3U);
+
+  const json& penetrating = answer.at("pairs").at(0);
+  EXPECT_EQ(penetrating.at("fails"), false);
+  const json& depth = penetrating.at("overlap_depth");
+  for (const char* side : {"a_in_b", "b_in_a"}) {
+    EXPECT_LE(depth.at(side).at(0), 1.0);
+    EXPECT_GE(depth.at(side).at(1), 1.0);
+    EXPECT_LE(depth.at(side).at(1).get<double>() - depth.at(side).at(0).get<double>(), 0.011);
+  }
+  EXPECT_TRUE(penetrating.at("distance").is_null());
+  EXPECT_TRUE(penetrating.at("nearest").is_null());
+  ASSERT_EQ(penetrating.at("regions").size(), 1U);
+  const json& region = penetrating.at("regions").at(0);
+  EXPECT_EQ(keys(region), (std::vector<std::string>{"area", "box", "centroid", "length", "lines", "normal", "pairs",
+                                                    "triangles_a", "triangles_b"}));
+  EXPECT_EQ(region.at("box"), (json{{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}));
+  EXPECT_EQ(region.at("centroid").size(), 3U);
+  EXPECT_EQ(region.at("normal").size(), 3U);
+  EXPECT_GT(region.at("pairs"), 0);
+  for (const json& line : region.at("lines"))
+    for (const json& point : line) EXPECT_EQ(point.size(), 3U);
+  for (const char* side : {"triangles_a", "triangles_b"}) {
+    EXPECT_FALSE(region.at(side).empty());
+    EXPECT_TRUE(std::is_sorted(region.at(side).begin(), region.at(side).end()));
+  }
+
+  const json& inside = answer.at("pairs").at(1);
+  EXPECT_TRUE(inside.at("regions").empty());
+  EXPECT_GE(inside.at("overlap_depth").at("b_in_a").at(1), 2.0);
+
+  const json& apart = answer.at("pairs").at(2);
+  EXPECT_EQ(apart.at("verdict"), "apart");
+  EXPECT_EQ(apart.at("fails"), true);
+  EXPECT_TRUE(apart.at("overlap_depth").is_null());
+  const double error = apart.at("distance_error");
+  EXPECT_GE(error, 0);
+  EXPECT_LE(error, 1e-12);
+  EXPECT_NEAR(apart.at("distance"), 3.0, error);
+  const json& nearest = apart.at("nearest");
+  EXPECT_EQ(nearest.at(0).at(0), 26.0);
+  EXPECT_EQ(nearest.at(1).at(0), 29.0);
+}
+
+TEST_F(ClashDocument, IsTheSameBytesForTheSameInput) {
+  const std::vector<std::string> all{"--depth", "--clearance", "3.5", "--regions"};
+  const std::string first = clash(all).out;
+  EXPECT_EQ(clash(all).out, first);
+  for (const char* threads : {"1", "4"}) {
+    std::vector<std::string> more = all;
+    more.insert(more.end(), {"--threads", threads});
+    EXPECT_EQ(clash(more).out, first) << threads;
+  }
+}
+
+TEST_F(ClashDocument, NotesAreSentences) {
+  const Ended run = impinge(folder, {"clash", "a.off", "big.off", "--tolerance", "20", "--json", "-"});
+  // A quarter of the wall of a, 2 x 8 / 24 / 4, is far below: the verdict is the exact one, apart.
+  EXPECT_EQ(run.code, 0);
+  folder.write("block.off", off(box({0, 0, 0}, {2000, 2000, 2000})));
+  folder.write("in.off", off(box({1999, 500, 500}, {3999, 1500, 1500})));
+  const json pair =
+      json::parse(impinge(folder, {"clash", "block.off", "in.off", "--tolerance", "2", "--json", "-"}).out)
+          .at("pairs")
+          .at(0);
+  EXPECT_EQ(pair.at("verdict"), "touching");
+  EXPECT_EQ(pair.at("tolerance"), 2.0);
+  ASSERT_TRUE(pair.at("note").is_string());
+  EXPECT_NE(pair.at("note").get<std::string>().find("tolerance"), std::string::npos);
+}
+
+TEST_F(ClashDocument, EchoesSettingsWithOddNames) {
+  const std::string name = "\x1b\"q\"\n\xff";
+  folder.write(name + ".off", off(box({0, 0, 8}, {2, 2, 9})));
+  const Ended run = impinge(folder, {"clash", "a.off", name + ".off", "--ignore", name, "a", "--scale", "a.off=0.5",
+                                     "--within-products", "--json", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+  const json answer = json::parse(run.out);
+  const std::string shown = "\x1b\"q\"\n\xEF\xBF\xBD";
+  EXPECT_EQ(answer.at("settings").at("ignore"), json::array({json::array({shown, "a"})}));
+  EXPECT_EQ(answer.at("settings").at("scale"), json::array({json::array({"a.off", 0.5})}));
+  EXPECT_EQ(answer.at("settings").at("within_products"), true);
+  EXPECT_EQ(answer.at("objects").at(1).at("name"), shown);
+  EXPECT_TRUE(answer.at("pairs").empty());
+}
+
+TEST_F(ClashDocument, GoesToAFileBesideTheTableAndNeverOverAMesh) {
+  const Ended run = impinge(folder, {"clash", "a.off", "b.off", "--json", "out.json"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.out.find("penetrating  a"), std::string::npos);
+  EXPECT_EQ(json::parse(folder.read("out.json")).at("pairs").size(), 1U);
+  const std::string before = folder.read("big.off");
+  EXPECT_EQ(impinge(folder, {"clash", "a.off", "b.off", "--json", "big.off"}).code, 2);
+  EXPECT_EQ(impinge(folder, {"clash", "a.off", "missing.off", "--json", "out.json"}).code, 2);
+  EXPECT_EQ(folder.read("big.off"), before);
+  EXPECT_EQ(json::parse(folder.read("out.json")).at("pairs").size(), 1U);
+}
+
+}  // namespace
+}  // namespace impinge::test

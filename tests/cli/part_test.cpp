@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "part.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+namespace impinge::cli {
+namespace {
+
+using nlohmann::json;
+
+Mesh two_triangles() {
+  const std::vector<double> xyz{0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1, 1, 2, 1, 1};
+  const std::vector<std::uint32_t> triangles{0, 1, 2, 3, 4, 5};
+  return Mesh::create(std::span<const double>(xyz), triangles).value();
+}
+
+TEST(Part, DefectsAreNamedWithPlaces) {
+  Part part;
+  part.size = 1;
+  EXPECT_EQ(defects_text(part), "it encloses nothing");
+  part.facts.open_edges = 1;
+  part.facts.open_edge = Segment{Point{0, -0.0, 0.25}, Point{100, 0, 1.0 / 3}};
+  EXPECT_EQ(defects_text(part), "1 open edge, first at (0 0 0.25)-(100 0 0.333)");
+  part.facts.self_crossings = 1200;
+  part.crossing_near = Point{-1, 2, 1e6};
+  EXPECT_EQ(defects_text(part),
+            "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1,200 self-crossings, first near (-1 2 1000000)");
+}
+
+TEST(Part, ACrossingIsNearBothTriangles) {
+  PartFacts facts;
+  facts.self_crossings = 1;
+  facts.self_crossing = TrianglePair{0, 1};
+  Pose pose;
+  pose.t = {1e6, 0, -5};
+  const Part part = describe(facts, two_triangles(), pose);
+  // The boxes share x from 1 to 2, y = 1 and z = 0.
+  EXPECT_EQ(part.crossing_near, (Point{1e6 + 1.5, 1, -5}));
+  EXPECT_FALSE(describe(PartFacts{}, two_triangles(), pose).crossing_near.has_value());
+}
+
+TEST(Part, JsonIsNullWhereNothingIsKnown) {
+  Part part;
+  part.facts.solid = true;
+  part.facts.volume = 8, part.facts.area = 24, part.facts.wall = 0.5;
+  const auto parse = [](const std::optional<Part>& of) { return json::parse("{" + json_facts(of) + "}"); };
+  EXPECT_EQ(parse(part), (json{{"solid", true},
+                               {"first_open_edge", nullptr},
+                               {"self_crossings", 0},
+                               {"first_self_crossing", nullptr},
+                               {"volume", 8.0},
+                               {"area", 24.0},
+                               {"wall", 0.5}}));
+  part.facts.solid = false;
+  part.facts.open_edges = 1;
+  part.facts.open_edge = Segment{Point{0, 0, 1}, Point{0, 0, 1e300}};
+  part.facts.self_crossings = 2;
+  part.facts.self_crossing = TrianglePair{3, 7};
+  part.crossing_near = Point{0.1, 0, 0};
+  EXPECT_EQ(parse(part), (json{{"solid", false},
+                               {"first_open_edge", {{0.0, 0.0, 1.0}, {0.0, 0.0, 1e300}}},
+                               {"self_crossings", 2},
+                               {"first_self_crossing", {{"triangles", {3, 7}}, {"near", {0.1, 0.0, 0.0}}}},
+                               {"volume", nullptr},
+                               {"area", 24.0},
+                               {"wall", nullptr}}));
+  const json unknown = parse(std::nullopt);
+  for (const auto& item : unknown.items()) EXPECT_TRUE(item.value().is_null()) << item.key();
+  EXPECT_EQ(unknown.size(), parse(part).size());
+}
+
+TEST(Part, TheListOfSurfacesIsCut) {
+  std::vector<Part> parts(13);
+  parts[0].facts.solid = true;
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < parts.size(); ++i) labels.push_back("a_rather_long_name_" + std::to_string(i));
+  const auto printed = [&](std::size_t count, std::optional<std::size_t> width) {
+    const int file = ::memfd_create("list", 0);
+    Sink sink(file, "memory");
+    print_surfaces(labels, std::span(parts).first(count), sink, width);
+    EXPECT_TRUE(sink.flush().has_value());
+    std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
+    EXPECT_EQ(::pread(file, text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
+    ::close(file);
+    return text;
+  };
+  EXPECT_EQ(printed(1, {}), "");
+  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is no solid: it encloses nothing\n");
+  EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is no solid: it encloses nothing\n");
+  EXPECT_EQ(printed(11, {}).find("more"), std::string::npos);
+  EXPECT_TRUE(
+      printed(13, {}).ends_with("name_10 is no solid: it encloses nothing\n"
+                                "(2 more are no solids; --json lists them.)\n"))
+      << printed(13, {});
+}
+
+}  // namespace
+}  // namespace impinge::cli

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "measure/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh_state.hpp"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/instruction_sets.hpp"
+#include "tests/core/support.hpp"
+#include "tests/measure/exact_distance.hpp"
+
+namespace impinge {
+namespace {
+
+using hierarchy::PlacedTree;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// Two bodies and the exact square of every triangle pair's distance.
+class Bodies {
+ public:
+  Bodies(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 4)
+      : meshes_(test::meshes_of(scene, leaf_size)), objects_(scene.objects) {
+    for (const int side : {0, 1})
+      world_[side] = test::world_triangles(mesh(side), objects_[static_cast<std::size_t>(side)].pose);
+    for (const Triangle& a : world_[0])
+      for (const Triangle& b : world_[1]) squares_.push_back(oracle::square_distance(a, b));
+  }
+
+  [[nodiscard]] const Mesh& mesh(int side) const { return meshes_[objects_[static_cast<std::size_t>(side)].mesh]; }
+  [[nodiscard]] const std::vector<Triangle>& world(int side) const { return world_[side]; }
+  [[nodiscard]] PlacedTree placed(int side) const {
+    const MeshState& state = mesh(side).state();
+    return {&state.data, &state.wide_tree, objects_[static_cast<std::size_t>(side)].pose};
+  }
+  [[nodiscard]] const mpq_class& square(std::size_t a, std::size_t b) const {
+    return squares_[a * world_[1].size() + b];
+  }
+  [[nodiscard]] const mpq_class& least() const { return *std::min_element(squares_.begin(), squares_.end()); }
+
+ private:
+  std::vector<Mesh> meshes_;
+  std::vector<scenes::PlacedObject> objects_;
+  std::vector<Triangle> world_[2];
+  std::vector<mpq_class> squares_;
+};
+
+/// The largest coordinate as seen from some corner: what rounding is a part of.
+double extent(const Bodies& bodies) {
+  double most = 0;
+  for (const int side : {0, 1})
+    for (const Triangle& t : bodies.world(side))
+      for (const Vec3& corner : t) most = std::max(most, max_component(abs(corner - bodies.world(0)[0][0])));
+  return most;
+}
+
+void expect_nearest(const Bodies& bodies, double error_limit) {
+  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar);
+  ASSERT_TRUE(found);
+  const mpq_class& exact = bodies.least();
+  EXPECT_TRUE(oracle::is_within(exact, found->distance, found->error))
+      << found->distance << " +- " << found->error << ", not " << std::sqrt(exact.get_d());
+  EXPECT_EQ(found->distance == 0, exact == 0);
+  EXPECT_LE(found->error, error_limit);
+  EXPECT_TRUE(oracle::is_within(bodies.square(found->triangle_a, found->triangle_b), found->distance, found->error));
+  // The points are where they are said to be, up to the rounding of their own coordinates.
+  double largest = 0;
+  for (const Vec3& p : {found->a, found->b}) largest = std::max(largest, max_component(abs(p)));
+  const double slack = 0x1p-50 * largest + 0x1p-44 * extent(bodies);
+  EXPECT_NEAR(norm((1 / slack) * (found->b - found->a)), found->distance / slack, 4);
+  EXPECT_TRUE(oracle::is_within(
+      oracle::square_distance({found->a, found->a, found->a}, bodies.world(0)[found->triangle_a]), 0, slack));
+  EXPECT_TRUE(oracle::is_within(
+      oracle::square_distance({found->b, found->b, found->b}, bodies.world(1)[found->triangle_b]), 0, slack));
+}
+
+void expect_near_pairs(const Bodies& bodies, double within) {
+  std::vector<TrianglePair> pairs;
+  measure::near_pairs(bodies.placed(0), bodies.placed(1), within, pairs);
+  std::vector<char> has(bodies.world(0).size() * bodies.world(1).size());
+  const mpq_class limit = mpq_class(within) * mpq_class(within);
+  const mpq_class wide = mpq_class(within) + mpq_class(0x1p-33 * extent(bodies));
+  for (const TrianglePair& pair : pairs) {
+    char& there = has[pair.a * bodies.world(1).size() + pair.b];
+    EXPECT_FALSE(there) << "twice";
+    there = true;
+    EXPECT_LE(bodies.square(pair.a, pair.b), wide * wide) << "too far";
+  }
+  for (std::size_t a = 0; a < bodies.world(0).size(); ++a)
+    for (std::size_t b = 0; b < bodies.world(1).size(); ++b)
+      if (bodies.square(a, b) <= limit) {
+        EXPECT_TRUE(has[a * bodies.world(1).size() + b]) << a << ' ' << b;
+      }
+}
+
+void expect_limits_are_kept(const Bodies& bodies) {
+  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar);
+  const double d = found->distance;
+  const auto ask = [&](double within) { return measure::nearest_pair(bodies.placed(0), bodies.placed(1), within); };
+  EXPECT_TRUE(ask(d + 2 * found->error));
+  if (d > 4 * found->error) {
+    EXPECT_FALSE(ask(d - 2 * found->error));
+  }
+  const auto quick = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar, 2 * d + 1e-3);
+  ASSERT_TRUE(quick);
+  EXPECT_LT(quick->distance, 2 * d + 1e-3);
+}
+
+/// Everything on a scene, on every instruction set.
+void expect_all(const scenes::PlacedScene& scene, std::uint32_t leaf_size) {
+  const Bodies bodies(scene, leaf_size);
+  const double d = std::sqrt(bodies.least().get_d()), size = extent(bodies);
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 0x1p-33 * size));
+    ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(bodies));
+    for (const double within : {0.0, d, 1.1 * d, d + 0.01 * size, d + 0.2 * size})
+      ASSERT_NO_FATAL_FAILURE(expect_near_pairs(bodies, within));
+  }
+}
+
+TEST(NearestPair, IsTheExactOneOfHardScenes) {
+  test::Seeded seeded(1);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random, 14)) {
+    SCOPED_TRACE(named.name);
+    ASSERT_NO_FATAL_FAILURE(expect_all(named.scene, 3));
+  }
+}
+
+scenes::PlacedScene apart(scenes::PlacedScene scene, const Vec3& by) {
+  scene.objects[1].pose.t[0] += by.x, scene.objects[1].pose.t[1] += by.y, scene.objects[1].pose.t[2] += by.z;
+  return scene;
+}
+
+TEST(NearestPair, IsTheExactOneOfBodiesApart) {
+  test::Seeded seeded(2);
+  scenes::Random& random = seeded.random;
+  const double gaps[] = {1e-9, 1e-3, 0.3, 3, 40, 1e4, 1e7, 1e12, 1e19};
+  for (const double gap : gaps) {
+    for (int family = 0; family < 5; ++family) {
+      SCOPED_TRACE(testing::Message() << "gap " << gap << ", family " << family);
+      const auto soup = [&] {
+        switch (family) {
+          case 0:
+            return scenes::triangle_soup(random, 15, 0.5);
+          case 1:
+            return scenes::sliver_soup(random, 15);
+          case 2:
+            return scenes::degenerate_soup(random, 15, 2);
+          case 3:
+            return scenes::flat_grid(3, 2);
+          default:
+            return scenes::cube();
+        }
+      };
+      const auto direction = [&] { return family >= 3 ? Vec3{0, 0, 1} : Vec3{0.6, 0.64, 0.48}; };
+      const scenes::PlacedScene scene = apart(scenes::pair_scene(soup(), soup()), (1.5 + gap) * direction());
+      ASSERT_NO_FATAL_FAILURE(expect_all(scene, 2));
+    }
+  }
+}
+
+TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
+  test::Seeded seeded(3);
+  for (int i = 0; i < 300; ++i) {
+    const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
+    const scenes::PlacedScene scene = apart(
+        scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),
+        {seeded.random.uniform(0, 2), 0, 0});
+    const Bodies bodies(scene);
+    ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 1e-11));
+  }
+}
+
+}  // namespace
+}  // namespace impinge
