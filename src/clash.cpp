@@ -18,6 +18,7 @@
 #include "clash/self_crossings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
+#include "domain_error.hpp"
 #include "impinge/collide.hpp"
 #include "measure/nearest.hpp"
 #include "on_threads.hpp"
@@ -55,10 +56,7 @@ Result<void> validate(const ClashOptions& options) {
 Result<void> check_domain(const std::vector<Placed>& objects) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].mesh == nullptr || in_exact_domain(objects[i].pose, objects[i].mesh->state().data)) continue;
-    return Error{Code::out_of_range,
-                 "object " + std::to_string(i) +
-                     " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
-                     "not be exact; scale the scene, or move it nearer to the origin"};
+    return out_of_domain("object " + std::to_string(i));
   }
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
+#include "domain_error.hpp"
 #include "impinge/measures.hpp"
 #include "mesh_state.hpp"
 #include "scene/validate_pose.hpp"
@@ -17,12 +18,8 @@ Result<Location> locate(const Point& point, const Mesh& mesh, const Pose& pose) 
   return guarded([&]() -> Result<Location> {
     if (auto valid = scene::validate(pose); !valid) return valid.error();
     const MeshState& state = mesh.state();
-    if (!in_exact_domain(pose, state.data))
-      return Error{Code::out_of_range,
-                   "the mesh has a world coordinate that is not below 2^300 or not a multiple of 2^-358; rescale it"};
-    if (!in_exact_domain(point))
-      return Error{Code::out_of_range,
-                   "the point has a coordinate that is not below 2^300 or not a multiple of 2^-358; rescale it"};
+    if (!in_exact_domain(pose, state.data)) return out_of_domain("the mesh");
+    if (!in_exact_domain(point)) return out_of_domain("the point");
     const hierarchy::PlacedTree placed{&state.data, &state.wide_tree, pose};
     const solid::Topology topology = solid::examine(solid::make_body(placed));
     if (!topology.closed)

@@ -7,6 +7,7 @@
 
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
+#include "domain_error.hpp"
 #include "measure/nearest.hpp"
 #include "mesh_state.hpp"
 #include "on_threads.hpp"
@@ -32,11 +33,7 @@ Result<void> validate(const Placed& placed) {
   if (auto valid = scene::validate(placed.pose); !valid)
     return Error{valid.error().code, name + ": " + valid.error().message};
   if (placed.mesh.triangle_count() == 0) return Error{Code::bad_mesh, name + " has no triangles, and no distance"};
-  if (!in_exact_domain(placed.pose, placed.mesh.state().data))
-    return Error{Code::out_of_range,
-                 name +
-                     " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers "
-                     "would not be exact; scale the meshes, or move them nearer to the origin"};
+  if (!in_exact_domain(placed.pose, placed.mesh.state().data)) return out_of_domain(name);
   return {};
 }
 

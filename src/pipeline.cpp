@@ -14,6 +14,7 @@
 #include "broad/may_touch.hpp"
 #include "calibration.hpp"
 #include "device_driver.hpp"
+#include "domain_error.hpp"
 #include "on_threads.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
@@ -289,8 +290,8 @@ class Pipeline {
       if (options_.predict_cost) device_statistics_.device_predicted_seconds = driver.predict_seconds();
       if (!undone.empty())
         memory_.warnings.push_back(driver.device_name() +
-                                    " could not take all pairs, for want of room or because they are too far from "
-                                    "the origin for its precision; the CPU did the rest");
+                                   " could not take all pairs, for want of room or because they are too far from "
+                                   "the origin for its precision; the CPU did the rest");
       for (const DevicePiece& piece : undone) memory_.pair_states[piece.object_pair].open_tasks.fetch_add(1);
       for (const DevicePiece& piece : driver.done()) close(piece.object_pair);
     }
@@ -425,10 +426,7 @@ Result<void> validate(const Options& options) {
 Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
   for (std::size_t i = 0; i < query.view.objects.size(); ++i) {
     if (query.view.objects[i].in_domain) continue;
-    return Error{Code::out_of_range,
-                 "object " + std::to_string(i) +
-                     " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would "
-                     "not be exact; scale the scene, or move it nearer to the origin"};
+    return out_of_domain("object " + std::to_string(i));
   }
   memory.warnings.clear(), memory.asks_device = false;
   memory.plain.device = nullptr;

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "clash/disjoint_sets.hpp"
 #include "clash/shared_parts.hpp"
+#include "core/disjoint_sets.hpp"
 
 namespace impinge::clash {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "clash/disjoint_sets.hpp"
 #include "clash/lines.hpp"
+#include "core/disjoint_sets.hpp"
 
 namespace impinge::clash {
 namespace {

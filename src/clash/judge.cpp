@@ -77,11 +77,13 @@ class Case {
     if (is_asked && !near_.empty()) j.note = Note::tolerance_not_applied;
   }
 
+  /// A surface has no wall; there its extent stands for it.
   static double thinnest(const KnownPart& a, const KnownPart& b) {
-    double wall = HUGE_VAL;
-    for (const KnownPart* part : {&a, &b})
-      if (part->linked.part.solid) wall = std::min(wall, part->facts.wall);
-    return wall;
+    const auto thickness = [](const KnownPart& known) {
+      const solid::Part& part = known.linked.part;
+      return part.solid ? known.facts.wall : norm(part.body.box.hi - part.body.box.lo);
+    };
+    return std::min(thickness(a), thickness(b));
   }
 
   /// Of the near pairs, those that share a point: looked for when first asked.

@@ -4,27 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
+#include "core/disjoint_sets.hpp"
 
 namespace impinge::clash {
 namespace {
-
-/// Which numbers belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The triangles of one part that are near the other's, and to which side each looks: +1 or -1, so that neighbours look
 /// the same way.
@@ -121,7 +107,7 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
   for (const TrianglePair& pair : near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
   const NearTriangles of_a = near_triangles(a.part, std::move(ids_a)), of_b = near_triangles(b.part, std::move(ids_b));
   const auto count_a = static_cast<std::uint32_t>(of_a.ids.size());
-  Groups groups(of_a.ids.size() + of_b.ids.size());
+  DisjointSets groups(of_a.ids.size() + of_b.ids.size());
   for (const TrianglePair& pair : near) groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
 
   struct Place {
@@ -130,11 +116,11 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
   };
   std::vector<Place> places(of_a.ids.size() + of_b.ids.size());
   for (const exact::Contact& contact : contacts)
-    if (contact.kind == Kind::crossing) places[groups.of(of_a.index(contact.a))].crosses = true;
+    if (contact.kind == Kind::crossing) places[groups.find(of_a.index(contact.a))].crosses = true;
 
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
   for (const TrianglePair& pair : near) {
-    Place& place = places[groups.of(of_a.index(pair.a))];
+    Place& place = places[groups.find(of_a.index(pair.a))];
     if (!place.crosses) continue;
     const Triangle triangle_a = frame.to_local(a.part.body.triangle(pair.a));
     const Triangle triangle_b = frame.to_local(b.part.body.triangle(pair.b));

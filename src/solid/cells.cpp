@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/disjoint_sets.hpp"
 #include "exact/triangle_pair.hpp"
 #include "solid/cut_triangle.hpp"
-#include "solid/groups.hpp"
 #include "solid/locate.hpp"
 #include "solid/triangles.hpp"
 
@@ -156,7 +156,7 @@ class Located {
   /// Of a vertex of an untouched triangle, or of one of a touched one with a solid.
   std::uint8_t location_of_vertex(std::uint32_t t, std::size_t corner) {
     if (!other_.solid) return kOutside;
-    std::uint8_t& known = of_group_[groups_.least(positions(t)[corner])];
+    std::uint8_t& known = of_group_[groups_.find(positions(t)[corner])];
     if (known == kUnknown) known = location_of(own_.body.triangle(t)[corner]);
     return known;
   }
@@ -189,7 +189,7 @@ class Located {
   const Part &own_, &other_;
   std::vector<Touch> touches_;    ///< by triangle
   std::vector<Touched> touched_;  ///< by triangle
-  Groups groups_;                 ///< positions in one patch
+  DisjointSets groups_;           ///< positions in one patch
   std::vector<std::uint8_t> of_group_;
   std::uint8_t bits_ = 0;
 };

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "core/disjoint_sets.hpp"
 #include "core/hash.hpp"
 #include "exact/segment.hpp"
-#include "solid/groups.hpp"
 
 namespace impinge::solid {
 namespace {
@@ -73,7 +73,7 @@ Uses uses_of(const MeshData& mesh, const Topology& topology) {
 
 /// One edge: notes whether it is open, and joins the two triangles that alone use it. The uses by degenerate triangles
 /// come last.
-void see_edge(std::uint32_t low, std::span<const Use> uses, Groups& groups, Topology& topology) {
+void see_edge(std::uint32_t low, std::span<const Use> uses, DisjointSets& groups, Topology& topology) {
   int balance = 0;
   for (const Use& use : uses) balance += use.way;
   if (balance != 0) topology.open_edges.push_back({low, uses.front().other});
@@ -97,7 +97,7 @@ Topology examine(const Body& body) {
   }
 
   const Uses rows = uses_of(mesh, topology);
-  Groups groups(body.size());
+  DisjointSets groups(body.size());
   for (std::uint32_t low = 0; low < topology.positions; ++low) {
     const std::size_t end = rows.offsets[low + 1];
     for (std::size_t first = rows.offsets[low], last = first; first < end; first = last) {
@@ -108,7 +108,7 @@ Topology examine(const Body& body) {
   // The least triangle of a shell comes first, and is the first to be numbered.
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     if (topology.shell[t] == Topology::kNoShell) continue;
-    const std::uint32_t first = groups.least(t);
+    const std::uint32_t first = groups.find(t);
     topology.shell[t] = first == t ? topology.shells++ : topology.shell[first];
   }
   topology.closed = topology.open_edges.empty() && topology.shells > 0;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-namespace impinge::clash {
+namespace impinge {
 
 /// Sets that are joined two by two. A set's name is its lowest member, in whatever order it was put together.
 class DisjointSets {
@@ -26,4 +26,4 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace impinge::clash
+}  // namespace impinge
