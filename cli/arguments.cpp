@@ -114,13 +114,16 @@ std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
   return text;
 }
 
-/// `--limit=` with nothing after it: CLI11 would take the next word as the value, and it may be a file.
+/// `--limit=` with nothing after it: CLI11 would take the next word as the value, and it may be a file. And
+/// `--clearance "$UNSET"`, which would silently be as if it were not there.
 Result<void> refuse_empty_values(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word(argv[i]);
     if (word == "--") break;
     if (word.starts_with("--") && word.ends_with('=') && word.find('=') == word.size() - 1)
       return bad(fmt::format("'{}' has no value after the '='", word));
+    if (word.starts_with("--") && i + 1 < argc && *argv[i + 1] == '\0')
+      return bad(fmt::format("the value after '{}' is empty; leave both out, or give one", word));
   }
   return {};
 }

@@ -30,6 +30,8 @@ std::string note_text(Note note) {
       return "overlap within tolerance";
     case Note::gap_within_tolerance:
       return "gap within tolerance";
+    case Note::equal_within_tolerance:
+      return "equal within tolerance";
     case Note::tolerance_not_applied:
       return "tolerance not applied";
   }

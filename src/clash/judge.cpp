@@ -51,7 +51,9 @@ bool have_one_normal(const Triangle& a, const Triangle& b) {
 class Case {
  public:
   Case(const KnownPart& a, const KnownPart& b, const std::stop_token& stop)
-      : a_(a.linked),
+      : known_a_(a),
+        known_b_(b),
+        a_(a.linked),
         b_(b.linked),
         stop_(stop),
         kinds_{a.linked.part.solid, b.linked.part.solid},
@@ -73,7 +75,7 @@ class Case {
     near_ = near_pairs(a_.part.body, b_.part.body, j.tolerance);
     if (j.tolerance > 0 && judge_nearly()) return;
     j.tolerance = 0;
-    judge_exactly();
+    conclude(find_exactly(), !contacts().empty());
     if (is_asked && !near_.empty()) j.note = Note::tolerance_not_applied;
   }
 
@@ -81,7 +83,7 @@ class Case {
   static double thinnest(const KnownPart& a, const KnownPart& b) {
     const auto thickness = [](const KnownPart& known) {
       const solid::Part& part = known.linked.part;
-      return part.solid ? known.facts.wall : norm(part.body.box.hi - part.body.box.lo);
+      return part.solid ? known.thinnest_wall : norm(part.body.box.hi - part.body.box.lo);
     };
     return std::min(thickness(a), thickness(b));
   }
@@ -96,42 +98,47 @@ class Case {
     return [this](const Cells& cells) { return is_settled(cells, kinds_) || stop_.stop_requested(); };
   }
 
-  void conclude(const Cells& cells, bool touch, bool pass) {
-    const Finding finding = verdict_of(cells, kinds_, touch, pass);
+  void conclude(const Finding& finding, bool touch) {
     judgement_.verdict = finding.verdict, judgement_.inner = finding.inner, judgement_.touch = touch;
   }
 
-  void judge_exactly() {
+  Finding find_exactly() {
     const Cells cells = solid::cells_of(a_.part, b_.part, contacts(), enough());
     const bool crosses = std::any_of(contacts().begin(), contacts().end(), is_crossing);
-    conclude(cells, !contacts().empty(), crosses);
+    return verdict_of(cells, kinds_, !contacts().empty(), crosses);
   }
+  bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
   /// False where floating point cannot tell.
   bool judge_nearly() {
     const auto found = near_cells(a_, b_, judgement_.tolerance, near_, enough());
     if (!found) return false;
     Cells cells = *found;
-    if (((cells.a | cells.b) & kInside) == 0) {
-      // What is near is shared: with both interiors on one side if deep within the one part lies the other too.
-      const bool are_surfaces = !kinds_.a_is_solid && !kinds_.b_is_solid;
-      const bool overlap = are_surfaces ? ((cells.a | cells.b) & kOutside) == 0 : overlap_deeply();
-      if (!near_.empty() && (overlap || are_surfaces)) {
-        if ((cells.a & kOutside) == 0) cells.a |= kSameSide;
-        if ((cells.b & kOutside) == 0) cells.b |= kSameSide;
-        if (!are_surfaces) cells.a |= kSameSide, cells.b |= kSameSide;
-      }
+    if (kinds_.a_is_solid && kinds_.b_is_solid) {
+      if (!near_.empty() && !is_settled(cells, kinds_)) look_deep(cells);
+    } else if (!kinds_.a_is_solid && !kinds_.b_is_solid && ((cells.a | cells.b) & kOutside) == 0) {
+      cells.a |= kSameSide, cells.b |= kSameSide;
     }
     const bool pass =
         !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, near_, contacts());
-    conclude(cells, !near_.empty(), pass);
+    conclude(verdict_of(cells, kinds_, !near_.empty(), pass), !near_.empty());
     if (!near_.empty()) judgement_.note = note();
     return true;
+  }
+
+  /// What is near is shared: with both interiors on one side if somewhere deep within the one part lies the other too.
+  /// And what lies deep within one and outside of the other is not inside of it, wherever its boundary is near.
+  void look_deep(Cells& cells) const {
+    const Spread of_a = spread(known_a_, b_.part), of_b = spread(known_b_, a_.part);
+    if (of_a.inside || of_b.inside) cells.a |= kSameSide, cells.b |= kSameSide;
+    if (of_a.outside) cells.a |= kOutside;
+    if (of_b.outside) cells.b |= kOutside;
   }
 
   Note note() {
     const Verdict verdict = judgement_.verdict;
     if (verdict == Verdict::penetrating || verdict == Verdict::crossing) return Note::none;
+    if (verdict == Verdict::duplicate) return is_exact(verdict) ? Note::none : Note::equal_within_tolerance;
     if (contacts().empty()) return verdict == Verdict::touching ? Note::gap_within_tolerance : Note::none;
     const bool overlap = std::any_of(contacts().begin(), contacts().end(), [&](const exact::Contact& contact) {
       return is_crossing(contact) || (verdict == Verdict::touching && has_interiors_on_one_side(contact));
@@ -152,47 +159,25 @@ class Case {
     return (front(a_, contact.a) == front(b_, contact.b)) == same_way;
   }
 
-  /// Whether some shell of the one encloses a point, farther than the tolerance from both boundaries, that lies in the
-  /// other.
-  [[nodiscard]] bool overlap_deeply() const {
-    return kinds_.a_is_solid && kinds_.b_is_solid && (is_deep_in(a_.part, b_.part) || is_deep_in(b_.part, a_.part));
-  }
-
-  [[nodiscard]] bool is_deep_in(const solid::Part& one, const solid::Part& other) const {
-    std::vector<bool> is_done(one.topology.shells, false);
-    for (std::uint32_t t = 0; t < one.body.size(); ++t) {
-      const std::uint32_t shell = one.topology.shell[t];
-      if (shell == solid::Topology::kNoShell || is_done[shell]) continue;
-      const auto point = point_below(one, t);
-      if (!point) continue;
-      is_done[shell] = true;
-      if (!measure::nearest_point(other.body.placed, *point, judgement_.tolerance, judgement_.tolerance) &&
-          solid::winding_number(other.body.placed, *point).value_or(0) != 0)
-        return true;
+  /// Where points deep within one solid are to the other, of those that tell: farther than the tolerance from either's
+  /// boundary.
+  struct Spread {
+    bool inside = false, outside = false;
+  };
+  [[nodiscard]] Spread spread(const KnownPart& one, const solid::Part& other) const {
+    Spread spread;
+    for (const DeepPoint& deep : one.deep_points) {
+      if (spread.inside && spread.outside) break;
+      if (deep.depth <= judgement_.tolerance ||
+          measure::nearest_point(other.body.placed, deep.point, judgement_.tolerance, judgement_.tolerance))
+        continue;
+      const bool is_inside = solid::winding_number(other.body.placed, deep.point).value_or(0) != 0;
+      (is_inside ? spread.inside : spread.outside) = true;
     }
-    return false;
+    return spread;
   }
 
-  /// An interior point behind a triangle's middle, farther than twice the tolerance from the boundary.
-  [[nodiscard]] std::optional<Vec3> point_below(const solid::Part& part, std::uint32_t t) const {
-    const Triangle triangle = part.body.triangle(t);
-    const LocalFrame frame = local_frame(part.body.box, part.body.box);
-    const Triangle local = frame.to_local(triangle);
-    Vec3 normal = cross(local[1] - local[0], local[2] - local[0]);
-    const double length = norm(normal);
-    if (!(length > 0)) return std::nullopt;
-    normal = (part.sides[part.topology.shell[t]].front ? 1 : -1) / length * normal;
-    const Vec3 middle = (1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]);
-    for (double step = norm(frame.unit * (part.body.box.hi - part.body.box.lo)) / frame.unit / 2;
-         step > 2 * judgement_.tolerance; step /= 2) {
-      const Vec3 point = middle + step * normal;
-      if (!measure::nearest_point(part.body.placed, point, 2 * judgement_.tolerance, 2 * judgement_.tolerance) &&
-          solid::winding_number(part.body.placed, point).value_or(0) != 0)
-        return point;
-    }
-    return std::nullopt;
-  }
-
+  const KnownPart &known_a_, &known_b_;
   const LinkedPart &a_, &b_;
   const std::stop_token& stop_;
   Kinds kinds_;

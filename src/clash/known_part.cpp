@@ -2,29 +2,46 @@
 // SPDX-License-Identifier: MIT
 #include "clash/known_part.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "clash/local_frame.hpp"
 
 namespace impinge::clash {
 namespace {
 
-/// Of its triangles, and of what its shells enclose.
-void measure(const solid::Part& part, PartFacts& facts) {
-  const LocalFrame frame = local_frame(part.body.box, part.body.box);
+struct Measure {
   double area = 0, volume = 0;
+  [[nodiscard]] double wall() const { return area > 0 ? 2 * std::abs(volume) / area : 0; }
+};
+
+/// Of its triangles, and of what its shells enclose: a cavity counts as less.
+void measure(KnownPart& known) {
+  const solid::Part& part = known.linked.part;
+  const LocalFrame frame = local_frame(part.body.box, part.body.box);
+  Measure whole;
+  std::vector<Measure> shells(part.topology.shells);
   for (std::uint32_t t = 0; t < part.body.size(); ++t) {
     const Triangle triangle = frame.to_local(part.body.triangle(t));
     const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-    area += norm(normal) / 2;
-    const std::uint32_t shell = part.topology.shell[t];
-    if (!part.solid || shell == solid::Topology::kNoShell) continue;
-    const auto [front, back] = part.sides[shell];
-    if (front != back) volume += (back ? 1 : -1) * dot(triangle[0], normal) / 6;
+    whole.area += norm(normal) / 2;
+    if (!part.solid || !part.is_boundary(t)) continue;
+    Measure& shell = shells[part.topology.shell[t]];
+    shell.area += norm(normal) / 2;
+    shell.volume += (part.sides[part.topology.shell[t]].back ? 1 : -1) * dot(triangle[0], normal) / 6;
   }
-  facts.area = area / frame.unit / frame.unit;
-  facts.volume = std::abs(volume) / frame.unit / frame.unit / frame.unit;
-  if (part.solid && area > 0) facts.wall = 2 * std::abs(volume) / area / frame.unit;
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const Measure& shell : shells) {
+    whole.volume += shell.volume;
+    if (shell.volume > 0) thinnest = std::min(thinnest, shell.wall());
+  }
+  PartFacts& facts = known.facts;
+  facts.area = whole.area / frame.unit / frame.unit;
+  if (!part.solid) return;
+  facts.volume = std::abs(whole.volume) / frame.unit / frame.unit / frame.unit;
+  facts.wall = whole.wall() / frame.unit;
+  known.thinnest_wall = std::min(thinnest, whole.wall()) / frame.unit;
 }
 
 Segment place_of(const std::array<std::uint32_t, 2>& edge, const solid::Part& part) {
@@ -50,7 +67,8 @@ KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects) {
   facts.self_crossings = defects.size();
   if (!part.topology.open_edges.empty()) facts.open_edge = place_of(part.topology.open_edges[0], part);
   if (!defects.empty()) facts.self_crossing = defects[0];
-  measure(part, facts);
+  measure(known);
+  known.deep_points = deep_points(part);
   return known;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "clash/deep_points.hpp"
 #include "clash/near_cells.hpp"
 #include "impinge/clash.hpp"
 
@@ -13,6 +14,8 @@ namespace impinge::clash {
 struct KnownPart {
   LinkedPart linked;
   PartFacts facts;
+  double thinnest_wall = 0;  ///< of a solid's wall and those of its outer shells alone
+  std::vector<DeepPoint> deep_points;
 };
 
 /// `defects` are the pairs of the body's own triangles that keep it from being a solid.

@@ -126,9 +126,9 @@ class OneSide {
     return bits;
   }
 
-  /// A triangle in more pieces than this is one that floating point gets lost in.
-  static constexpr int kMostEffort = 1 << 17;
-  [[nodiscard]] bool is_exhausted() const { return effort_ > kMostEffort; }
+  /// A triangle takes a step for each slab and piece, or for each two slabs where they lie over each other; with many
+  /// more, floating point got lost.
+  [[nodiscard]] bool is_exhausted() const { return effort_ > (1 << 17) + 64 * slabs_.size() * slabs_.size(); }
 
   /// How many slabs reached a piece some halvings ago.
   struct Before {
@@ -237,7 +237,7 @@ class OneSide {
   std::vector<std::uint32_t> near_triangles_;
   std::vector<NearTriangle> slabs_;  ///< of the triangle at work
   std::uint8_t bits_ = 0;
-  int effort_ = 0;
+  std::size_t effort_ = 0;
 };
 
 std::vector<TrianglePair> swapped(const std::vector<TrianglePair>& near) {

@@ -3,7 +3,9 @@
 #include "clash/passing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <map>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
@@ -12,11 +14,12 @@
 namespace impinge::clash {
 namespace {
 
-/// The triangles of one part that are near the other's, and to which side each looks: +1 or -1, so that neighbours look
-/// the same way.
+/// The triangles of one part that are near the other's; which of them hang together over edges, in pieces; and to which
+/// side each looks, +1 or -1, so that neighbours look the same way.
 struct NearTriangles {
   std::vector<std::uint32_t> ids;  ///< sorted
   std::vector<int> side;
+  std::vector<std::uint32_t> piece;
 
   [[nodiscard]] std::uint32_t index(std::uint32_t id) const {
     return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
@@ -60,18 +63,20 @@ NearTriangles near_triangles(const solid::Part& part, std::vector<std::uint32_t>
     neighbors[one.triangle].push_back({two.triangle, -one.way * two.way});
     neighbors[two.triangle].push_back({one.triangle, -one.way * two.way});
   }
-  NearTriangles result{std::move(ids), {}};
+  NearTriangles result{std::move(ids), {}, {}};
   result.side.assign(result.ids.size(), 0);
+  result.piece.assign(result.ids.size(), 0);
   std::vector<std::uint32_t> open;
   for (std::uint32_t i = 0; i < result.ids.size(); ++i) {
     if (result.side[i] != 0) continue;
-    result.side[i] = 1, open.push_back(i);
+    result.side[i] = 1, result.piece[i] = i, open.push_back(i);
     while (!open.empty()) {
       const std::uint32_t at = open.back();
       open.pop_back();
       for (const Neighbor& next : neighbors[at])
         if (result.side[next.index] == 0)
-          result.side[next.index] = next.turn * result.side[at], open.push_back(next.index);
+          result.side[next.index] = next.turn * result.side[at], result.piece[next.index] = i,
+          open.push_back(next.index);
     }
   }
   return result;
@@ -110,18 +115,23 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
   DisjointSets groups(of_a.ids.size() + of_b.ids.size());
   for (const TrianglePair& pair : near) groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
 
+  // A place is where one piece meets one piece: sides of different pieces have nothing to do with each other.
   struct Place {
-    bool crosses = false;
     std::uint8_t a_at_b = 0, b_at_a = 0;
   };
-  std::vector<Place> places(of_a.ids.size() + of_b.ids.size());
+  std::map<std::array<std::uint32_t, 3>, Place> places;
+  const auto key_of = [&](std::uint32_t a_triangle, std::uint32_t b_triangle) {
+    const std::uint32_t i = of_a.index(a_triangle), j = of_b.index(b_triangle);
+    return std::array{groups.find(i), of_a.piece[i], of_b.piece[j]};
+  };
   for (const exact::Contact& contact : contacts)
-    if (contact.kind == Kind::crossing) places[groups.find(of_a.index(contact.a))].crosses = true;
+    if (contact.kind == Kind::crossing) places.try_emplace(key_of(contact.a, contact.b));
 
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
   for (const TrianglePair& pair : near) {
-    Place& place = places[groups.find(of_a.index(pair.a))];
-    if (!place.crosses) continue;
+    const auto found = places.find(key_of(pair.a, pair.b));
+    if (found == places.end()) continue;
+    Place& place = found->second;
     const Triangle triangle_a = frame.to_local(a.part.body.triangle(pair.a));
     const Triangle triangle_b = frame.to_local(b.part.body.triangle(pair.b));
     const auto slab_a = make_slab(triangle_a, frame.unit * tolerance, frame.scale);

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/deep_points.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "clash/local_frame.hpp"
+#include "measure/nearest.hpp"
+#include "solid/locate.hpp"
+
+namespace impinge::clash {
+namespace {
+
+struct Shell {
+  std::vector<std::uint32_t> triangles;
+  Box box;
+};
+
+std::vector<Shell> shells_of(const solid::Part& part) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<Shell> shells(part.topology.shells, {{}, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}});
+  for (std::uint32_t t = 0; t < part.body.size(); ++t) {
+    if (!part.is_boundary(t)) continue;
+    Shell& shell = shells[part.topology.shell[t]];
+    const Box box = box_of(part.body.triangle(t));
+    shell.triangles.push_back(t);
+    shell.box = {min(shell.box.lo, box.lo), max(shell.box.hi, box.hi)};
+  }
+  return shells;
+}
+
+/// The deepest of some points under a triangle's middle.
+std::optional<DeepPoint> deepest_below(const solid::Part& part, std::uint32_t t, const LocalFrame& frame, double size) {
+  constexpr int kTries = 10;
+  const Triangle triangle = part.body.triangle(t), local = frame.to_local(triangle);
+  const Vec3 normal = cross(local[1] - local[0], local[2] - local[0]);
+  const double length = norm(normal);
+  if (!(length > 0)) return std::nullopt;
+  const std::uint32_t shell = part.topology.shell[t];
+  const Vec3 inward = (part.sides[shell].front ? 1 : -1) / length * normal;
+  const Vec3 middle = (1.0 / 3) * triangle[0] + (1.0 / 3) * triangle[1] + (1.0 / 3) * triangle[2];
+  std::optional<DeepPoint> best;
+  double step = size / 2;
+  for (int i = 0; i < kTries && (!best || step > best->depth); ++i, step /= 2) {
+    const Vec3 point = middle + step * inward;
+    const auto nearest = measure::nearest_point(part.body.placed, point, step * (1 + 0x1p-20));
+    if (!nearest || part.topology.shell[nearest->triangle] != shell) continue;
+    const double depth = nearest->distance - nearest->error;
+    if (depth > (best ? best->depth : 0) && solid::winding_number(part.body.placed, point).value_or(0) != 0)
+      best = DeepPoint{point, depth, shell};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<DeepPoint> deep_points(const solid::Part& part) {
+  constexpr std::size_t kEnough = 3, kMostTriangles = 24;
+  std::vector<DeepPoint> points;
+  if (!part.solid) return points;
+  for (const Shell& shell : shells_of(part)) {
+    if (shell.triangles.empty()) continue;
+    const LocalFrame frame = local_frame(shell.box, shell.box);
+    const double size = norm(frame.unit * (shell.box.hi - shell.box.lo)) / frame.unit;
+    const std::size_t stride = std::max<std::size_t>(shell.triangles.size() / kMostTriangles, 1);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < shell.triangles.size() && found < kEnough; i += stride) {
+      if (const auto point = deepest_below(part, shell.triangles[i], frame, size)) points.push_back(*point), ++found;
+    }
+  }
+  return points;
+}
+
+}  // namespace impinge::clash
