@@ -18,9 +18,6 @@ namespace impinge::clash {
 namespace {
 
 using solid::Cells;
-using solid::kInside;
-using solid::kNear;
-using solid::kOtherSide;
 using solid::kOutside;
 using solid::kSameSide;
 

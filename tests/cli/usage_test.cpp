@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{{"clash", "a.off", "--fail-on", "inside,"}, "not ''"},
                     Wrong{{"clash", "a.off", "--fail-on", "inside,,contact"}, "not ''"},
                     Wrong{{"clash", "a.off", "--fail-on", "inside, contact"}, "not ' contact'"},
-                    Wrong{{"clash", "a.off", "--fail-on", ""}, "not ''"},
+                    Wrong{{"clash", "a.off", "--fail-on", ""}, "the value after '--fail-on' is empty"},
                     Wrong{{"clash", "a.off", "--fail-on"}, "--fail-on needs LIST"},
                     Wrong{{"clash", "a.off", "--fail-on", "clearance"}, "add --clearance C"},
                     Wrong{{"clash", "a.off", "--fail-on", "clearance", "--clearance", "0"}, "add --clearance C"},
