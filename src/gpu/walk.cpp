@@ -31,14 +31,15 @@ WalkConfig config_of(const Limits& limits) {
   const auto fit = [&](std::uint64_t wanted, std::uint64_t least, std::size_t size) {
     return static_cast<std::uint32_t>(std::max(std::min<std::uint64_t>(wanted, limits.largest_buffer / size), least));
   };
-  return {.stack_capacity = fit(limits.stack, kReserve + std::uint64_t{2} * kChildren, sizeof(WorkItem)),
-          .stack_reserve = kReserve,
-          .leaf_capacity = fit(std::min<std::uint64_t>(limits.leaf_pairs, kMostRounds * kGroupSize * limits.most_groups),
-                               std::uint64_t{2} * kChildren, sizeof(WorkItem)),
-          .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
-          .most_groups = limits.most_groups,
-          .first_only = 0,
-          .only_sweep = 0};
+  return {
+      .stack_capacity = fit(limits.stack, kReserve + std::uint64_t{2} * kChildren, sizeof(WorkItem)),
+      .stack_reserve = kReserve,
+      .leaf_capacity = fit(std::min<std::uint64_t>(limits.leaf_pairs, kMostRounds * kGroupSize * limits.most_groups),
+                           std::uint64_t{2} * kChildren, sizeof(WorkItem)),
+      .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
+      .most_groups = limits.most_groups,
+      .first_only = 0,
+      .only_sweep = 0};
 }
 
 Buffer list(Device& device, std::uint32_t items, std::size_t size, Buffer::Use use) {
