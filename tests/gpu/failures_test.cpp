@@ -228,19 +228,23 @@ TEST(DeviceFailures, EightThreadsShareADevice) {
 /// A query is stopped while its walk is under way, and others want the memory of its mesh.
 TEST(DeviceFailures, AStoppedWalkHasEndedBeforeItsMeshMayGo) {
   const WithLimits limits({.budget = 32u << 20, .page = 1u << 20});
-  const Mesh large = test::mesh_of(scenes::torus_knot_of(100'000)), tiny = test::mesh_of(scenes::torus_knot_of(100));
+  const Mesh large = test::mesh_of(scenes::torus_knot_of(200'000)), tiny = test::mesh_of(scenes::torus_knot_of(100));
   ASSERT_TRUE(large.build_tree());
   for (int round = 0; round < 4; ++round) {
     std::stop_source stop;
+    std::atomic<bool> is_over = false;
     const std::jthread stopped([&] {
       const auto found = collide(large, {}, large, {.t = {0.001, 0.002, 0.001}},
                                  {.threads = 1, .backend = "gpu", .stop = stop.get_token()});
       EXPECT_TRUE(found || found.error().code == Code::cancelled);
+      is_over = true;
     });
-    std::this_thread::sleep_for(std::chrono::milliseconds(100 + 60 * round));
+    std::this_thread::sleep_for(std::chrono::milliseconds(150 + 40 * round));
     stop.request_stop();
-    for (int i = 0; i < 2; ++i) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(1200);
+    while (!is_over || std::chrono::steady_clock::now() < until) {
       const Mesh other = test::mesh_of(scenes::torus_knot_of(60'000));
+      EXPECT_TRUE(collide(other, {}, tiny, {.t = {50, 0.1, 0}}, {.threads = 1, .backend = "gpu"}));
       EXPECT_TRUE(collide(other, {}, tiny, {.t = {0.1, 0.1, 0}}, {.threads = 1, .backend = "gpu"}));
     }
   }
