@@ -16,7 +16,6 @@
 #include "part.hpp"
 #include "progress.hpp"
 #include "sink.hpp"
-#include "surface.hpp"
 #include "table.hpp"
 #include "text.hpp"
 
@@ -37,13 +36,10 @@ Result<ObjectFacts> facts_of(io::Object object, const std::stop_token& stop) {
   ObjectFacts about;
   about.triangles = object.mesh.triangle_count();
   about.vertices = object.mesh.vertex_count();
-  about.surface = inspect(object.mesh, object.pose);
-  if (about.surface.in_domain) {
-    Result<std::optional<Part>> part = part_of(object, stop);
-    if (stop.stop_requested()) return interrupted();
-    if (!part) return part.error();
-    about.part = *part;
-  }
+  const Result<std::optional<Part>> part = part_of(object, stop);
+  if (stop.stop_requested()) return interrupted();
+  if (!part) return part.error();
+  about.part = *part;
   about.center = world_vertex(object.pose, object.mesh.sphere_center());
   about.radius = object.mesh.sphere_radius();
   about.name = std::move(object.name);
@@ -74,7 +70,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
                [done = static_cast<double>(i) / static_cast<double>(total)] { return done; });
     Result<ObjectFacts> about = facts_of(std::move(model->objects[i]), stop);
     if (!about) return about.error();
-    if (!about->surface.in_domain)
+    if (!about->part)
       facts.warnings.push_back(
           fmt::format("object '{}' has coordinates on which no answer is exact (not below 2^300, or "
                       "not a multiple of 2^-358); check will refuse it",
@@ -86,10 +82,10 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
 
 /// How many edges keep the surface from being closed, or why that cannot be said.
 std::string open_edges_text(const ObjectFacts& facts) {
-  if (!facts.surface.in_domain) return "unknown";
+  if (!facts.part) return "unknown";
   if (facts.triangles == 0) return "empty";
-  if (facts.surface.closed) return "closed";
-  return facts.surface.open_edges == 0 ? "no area" : grouped(facts.surface.open_edges);
+  if (facts.part->facts.closed) return "closed";
+  return facts.part->facts.open_edges == 0 ? "no area" : grouped(facts.part->facts.open_edges);
 }
 
 std::string solid_text(const ObjectFacts& facts) {
@@ -112,7 +108,7 @@ std::vector<InfoColumn> columns_for(std::optional<std::size_t> width) {
   if (width.value_or(kRoomForVertices) >= kRoomForVertices)
     columns.push_back({{"vertices", number}, [](const ObjectFacts& facts) { return grouped(facts.vertices); }});
   columns.push_back({{"degenerate", number}, [](const ObjectFacts& facts) {
-                       return facts.surface.in_domain ? grouped(facts.surface.degenerate) : "unknown";
+                       return facts.part ? grouped(facts.part->facts.degenerate) : "unknown";
                      }});
   columns.push_back({{"open edges", number}, open_edges_text});
   columns.push_back({{"solid", text}, solid_text});

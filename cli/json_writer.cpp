@@ -78,14 +78,14 @@ void write_statistics(Sink& sink, const Statistics& s) {
 }
 
 void write_facts(Sink& sink, std::size_t id, const ObjectFacts& facts) {
-  const auto known = [&](auto value) {
-    return facts.surface.in_domain ? fmt::format("{}", value) : std::string("null");
+  const auto known = [&](auto PartFacts::*member) {
+    return facts.part ? fmt::format("{}", facts.part->facts.*member) : std::string("null");
   };
   sink.write(fmt::format("{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"triangles\":{},\"vertices\":{},", id,
                          json_string(facts.name), json_string(facts.path), json_string(facts.product), facts.triangles,
                          facts.vertices));
   sink.write(fmt::format("\"degenerate\":{},\"closed\":{},\"open_edges\":{},{},\"center\":{},\"radius\":{}}}",
-                         known(facts.surface.degenerate), known(facts.surface.closed), known(facts.surface.open_edges),
+                         known(&PartFacts::degenerate), known(&PartFacts::closed), known(&PartFacts::open_edges),
                          json_facts(facts.part), json_point(facts.center), json_number(facts.radius)));
 }
 

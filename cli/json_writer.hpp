@@ -13,7 +13,6 @@
 #include "impinge/contacts.hpp"
 #include "part.hpp"
 #include "sink.hpp"
-#include "surface.hpp"
 
 /// The documents of `--json`, written piece by piece: an answer of a billion pairs needs no memory of its own.
 namespace impinge::cli {
@@ -44,7 +43,6 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
 struct ObjectFacts {
   std::string name, path, product;
   std::uint64_t triangles = 0, vertices = 0;
-  Surface surface;
   std::optional<Part> part;  ///< nothing where the coordinates are outside the exact range
   Point center{};
   double radius = 0;

@@ -71,6 +71,7 @@ struct Clash {
 struct PartFacts {
   bool solid = false, closed = false;
   std::uint64_t open_edges = 0, self_crossings = 0;  ///< what keeps it from being a solid
+  std::uint64_t degenerate = 0;                      ///< triangles whose world vertices are collinear
   std::optional<Segment> open_edge;                  ///< the first of them
   std::optional<TrianglePair> self_crossing;         ///< likewise
   double volume = 0, area = 0;

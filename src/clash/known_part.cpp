@@ -64,6 +64,7 @@ KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects) {
   PartFacts& facts = known.facts;
   facts.solid = is_solid, facts.closed = part.topology.closed;
   facts.open_edges = part.topology.open_edges.size();
+  facts.degenerate = part.topology.degenerate;
   facts.self_crossings = defects.size();
   if (!part.topology.open_edges.empty()) facts.open_edge = place_of(part.topology.open_edges[0], part);
   if (!defects.empty()) facts.self_crossing = defects[0];
