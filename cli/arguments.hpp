@@ -44,7 +44,13 @@ struct FailOn {
   bool clearance = false;  ///< apart, and nearer than the clearance
 };
 
-struct ClashArguments : SceneArguments {
+/// What a page is made of.
+struct PageArguments {
+  std::optional<std::string> html;
+  std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
+};
+
+struct ClashArguments : SceneArguments, PageArguments {
   std::optional<double> tolerance;  ///< nothing: auto
   double clearance = 0;
   bool depth = false;
@@ -53,6 +59,8 @@ struct ClashArguments : SceneArguments {
   bool within_products = false;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< rows of the table
 };
+
+struct ViewArguments : SceneArguments, PageArguments {};
 
 struct InfoArguments {
   std::vector<std::string> files;
@@ -67,7 +75,7 @@ struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, ClashArguments, InfoArguments, DevicesArguments, Notice>;
+using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, InfoArguments, DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

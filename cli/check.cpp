@@ -10,6 +10,7 @@
 
 #include "assembly.hpp"
 #include "calibration_cache.hpp"
+#include "documents.hpp"
 #include "json_writer.hpp"
 #include "progress.hpp"
 #include "scene_command.hpp"
@@ -124,20 +125,18 @@ Result<void> print_answer(const Answer& answer, const CheckArguments& arguments,
 }  // namespace
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-  const Result<std::optional<Target>> target = target_of(arguments);
-  if (!target) return target.error();
+  Documents documents(arguments.files);
+  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
   if (!arguments.quiet) {
     mention_warnings(answer->assembly);
     for (const std::string& warning : answer->contacts.warnings) complain(warning);
   }
-  if (*target) {
-    auto written = (*target)->write(
-        [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });
-    if (!written) return written.error();
-  }
-  if (!arguments.quiet && !(*target && (*target)->is_standard_output())) {
+  const auto written = documents.write(
+      kJson, [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });
+  if (!written) return written.error();
+  if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_answer(*answer, arguments, stop); !printed) return printed.error();
   }
   return !answer->contacts.objects.empty() || answer->contacts.truncated;

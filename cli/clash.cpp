@@ -11,7 +11,9 @@
 
 #include "clash_json.hpp"
 #include "clash_table.hpp"
+#include "documents.hpp"
 #include "progress.hpp"
+#include "report/page.hpp"
 #include "review.hpp"
 #include "scene_command.hpp"
 #include "text.hpp"
@@ -76,16 +78,23 @@ Result<void> print_on_standard_output(const Review& review, const ClashArguments
 }  // namespace
 
 Result<bool> clash(const ClashArguments& arguments, const std::stop_token& stop) {
-  const Result<std::optional<Target>> target = target_of(arguments);
-  if (!target) return target.error();
+  Documents documents(arguments.files);
+  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
+  const Result<std::string> page = arguments.html ? read_page_template() : std::string();
+  if (!page) return page.error();
   const Result<Review> review = make_review(arguments, stop);
   if (!review) return review.error();
   if (!arguments.quiet) mention_warnings(review->assembly);
-  if (*target) {
-    auto written = (*target)->write([&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); });
-    if (!written) return written.error();
-  }
-  if (!arguments.quiet && !(*target && (*target)->is_standard_output())) {
+  const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
+  if (auto written = documents.write(kJson, write_json); !written) return written.error();
+  const auto write_html = [&](Sink& sink) -> Result<void> {
+    const Result<DrawnScene> scene = draw(review->assembly, arguments.page_triangles, stop);
+    if (!scene) return scene.error();
+    return write_page(sink, *page, title_of(arguments.files), *scene, write_json, stop);
+  };
+  if (auto written = documents.write(kPage, write_html); !written) return written.error();
+  if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();
   }
   return count_failing(review->clashes.pairs, arguments.fail_on) > 0;

@@ -130,4 +130,13 @@ Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArgum
   return {};
 }
 
+Result<void> write_view_json(Sink& sink, const Assembly& assembly) {
+  sink.write("{\"version\":1,\n\"settings\":null,\n\"objects\":[");
+  for (std::size_t i = 0; i < assembly.objects.size(); ++i)
+    sink.write(fmt::format("{}\n{{{},\"closed\":null,\"open_edges\":null,{}}}", i > 0 ? "," : "",
+                           json_identity(assembly, i), json_facts(std::nullopt)));
+  sink.write("\n],\n\"pairs\":[],\n\"counts\":null}\n");
+  return {};
+}
+
 }  // namespace impinge::cli

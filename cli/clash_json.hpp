@@ -14,4 +14,7 @@ namespace impinge::cli {
 Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArguments& arguments,
                               const std::stop_token& stop);
 
+/// The same document of an assembly of which nothing was asked: settings and counts are null, and no pairs.
+Result<void> write_view_json(Sink& sink, const Assembly& assembly);
+
 }  // namespace impinge::cli

@@ -45,6 +45,13 @@ void add_max_file(CLI::App& command, Raw& raw) {
       ->type_name("BYTES");
 }
 
+void add_page_triangles(CLI::App& command, Raw& raw) {
+  command
+      .add_option("--page-triangles", raw.page_triangles,
+                  "draw about N triangles at most on the page; larger meshes are simplified there (default: 1000000)")
+      ->type_name("N");
+}
+
 void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
 }
@@ -108,6 +115,12 @@ void add_clash(CLI::App& command, Raw& raw) {
       ->type_name("LIST")
       ->allow_extra_args(false);
   add_json(command, raw, "verdicts");
+  command
+      .add_option("--html", raw.html,
+                  "write a page to look at: the assembly, the list of clashes, each in its place; includes --depth and "
+                  "--regions")
+      ->type_name("FILE");
+  add_page_triangles(command, raw);
   command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
       ->type_name("N");
   add_ignore(command, raw);
@@ -115,6 +128,17 @@ void add_clash(CLI::App& command, Raw& raw) {
                    "test the parts of one IFC product against each other as well");
   add_scale(command, raw);
   add_threads(command, raw);
+  add_max_file(command, raw);
+  add_quiet(command, to.quiet);
+}
+
+void add_view(CLI::App& command, Raw& raw) {
+  ViewArguments& to = raw.view;
+  add_files(command, to.files);
+  command.add_option("--html", raw.html, "the page to write (default: the first file's name with .html after it)")
+      ->type_name("FILE");
+  add_page_triangles(command, raw);
+  add_scale(command, raw);
   add_max_file(command, raw);
   add_quiet(command, to.quiet);
 }

@@ -15,14 +15,16 @@ namespace impinge::cli {
 struct Raw {
   CheckArguments check;
   ClashArguments clash;
+  ViewArguments view;
   InfoArguments info;
-  std::string json, limit, threads, max_file, device_share, tolerance, clearance;
+  std::string json, html, page_triangles, limit, threads, max_file, device_share, tolerance, clearance;
   std::vector<std::string> ignored, scales, fail_on;
 };
 
 /// Declare a command's options, which write into `raw` as the command line is parsed.
 void add_check(CLI::App& command, Raw& raw);
 void add_clash(CLI::App& command, Raw& raw);
+void add_view(CLI::App& command, Raw& raw);
 void add_info(CLI::App& command, Raw& raw);
 
 }  // namespace impinge::cli

@@ -78,6 +78,7 @@ std::string general_help(std::size_t width) {
       .section("Usage:", {{"impinge check FILE...", "which objects touch, and in how many triangles"},
                           {"impinge clash FILE...",
                            "what the parts are to each other: penetrating, inside, touching, or too near"},
+                          {"impinge view FILE...", "a page to look at them: the assembly in 3D and its parts"},
                           {"impinge info FILE...", "what the files hold: objects, triangles, open surfaces, warnings"},
                           {"impinge devices", "the GPUs that --backend gpu and hybrid can use"},
                           {"impinge check --help", "all about a command, with examples"},
@@ -144,10 +145,27 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
                  {"impinge clash engine.obj fixture.stl --depth --limit 20", "The twenty worst, and how deep they go."},
                  {"impinge clash robot.ply cell.off --clearance 5 --fail-on contact,clearance",
                   "Fail if anything touches the robot or comes nearer to it than 5 units."},
+                 {"impinge clash engine.obj fixture.stl --html report.html",
+                  "A page for the design review: open it in a browser; it needs nothing else."},
                  {"impinge clash bracket.stl plate.stl --tolerance 0.01 --regions --json clashes.json",
                   "What overlaps by 0.01 counts as touching; every region of contact as JSON."}})
       .section("Exit codes:", {{"0", "nothing that --fail-on names"},
                                {"1", "something that --fail-on names"},
+                               {"2", "an error or an interruption; a sentence on standard error says what and where"}})
+      .text();
+}
+
+std::string view_help(const std::vector<HelpEntry>& options, std::size_t width) {
+  return Page(width)
+      .paragraph("impinge view FILE... [options]")
+      .paragraph(
+          "Writes a page that shows the assembly in 3D with its parts, to be opened in a browser; it needs no network "
+          "and "
+          "no other file. Nothing is tested; impinge clash FILE... --html FILE makes such a page with the clashes.")
+      .section("Options:", options)
+      .examples({{"impinge view engine.obj fixture.stl", "Writes engine.obj.html."},
+                 {"impinge view robot.ply --html robot.html", "Writes robot.html."}})
+      .section("Exit codes:", {{"0", "the page is written"},
                                {"2", "an error or an interruption; a sentence on standard error says what and where"}})
       .text();
 }

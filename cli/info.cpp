@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly.hpp"
+#include "documents.hpp"
 #include "impinge/clash.hpp"
 #include "impinge/io.hpp"
 #include "json_writer.hpp"
@@ -151,13 +152,9 @@ void print_file(const FileFacts& facts, Sink& out) {
 }  // namespace
 
 Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
-  std::optional<Target> target;
-  if (arguments.json) {
-    Result<Target> checked = Target::check(*arguments.json);
-    if (!checked) return checked.error();
-    target = std::move(*checked);
-  }
-  const bool table = !(target && target->is_standard_output());
+  Documents documents(arguments.files);
+  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  const bool table = !documents.on_standard_output();
   Sink out(STDOUT_FILENO, "standard output");
   std::vector<FileFacts> files;
   bool all_read = true;
@@ -175,15 +172,13 @@ Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
       print_file(*facts, out);
       if (auto flushed = out.flush(); !flushed) return flushed.error();
     }
-    if (target) files.push_back(std::move(*facts));
+    if (arguments.json) files.push_back(std::move(*facts));
   }
   if (listed > 0 && columns_for(width_of(STDOUT_FILENO)).size() < columns_for(std::nullopt).size())
     out.write("\n(A wider terminal or --json shows more columns.)\n");
   if (auto flushed = out.flush(); !flushed) return flushed.error();
-  if (target) {
-    if (auto written = target->write([&](Sink& sink) { return write_info_json(sink, files); }); !written)
-      return written.error();
-  }
+  if (auto written = documents.write(kJson, [&](Sink& sink) { return write_info_json(sink, files); }); !written)
+    return written.error();
   return all_read;
 }
 

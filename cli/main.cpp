@@ -12,6 +12,7 @@
 #include "info.hpp"
 #include "interrupt.hpp"
 #include "sink.hpp"
+#include "view.hpp"
 
 namespace {
 
@@ -53,6 +54,10 @@ int run(int argc, char** argv) {
     const Result<bool> fails = clash(*arguments, interrupt.token());
     if (!fails.has_value()) return failed(fails.error());
     return *fails ? kSomething : kNothing;
+  }
+  if (const auto* arguments = std::get_if<ViewArguments>(&*command)) {
+    const Result<void> written = view(*arguments, interrupt.token());
+    return written ? 0 : failed(written.error());
   }
   const Result<bool> all_read = info(std::get<InfoArguments>(*command), interrupt.token());
   if (!all_read.has_value()) return failed(all_read.error());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
 
 #include "numbers.hpp"
@@ -69,6 +70,17 @@ Result<void> take_max_file(const std::string& text, std::uint64_t& to) {
   const auto bytes = parse_bytes(text);
   if (!bytes) return bad(fmt::format("--max-file takes a number of bytes such as 500M or 2G, not '{}'", text));
   to = *bytes;
+  return {};
+}
+
+Result<void> take_page(const Raw& raw, PageArguments& to) {
+  if (!raw.html.empty()) to.html = raw.html;
+  if (raw.page_triangles.empty()) return {};
+  const auto triangles = parse_whole(raw.page_triangles);
+  if (!triangles)
+    return bad(fmt::format("--page-triangles takes a whole number from 0 up, not '{}'", raw.page_triangles));
+  if (!to.html) return bad("--page-triangles is for the page: name its file with --html FILE");
+  to.page_triangles = *triangles;
   return {};
 }
 
@@ -140,8 +152,19 @@ Result<Command> take_clash(Raw raw) {
   ClashArguments& to = raw.clash;
   if (auto taken = take_lengths(raw, to); !taken) return taken.error();
   if (auto taken = take_fail_on(raw.fail_on, to); !taken) return taken.error();
+  if (auto taken = take_page(raw, to); !taken) return taken.error();
+  if (to.html) to.depth = to.regions = true;  // what the page shows of a clash
   if (auto taken = take_limit(raw.limit, to.limit); !taken) return taken.error();
   if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
+  if (auto taken = take_scene(raw, to); !taken) return taken.error();
+  return Command(std::move(to));
+}
+
+Result<Command> take_view(Raw raw) {
+  ViewArguments& to = raw.view;
+  if (raw.html.empty() && !to.files.empty())
+    raw.html = std::filesystem::path(to.files.front()).filename().string() + ".html";
+  if (auto taken = take_page(raw, to); !taken) return taken.error();
   if (auto taken = take_scene(raw, to); !taken) return taken.error();
   return Command(std::move(to));
 }

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,18 +13,6 @@
 namespace impinge::cli {
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-Result<std::optional<Target>> target_of(const SceneArguments& arguments) {
-  if (!arguments.json) return std::optional<Target>();
-  for (const std::string& file : arguments.files) {
-    std::error_code unknown;
-    if (*arguments.json != "-" && std::filesystem::equivalent(*arguments.json, file, unknown))
-      return Error{Code::bad_option, fmt::format("--json {} is one of the files to read", *arguments.json)};
-  }
-  Result<Target> checked = Target::check(*arguments.json);
-  if (!checked) return checked.error();
-  return std::optional<Target>(std::move(*checked));
-}
 
 Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments,
                        std::span<const std::uint32_t> groups) {

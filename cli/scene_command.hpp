@@ -19,10 +19,6 @@ namespace impinge::cli {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start);
 
-/// Where `--json` is to go, looked at before long work begins; nothing without it. Errors: `bad_file`, `bad_option`
-/// (one of the files to read).
-Result<std::optional<Target>> target_of(const SceneArguments& arguments);
-
 /// The assembly as a scene that knows which of its objects are near each other; an object's index is its number.
 /// Objects of one group that is not 0 are not tested against each other; without groups, none. Errors: `bad_option` of
 /// `--ignore`; `bad_pose`, with the object's name.

@@ -30,7 +30,7 @@ Error cannot_write(std::string_view name, int error) {
 std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'{}'", path.native()); }
 
 /// Whether replacing this file loses nothing but an earlier document.
-bool looks_like_json(const std::filesystem::path& file) {
+bool is_empty_or_one(const std::filesystem::path& file, const DocumentKind& kind) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
   std::array<char, 64> head{};
@@ -38,9 +38,17 @@ bool looks_like_json(const std::filesystem::path& file) {
   ::close(descriptor);
   if (got < 0) return false;
   const std::string_view text(head.data(), static_cast<std::size_t>(got));
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first == std::string_view::npos || text[first] == '{';
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos || kind.begins_one(text);
 }
+
+bool begins_json(std::string_view head) {
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && head[first] == '{';
+}
+bool begins_page(std::string_view head) { return head.starts_with("<!doctype html>"); }
+bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
+bool begins_bcf(std::string_view head) { return head.starts_with("PK\3\4"); }
+bool begins_gltf(std::string_view head) { return head.starts_with("glTF"); }
 
 /// The mode that a file made by `open(2)` would get.
 mode_t usual_mode() {
@@ -51,12 +59,20 @@ mode_t usual_mode() {
 
 }  // namespace
 
+const DocumentKind kJson{"--json", "JSON", begins_json}, kPage{"--html", "page", begins_page},
+    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf},
+    kGltf{"--gltf", "binary glTF", begins_gltf};
+
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
 
 void Sink::write(std::string_view bytes) {
   constexpr std::size_t kBufferBytes = 1 << 16;
   if (failed()) return;
-  buffer_ += bytes;
+  if (in_page_) {
+    for (const char c : bytes) c == '<' ? buffer_ += "\\u003c" : buffer_ += c;
+  } else {
+    buffer_ += bytes;
+  }
   if (buffer_.size() >= kBufferBytes) drain();
 }
 
@@ -82,7 +98,7 @@ Result<void> Sink::flush() {
   return {};
 }
 
-Result<Target> Target::check(std::string_view name) {
+Result<Target> Target::check(std::string_view name, const DocumentKind& kind) {
   Target target;
   if (name == "-") {
     target.standard_output_ = true;
@@ -96,13 +112,14 @@ Result<Target> Target::check(std::string_view name) {
   struct stat about {};
   if (::stat(target.place_.c_str(), &about) == 0) {
     if (S_ISDIR(about.st_mode))
-      return Error{Code::bad_file, in_quotes(name) + " is a directory; name a file for the JSON"};
+      return Error{Code::bad_file,
+                   fmt::format("{} is a directory; name a file for the {}", in_quotes(name), kind.noun)};
     target.direct_ = !S_ISREG(about.st_mode);
     if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
-    if (!target.direct_ && !looks_like_json(target.place_))
-      return Error{Code::bad_file, fmt::format("{} exists and holds no JSON, so it is not replaced; the word after "
-                                               "--json is the file to write",
-                                               in_quotes(name))};
+    if (!target.direct_ && !is_empty_or_one(target.place_, kind))
+      return Error{Code::bad_file, fmt::format("{} exists and holds no {}, so it is not replaced; the word after "
+                                               "{} is the file to write",
+                                               in_quotes(name), kind.noun, kind.option)};
   }
   if (!target.direct_) {
     auto folder = target.place_.parent_path();

@@ -20,6 +20,9 @@ class Sink {
   Sink(int descriptor, std::string name);
 
   void write(std::string_view bytes);
+  /// From here on a JSON document is written within a page: '<', which only stands in strings there, becomes \u003c, so
+  /// that no name can end the element that holds it. Until it is turned off.
+  void in_page(bool on) noexcept { in_page_ = on; }
   /// Writes what is still buffered. Errors: `bad_file`, with the first reason that writing failed for.
   Result<void> flush();
   [[nodiscard]] bool failed() const noexcept { return error_ != 0; }
@@ -30,16 +33,25 @@ class Sink {
   int descriptor_;
   std::string name_;
   std::string buffer_;
+  bool in_page_ = false;
   int error_ = 0;  ///< errno of the first failure
 };
 
-/// The place that a JSON document is written to. A regular file is written beside itself and renamed at the end, so
+/// A kind of document: the option that asks for one, what it is called, and whether a file that begins so is one, so
+/// that replacing it loses nothing but an earlier document.
+struct DocumentKind {
+  std::string_view option, noun;
+  bool (*begins_one)(std::string_view head);
+};
+extern const DocumentKind kJson, kPage, kCsv, kBcf, kGltf;
+
+/// The place that a document is written to. A regular file is written beside itself and renamed at the end, so
 /// that nobody sees half of it; a device or a pipe is written directly; "-" is standard output.
 class Target {
  public:
   /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is
-  /// empty or looks like JSON: `--json a.obj b.obj` must not cost its author a.obj. Errors: `bad_file`.
-  static Result<Target> check(std::string_view name);
+  /// empty or begins like such a document: `--json a.obj b.obj` must not cost its author a.obj. Errors: `bad_file`.
+  static Result<Target> check(std::string_view name, const DocumentKind& kind);
 
   [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
 

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sink.hpp"
+
+namespace impinge::cli {
+
+/// The documents that a call is asked for. Their places are looked at before long work begins; each appears whole or
+/// not at all.
+class Documents {
+ public:
+  /// `files` are those that the call reads, which no document may replace.
+  explicit Documents(const std::vector<std::string>& files) : files_(files) {}
+
+  /// Where a document of this kind is to go; nothing without a place. Errors: `bad_file`; `bad_option` (one of the
+  /// files to read, or where another document goes).
+  Result<void> order(const DocumentKind& kind, const std::optional<std::string>& place);
+
+  /// Whether one of them takes the place of what the program prints.
+  [[nodiscard]] bool on_standard_output() const;
+
+  /// Writes the document of this kind if it was ordered, by `fill(sink)`. Errors: as `Target::write`.
+  template <class Fill>
+  Result<void> write(const DocumentKind& kind, Fill&& fill) const {
+    for (const Ordered& ordered : ordered_)
+      if (ordered.kind == &kind) return ordered.target.write(std::forward<Fill>(fill));
+    return {};
+  }
+
+ private:
+  struct Ordered {
+    const DocumentKind* kind;
+    std::string place;
+    Target target;
+  };
+  const std::vector<std::string>& files_;
+  std::vector<Ordered> ordered_;
+};
+
+}  // namespace impinge::cli

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/drawn_scene.hpp"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace impinge::cli {
+namespace {
+
+/// The middle of the mesh's box, where single precision is finest.
+Point middle_of(const Mesh& mesh) {
+  Point middle{};
+  for (double Point::*const axis : {&Point::x, &Point::y, &Point::z}) {
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const Point& vertex : mesh.vertices()) lo = std::min(lo, vertex.*axis), hi = std::max(hi, vertex.*axis);
+    // Halved before they are added: neither overflows.
+    middle.*axis = lo / 2 + hi / 2;
+  }
+  return middle;
+}
+
+/// A coordinate that single precision can hold; nothing so far away can be looked at.
+float drawable(double value) {
+  constexpr double kFarthest = 1e30;
+  return static_cast<float>(std::clamp(value, -kFarthest, kFarthest));
+}
+
+/// Vertices with the same coordinates become one, and those that no triangle uses go.
+void weld(DrawnMesh& mesh) {
+  constexpr std::size_t kStride = 3 * sizeof(float);
+  const std::size_t count = mesh.xyz.size() / 3;
+  std::vector<unsigned int> remap(count);
+  const std::size_t unique = meshopt_generateVertexRemap(remap.data(), mesh.triangles.data(), mesh.triangles.size(),
+                                                         mesh.xyz.data(), count, kStride);
+  meshopt_remapVertexBuffer(mesh.xyz.data(), mesh.xyz.data(), count, kStride, remap.data());
+  meshopt_remapIndexBuffer(mesh.triangles.data(), mesh.triangles.data(), mesh.triangles.size(), remap.data());
+  mesh.xyz.resize(3 * unique);
+}
+
+DrawnMesh drawn(const Mesh& mesh, const Point& middle) {
+  DrawnMesh result;
+  result.xyz.reserve(3 * mesh.vertex_count());
+  for (const Point& p : mesh.vertices())
+    result.xyz.insert(result.xyz.end(), {drawable(p.x - middle.x), drawable(p.y - middle.y), drawable(p.z - middle.z)});
+  result.triangles.reserve(3 * mesh.triangle_count());
+  for (const auto& triangle : mesh.triangles())
+    result.triangles.insert(result.triangles.end(), triangle.begin(), triangle.end());
+  weld(result);
+  return result;
+}
+
+void simplify(DrawnMesh& mesh, std::size_t triangles) {
+  constexpr std::size_t kStride = 3 * sizeof(float);
+  constexpr float kLargestError = 0.05F;  // of the mesh's extent
+  std::vector<std::uint32_t> fewer(mesh.triangles.size());
+  std::size_t count = meshopt_simplify(fewer.data(), mesh.triangles.data(), mesh.triangles.size(), mesh.xyz.data(),
+                                       mesh.xyz.size() / 3, kStride, 3 * triangles, kLargestError, 0, nullptr);
+  // Where its shape allows no more, or it is not connected: what keeps its looks from afar.
+  if (count > 6 * triangles)
+    count = meshopt_simplifySloppy(fewer.data(), mesh.triangles.data(), mesh.triangles.size(), mesh.xyz.data(),
+                                   mesh.xyz.size() / 3, kStride, 3 * triangles, 1.0F, nullptr);
+  if (count == 0) return;
+  fewer.resize(count);
+  mesh.triangles = std::move(fewer);
+  mesh.xyz.resize(3 * meshopt_optimizeVertexFetch(mesh.xyz.data(), mesh.triangles.data(), mesh.triangles.size(),
+                                                  mesh.xyz.data(), mesh.xyz.size() / 3, kStride));
+}
+
+/// The pose of a mesh that was moved so that `middle` became its origin.
+Pose about(const Point& middle, Pose pose) {
+  const Point at = world_vertex(pose, middle);
+  pose.t = {at.x, at.y, at.z};
+  return pose;
+}
+
+}  // namespace
+
+Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop) {
+  constexpr std::uint64_t kFewest = 48;  // what a mesh keeps in any case: a box with holes
+  DrawnScene scene;
+  for (const io::Object& object : assembly.objects) scene.triangles += object.mesh.triangle_count();
+  const double share = scene.triangles > most_triangles
+                           ? static_cast<double>(most_triangles) / static_cast<double>(scene.triangles)
+                           : 1.0;
+  std::unordered_map<const Point*, std::uint32_t> known;
+  std::vector<Point> middles;
+  for (const io::Object& object : assembly.objects) {
+    if (stop.stop_requested()) return interrupted();
+    if (object.mesh.triangle_count() == 0) {
+      scene.objects.push_back({std::nullopt, object.pose});
+      continue;
+    }
+    const auto [place, is_new] =
+        known.try_emplace(object.mesh.vertices().data(), static_cast<std::uint32_t>(scene.meshes.size()));
+    if (is_new) {
+      middles.push_back(middle_of(object.mesh));
+      DrawnMesh mesh = drawn(object.mesh, middles.back());
+      const auto kept = static_cast<std::uint64_t>(share * static_cast<double>(object.mesh.triangle_count()));
+      if (share < 1 && object.mesh.triangle_count() > kFewest) simplify(mesh, std::max(kept, kFewest));
+      scene.meshes.push_back(std::move(mesh));
+    }
+    scene.objects.push_back({place->second, about(middles[place->second], object.pose)});
+    scene.shown += scene.meshes[place->second].triangles.size() / 3;
+  }
+  return scene;
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "assembly.hpp"
+
+/// An assembly as it is drawn: for the eye, not for an answer.
+namespace impinge::cli {
+
+/// A mesh in single precision, about its own middle.
+struct DrawnMesh {
+  std::vector<float> xyz;                ///< 3 coordinates a vertex
+  std::vector<std::uint32_t> triangles;  ///< 3 vertices a triangle
+};
+
+struct DrawnObject {
+  std::optional<std::uint32_t> mesh;  ///< nothing: the object has no triangles
+  Pose pose;                          ///< from the drawn mesh's coordinates to the world
+};
+
+struct DrawnScene {
+  std::vector<DrawnMesh> meshes;     ///< each once, however many objects show it
+  std::vector<DrawnObject> objects;  ///< those of the assembly
+  std::uint64_t triangles = 0;       ///< of all objects as they are
+  std::uint64_t shown = 0;           ///< and as they are drawn: fewer if meshes were simplified
+};
+
+/// With about `most_triangles` over all objects, where that takes simplifying. Errors: `cancelled`.
+Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop);
+
+}  // namespace impinge::cli

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "report/drawn_scene.hpp"
+#include "sink.hpp"
+
+namespace impinge::cli {
+
+/// The page's program, in which a report is written. It is looked for at `IMPINGE_PAGE`, beside the running program,
+/// where it is installed and where `./dev` builds it. Errors: `bad_file`, with where it was looked for.
+Result<std::string> read_page_template();
+
+/// The names of the files, without their folders.
+std::string title_of(const std::vector<std::string>& files);
+
+/// Writes a page that needs nothing else: the template, with the report and what is drawn in its middle
+/// (page/README.md describes them). `write_report` writes the report's JSON. Errors: those of `write_report`;
+/// `cancelled`.
+Result<void> write_page(Sink& sink, const std::string& page_template, const std::string& title, const DrawnScene& scene,
+                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop);
+
+}  // namespace impinge::cli
