@@ -13,6 +13,7 @@
 #include "clash_table.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
+#include "report/identity.hpp"
 #include "report/page.hpp"
 #include "review.hpp"
 #include "scene_command.hpp"
@@ -64,6 +65,9 @@ Result<Review> make_review(const ClashArguments& arguments, const std::stop_toke
     review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
   }
   review.clashes.parts.clear();
+  const std::vector<std::string> keys = keys_of(review.assembly);
+  for (const Clash& pair : review.clashes.pairs)
+    review.ids.push_back(guid_of_pair(keys[pair.objects[0]], keys[pair.objects[1]]));
   return review;
 }
 

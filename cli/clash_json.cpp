@@ -76,12 +76,12 @@ void write_region(Sink& sink, const Region& region) {
                          json_list(region.triangles_b, number)));
 }
 
-void write_pair(Sink& sink, const Clash& pair, const ClashArguments& arguments) {
+void write_pair(Sink& sink, const Clash& pair, const std::string& id, const ClashArguments& arguments) {
   const std::string inner = pair.verdict == Verdict::inside && pair.inner >= 0
                                 ? fmt::format("{}", pair.objects[static_cast<std::size_t>(pair.inner)])
                                 : "null";
-  sink.write(fmt::format("{{\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{},", pair.objects[0],
-                         pair.objects[1], pair.contacts[0], pair.contacts[1], pair.contacts[2]));
+  sink.write(fmt::format("{{\"id\":\"{}\",\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{},", id,
+                         pair.objects[0], pair.objects[1], pair.contacts[0], pair.contacts[1], pair.contacts[2]));
   sink.write(fmt::format("\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}",
                          name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
                          json_number(pair.tolerance), fails(pair, arguments.fail_on)));
@@ -116,13 +116,11 @@ Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArgum
   write_settings(sink, arguments);
   write_parts(sink, review);
   sink.write("\"pairs\":[");
-  bool first = true;
-  for (const Clash& pair : review.clashes.pairs) {
+  for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
     if (sink.failed()) break;
     if (stop.stop_requested()) return interrupted();
-    sink.write(first ? "\n" : ",\n");
-    first = false;
-    write_pair(sink, pair, arguments);
+    sink.write(i == 0 ? "\n" : ",\n");
+    write_pair(sink, review.clashes.pairs[i], review.ids[i], arguments);
   }
   sink.write("\n],\n");
   write_counts(sink, review, arguments.fail_on);

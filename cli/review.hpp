@@ -19,6 +19,7 @@ struct Review {
   Assembly assembly;
   std::vector<Part> parts;         ///< for each object
   Clashes clashes;                 ///< its `parts` are moved to those above
+  std::vector<std::string> ids;    ///< for each pair a UUID that it keeps as long as its parts keep their names
   std::size_t split_products = 0;  ///< IFC products of several parts, which were not tested against each other
   double read_seconds = 0, judge_seconds = 0;
 };
