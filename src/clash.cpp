@@ -14,7 +14,7 @@
 #include "clash/judge.hpp"
 #include "clash/known_part.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/regions.hpp"
+#include "clash/region_side.hpp"
 #include "clash/self_crossings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
@@ -169,25 +169,10 @@ Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, const 
   return parts;
 }
 
-/// A part as regions of contact see it.
-struct RegionSide {
-  clash::Side side;
-  std::vector<std::uint8_t> inward;
-
-  explicit RegionSide(const solid::Part& part)
-      : side{part.body, part.topology.position, part.topology.positions, {}, {}} {
-    if (!part.solid) return;
-    side.holds = [&part](const Vec3& p) { return solid::winding_number(part.body.placed, p).value_or(0) != 0; };
-    for (const std::uint32_t shell : part.topology.shell)
-      inward.push_back(shell != solid::Topology::kNoShell && part.sides[shell].front && !part.sides[shell].back);
-    side.inward = inward;
-  }
-};
-
 std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
                                  const std::vector<exact::Contact>& contacts, const ClashOptions& options) {
-  const RegionSide side_a(a), side_b(b);
-  auto regions = clash::regions_of(side_a.side, side_b.side, contacts, {}, options.stop);
+  const clash::RegionSide side_a(a), side_b(b);
+  auto regions = clash::regions_of(side_a.side(), side_b.side(), contacts, {}, options.stop);
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 

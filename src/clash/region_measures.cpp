@@ -82,16 +82,20 @@ class Measures {
  private:
   [[nodiscard]] Vec3 local(const Vec3& p) const { return (1 / unit_) * (p - origin_); }
 
+  static void keep_each_once(std::vector<std::uint32_t>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
   void list_triangles() {
     region_.pairs = members_.size();
-    for (const std::uint32_t i : members_) {
-      region_.triangles_a.push_back(contacts_[i].a);
-      region_.triangles_b.push_back(contacts_[i].b);
+    std::vector<std::uint32_t>&of_a = region_.triangles_a, &of_b = region_.triangles_b;
+    for (const std::uint32_t i : members_) {  // in the order of a's
+      if (of_a.empty() || of_a.back() != contacts_[i].a) of_a.push_back(contacts_[i].a);
+      of_b.push_back(contacts_[i].b);
+      if (of_b.size() > 2 * b_.body.size()) keep_each_once(of_b);
     }
-    for (std::vector<std::uint32_t>* list : {&region_.triangles_a, &region_.triangles_b}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
+    keep_each_once(of_b);
   }
 
   void find_box() {
@@ -107,7 +111,8 @@ class Measures {
   void add(const exact::Contact& pair, std::span<const Corner> corners) {
     const Vec3 normal_a = outward_normal(a_, pair.a), normal_b = outward_normal(b_, pair.b);
     if (corners.size() > 2) return add_polygon(corners, 0.5 * (normal_a - normal_b));
-    for (const Corner& corner : corners) points_.push_back(corner.point);
+    for (const Corner& corner : corners)
+      if (points_.empty() || points_.back() != corner.point) points_.push_back(corner.point);
     double weight = 1;
     if (corners.size() == 2) {
       const Vec3 &p = corners[0].point, &q = corners[1].point;
