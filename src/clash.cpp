@@ -169,10 +169,12 @@ Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, const 
   return parts;
 }
 
-std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
-                                 const std::vector<exact::Contact>& contacts, const ClashOptions& options) {
+std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const clash::Judgement& judgement,
+                                 const std::stop_token& stop) {
   const clash::RegionSide side_a(a), side_b(b);
-  auto regions = clash::regions_of(side_a.side(), side_b.side(), contacts, {}, options.stop);
+  const double tolerance = judgement.tolerance;
+  const auto contacts = tolerance > 0 ? clash::contacts_within(a.body, b.body, tolerance) : judgement.contacts;
+  auto regions = clash::regions_of(side_a.side(), side_b.side(), contacts, tolerance, {}, stop);
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 
@@ -202,7 +204,7 @@ Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& optio
     clash.overlap_depth = find_depths(a, b, goal);
   }
   if (options.regions && clash.verdict != Verdict::apart)
-    clash.regions = find_regions(a.part(), b.part(), judgement.contacts, options);
+    clash.regions = find_regions(a.part(), b.part(), judgement, options.stop);
   return clash;
 }
 

@@ -3,9 +3,10 @@
 #include "clash/grouping.hpp"
 
 #include <array>
-#include <bit>
 #include <numeric>
 #include <unordered_map>
+
+#include "clash/point_grid.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -58,17 +59,6 @@ class Last {
 
  private:
   std::vector<std::array<std::uint32_t, 2>> seen_;
-};
-
-struct PointHash {
-  std::size_t operator()(const Vec3& p) const {
-    std::size_t hash = 0;
-    for (const double x : {p.x, p.y, p.z}) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
 };
 
 void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups) {

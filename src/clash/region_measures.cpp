@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "clash/lines.hpp"
+#include "clash/split.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -60,13 +61,14 @@ void add_lengths(std::span<const Vec3> points, Mean& mean) {
 class Measures {
  public:
   Measures(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-           std::span<const std::uint32_t> members)
-      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members) {}
+           std::span<const std::uint32_t> members, double tolerance)
+      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), tolerance_(tolerance) {}
 
   Region region() {
     list_triangles();
     find_box();
     for (const std::uint32_t i : members_) add(contacts_[i], parts_[i]);
+    split_lines();
     std::vector<Polyline> lines = joined(lines_without_borders());
     for (const Polyline& line : lines) add_crossing(line);
     std::vector<Polyline> outlines = joined(outline());
@@ -172,6 +174,19 @@ class Measures {
     add_area(points, line.flow > 0 ? way : -1.0 * way);
   }
 
+  /// Where triangles end in the middle of others' edges, pieces of lines lie over each other in part. The ends of exact
+  /// ones are off by half an ulp in each coordinate: less than 2^-51 of the largest, a point and a line together.
+  void split_lines() {
+    std::vector<Vec3> ends;
+    for (const std::vector<Piece>* some : {&pieces_, &borders_})
+      for (const Piece& piece : *some) ends.insert(ends.end(), {piece.from, piece.to});
+    if (ends.size() <= 2) return;
+    const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
+    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, tolerance_ / 2) / unit_});
+    pieces_ = splitter.split(std::move(pieces_));
+    borders_ = splitter.split(std::move(borders_));
+  }
+
   static bool before(const Piece& x, const Piece& y) {
     return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
   }
@@ -222,6 +237,7 @@ class Measures {
   std::span<const exact::Contact> contacts_;
   const SharedParts& parts_;
   std::span<const std::uint32_t> members_;
+  double tolerance_;
   Region region_;
   Vec3 origin_{};
   double unit_ = 1;
@@ -235,8 +251,8 @@ class Measures {
 }  // namespace
 
 Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members) {
-  return Measures(a, b, contacts, parts, members).region();
+                std::span<const std::uint32_t> members, double tolerance) {
+  return Measures(a, b, contacts, parts, members, tolerance).region();
 }
 
 }  // namespace impinge::clash

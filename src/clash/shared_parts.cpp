@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "clash/near_part.hpp"
+
 namespace impinge::clash {
 
 void SharedParts::add_vertex(const Corner& corner) {
@@ -21,15 +23,19 @@ void SharedParts::append(const SharedParts& others) {
   corners_.insert(corners_.end(), others.corners_.begin(), others.corners_.end());
 }
 
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts,
+SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
                          const ForEach& for_each, const std::stop_token& stop) {
   constexpr std::size_t kChunk = 1024;
+  const NearSetting near{local_frame(a.body.box, b.body.box), tolerance};
   std::vector<SharedParts> pieces((contacts.size() + kChunk - 1) / kChunk);
   run_each(for_each, pieces.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
       const Triangle of_a = a.body.triangle(pair.a), of_b = b.body.triangle(pair.b);
-      if (const auto vertex = common_vertex(of_a, of_b)) {
+      if (tolerance > 0) {
+        const SharedPart part = near_part(of_a, of_b, near);
+        pieces[i].add({part.corners.data(), part.size});
+      } else if (const auto vertex = common_vertex(of_a, of_b)) {
         pieces[i].add_vertex(*vertex);
       } else {
         const SharedPart part = shared_part(of_a, of_b);

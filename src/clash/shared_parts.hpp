@@ -19,7 +19,7 @@ class SharedParts {
   [[nodiscard]] std::span<const Corner> operator[](std::size_t contact) const {
     return {corners_.data() + (rows_[contact] >> kSizeBits), rows_[contact] & kMostCorners};
   }
-  [[nodiscard]] std::span<Corner> corners() { return corners_; }
+  [[nodiscard]] std::span<const Corner> corners() const { return corners_; }
 
   void add(std::span<const Corner> part) {
     rows_.push_back(corners_.size() << kSizeBits | part.size());
@@ -37,8 +37,8 @@ class SharedParts {
   std::array<std::uint64_t, 64> vertex_rows_{};  ///< of the last vertex on these edges
 };
 
-/// Incomplete if stopped.
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts,
+/// With a tolerance, what each pair shares within it (`near_part`). Incomplete if stopped.
+SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
                          const ForEach& for_each, const std::stop_token& stop);
 
 }  // namespace impinge::clash
