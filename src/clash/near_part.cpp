@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kNarrow = 0x1p-10;  ///< of the tolerance: far above what rounding leaves of a common edge
 constexpr double kFlushCosine = 0.9;
+constexpr double kRun = 16;  ///< tolerances: an edge that is near for as long is within 8 degrees of the other's plane
 
 /// A triangle that is wide enough for its plane to be told.
 struct Face {
@@ -62,7 +63,7 @@ class Near {
   }
 
   /// Empty if they are not flush.
-  [[nodiscard]] SharedPart flush_part() const {
+  [[nodiscard]] NearPart flush_part() const {
     if (!faces_[0] || !faces_[1]) return {};
     const double cosine = dot(faces_[0]->normal, faces_[1]->normal);
     if (!(std::abs(cosine) >= kFlushCosine)) return {};
@@ -75,26 +76,34 @@ class Near {
     }
     std::array<Vec3, 6> between{};  // each cut adds one corner at most
     std::size_t size = 0;
+    double gap = 0;
     for (const Vec3& p : overlap) {
       const double way = way_to(*faces_[1], p, direction);
       if (!(std::abs(way) <= tolerance_)) return {};
+      gap = std::max(gap, std::abs(way));
       between[size++] = p + (way / 2) * direction;
     }
-    return without_slivers(std::span(between).first(size));
+    return {without_slivers(std::span(between).first(size)), gap / frame_.unit};
   }
 
-  /// The longest of the edges' parts along the other triangle, if it is longer than four tolerances.
-  [[nodiscard]] SharedPart edge_part() const {
+  /// The longest of the edges' parts along the other triangle, if it is longer than `kRun` tolerances.
+  [[nodiscard]] NearPart edge_part() const {
     Segment longest{};
-    double length = 4 * tolerance_;
+    double gap = 0;
+    double length = kRun * tolerance_;
     for (std::size_t s = 0; s < 2; ++s) {
       if (!faces_[1 - s]) continue;
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto part = along({triangles_[s][i], triangles_[s][(i + 1) % 3]}, *faces_[1 - s]);
-        if (part && norm((*part)[1] - (*part)[0]) > length) longest = *part, length = norm(longest[1] - longest[0]);
+        const Face& face = *faces_[1 - s];
+        const auto part = along({triangles_[s][i], triangles_[s][(i + 1) % 3]}, face);
+        if (!part || norm((*part)[1] - (*part)[0]) <= length) continue;
+        const double from = way_to(face, (*part)[0], face.normal), to = way_to(face, (*part)[1], face.normal);
+        longest = {(*part)[0] + (from / 2) * face.normal, (*part)[1] + (to / 2) * face.normal};
+        length = norm((*part)[1] - (*part)[0]), gap = std::max(std::abs(from), std::abs(to));
       }
     }
-    return length > 4 * tolerance_ ? part_of(longest) : SharedPart{};
+    if (!(length > kRun * tolerance_)) return {};
+    return {part_of(longest), gap / frame_.unit};
   }
 
  private:
@@ -109,7 +118,6 @@ class Near {
       if (from > 0) edge[0] = at;
       if (to > 0) edge[1] = at;
     }
-    for (Vec3& p : edge) p = p + (way_to(face, p, face.normal) / 2) * face.normal;
     return edge;
   }
 
@@ -145,20 +153,21 @@ double length_of(const SharedPart& part, double unit) {
 
 }  // namespace
 
-SharedPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting) {
+NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting) {
   const Near near(a, b, setting);
-  const SharedPart flush = near.flush_part();
-  if (flush.size > 0) return flush;
-  const SharedPart edge = near.edge_part();
-  if (edge.size == 0)
-    if (const auto vertex = common_vertex(a, b)) return {{*vertex}, 1};
+  const NearPart flush = near.flush_part();
+  if (flush.shared.size > 0) return flush;
+  const NearPart edge = near.edge_part();
+  if (edge.shared.size == 0)
+    if (const auto vertex = common_vertex(a, b)) return {{{*vertex}, 1}};
   const SharedPart exact = shared_part(a, b);
   const double unit = setting.frame.unit;
-  if (edge.size > 0 && exact.size < 3 && length_of(edge, unit) >= length_of(exact, unit) - unit * setting.tolerance)
+  if (edge.shared.size > 0 && exact.size < 3 &&
+      length_of(edge.shared, unit) >= length_of(exact, unit) - unit * setting.tolerance)
     return edge;
-  if (exact.size > 0) return exact;
+  if (exact.size > 0) return {exact};
   const auto nearest = measure::triangle_distance(a, b, std::numeric_limits<double>::infinity());
-  return {{Corner{0.5 * nearest.a + 0.5 * nearest.b, 0}}, 1};
+  return {{{Corner{0.5 * nearest.a + 0.5 * nearest.b, 0}}, 1}};
 }
 
 }  // namespace impinge::clash

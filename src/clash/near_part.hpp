@@ -13,14 +13,19 @@ struct NearSetting {
   double tolerance;  ///< in the world
 };
 
+struct NearPart {
+  SharedPart shared;
+  double gap = 0;  ///< the farthest that flush triangles, or an edge and what it runs along, are apart there
+};
+
 /// What two triangles that come within the tolerance of each other share up to it; corners know no edges.
 ///   - Flush ones share the polygon over which they lie, half-way between them. Flush are two whose planes are no more
 ///     than 25 degrees apart and which, wherever one lies over the other as seen along the bisector of their normals,
 ///     are no farther apart than the tolerance. A polygon narrower than 2^-10 tolerances is the segment that it almost
 ///     is.
-///   - An edge that runs along the other triangle within the tolerance, by more than four times that and farther than
+///   - An edge that runs along the other triangle within the tolerance, for more than 16 times that and farther than
 ///     what they share exactly, is a segment, likewise half-way.
 ///   - All others share what they share exactly or, if that is nothing, the point between their nearest points.
-SharedPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
+NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
 
 }  // namespace impinge::clash

@@ -61,8 +61,8 @@ void add_lengths(std::span<const Vec3> points, Mean& mean) {
 class Measures {
  public:
   Measures(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-           std::span<const std::uint32_t> members, double tolerance)
-      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), tolerance_(tolerance) {}
+           std::span<const std::uint32_t> members, double within)
+      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), within_(within) {}
 
   Region region() {
     list_triangles();
@@ -182,9 +182,15 @@ class Measures {
       for (const Piece& piece : *some) ends.insert(ends.end(), {piece.from, piece.to});
     if (ends.size() <= 2) return;
     const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
-    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, tolerance_ / 2) / unit_});
-    pieces_ = splitter.split(std::move(pieces_));
-    borders_ = splitter.split(std::move(borders_));
+    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_});
+    // Where points were moved a piece's parts may come near points from which the whole was farther.
+    const int rounds = within_ > 0 ? 8 : 1;
+    for (std::vector<Piece>* some : {&pieces_, &borders_})
+      for (int round = 0; round < rounds; ++round) {
+        const std::size_t before = some->size();
+        *some = splitter.split(std::move(*some));
+        if (some->size() == before) break;
+      }
   }
 
   static bool before(const Piece& x, const Piece& y) {
@@ -237,7 +243,7 @@ class Measures {
   std::span<const exact::Contact> contacts_;
   const SharedParts& parts_;
   std::span<const std::uint32_t> members_;
-  double tolerance_;
+  double within_;
   Region region_;
   Vec3 origin_{};
   double unit_ = 1;
@@ -251,8 +257,8 @@ class Measures {
 }  // namespace
 
 Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members, double tolerance) {
-  return Measures(a, b, contacts, parts, members, tolerance).region();
+                std::span<const std::uint32_t> members, double within) {
+  return Measures(a, b, contacts, parts, members, within).region();
 }
 
 }  // namespace impinge::clash

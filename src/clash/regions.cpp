@@ -53,6 +53,8 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   const Side a = within(exact_a, tolerance), b = within(exact_b, tolerance);
   SharedParts parts = shared_parts(a, b, contacts, tolerance, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
+  // Twice the distance over which points were moved, for lines have moved too.
+  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, tolerance) : 0;
   if (tolerance > 0) parts = snapped(a, b, contacts, parts, tolerance);
   DisjointSets groups(contacts.size());
   if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
@@ -65,7 +67,7 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   const auto members = members_of(groups, contacts.size());
   std::vector<Region> regions(members.size());
   run_each(for_each, members.size(), [&](std::size_t i) {
-    if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i], tolerance);
+    if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i], within_line);
   });
   if (stop.stop_requested()) return std::nullopt;
   // Groups are in the order of their first pairs, which decide between equals.

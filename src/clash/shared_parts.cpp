@@ -21,6 +21,7 @@ void SharedParts::append(const SharedParts& others) {
   const std::uint64_t shift = corners_.size() << kSizeBits;
   for (const std::uint64_t row : others.rows_) rows_.push_back(row + shift);
   corners_.insert(corners_.end(), others.corners_.begin(), others.corners_.end());
+  widen_gap(others.gap_);
 }
 
 SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
@@ -33,8 +34,9 @@ SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Co
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
       const Triangle of_a = a.body.triangle(pair.a), of_b = b.body.triangle(pair.b);
       if (tolerance > 0) {
-        const SharedPart part = near_part(of_a, of_b, near);
-        pieces[i].add({part.corners.data(), part.size});
+        const NearPart part = near_part(of_a, of_b, near);
+        pieces[i].add({part.shared.corners.data(), part.shared.size});
+        pieces[i].widen_gap(part.gap);
       } else if (const auto vertex = common_vertex(of_a, of_b)) {
         pieces[i].add_vertex(*vertex);
       } else {

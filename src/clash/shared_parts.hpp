@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <stop_token>
@@ -28,12 +30,16 @@ class SharedParts {
   /// A point on these edges, in the row of the last such one where that is the same.
   void add_vertex(const Corner& corner);
   void append(const SharedParts& others);
+  /// The farthest that what shares some part is apart: 0 of exact ones.
+  [[nodiscard]] double gap() const { return gap_; }
+  void widen_gap(double gap) { gap_ = std::max(gap_, gap); }
   void reserve(std::size_t rows) { rows_.reserve(rows); }
 
  private:
   static constexpr unsigned kSizeBits = 3, kMostCorners = 7;
   std::vector<std::uint64_t> rows_;  ///< where it begins and its size
   std::vector<Corner> corners_;
+  double gap_ = 0;
   std::array<std::uint64_t, 64> vertex_rows_{};  ///< of the last vertex on these edges
 };
 

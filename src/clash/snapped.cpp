@@ -49,9 +49,11 @@ unsigned edges_near(const Vec3& p, const Triangle& t, double within) {
 
 }  // namespace
 
+double snapping_distance(const SharedParts& parts, double tolerance) { return 0.75 * parts.gap() + 0x1p-8 * tolerance; }
+
 SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
                     double tolerance) {
-  const Moves moves = find_moves(parts.corners(), tolerance / 2);
+  const Moves moves = find_moves(parts.corners(), snapping_distance(parts, tolerance));
   SharedParts result;
   result.reserve(contacts.size());
   std::vector<Corner> row;

@@ -9,7 +9,11 @@
 
 namespace impinge::clash {
 
-/// The parts with corners that are no farther than half of the tolerance from one chosen before them moved onto it:
+/// Up to which distance corners of parts within a tolerance are taken to be one: far above rounding, and above what
+/// looking along one normal or another makes of a gap where flush faces turn by up to a right angle.
+double snapping_distance(const SharedParts& parts, double tolerance);
+
+/// The parts with corners that are no farther than the snapping distance from one chosen before them moved onto it:
 /// what exact parts have in common, near ones have up to rounding and gaps. Points are chosen in lexicographic order.
 /// Corners get the edges that they are near.
 SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
