@@ -63,11 +63,10 @@ struct Region {
 ///     no more than 25 degrees apart, and they no more than t wherever one lies over the other. So a region has the
 ///     area, outline, centroid and normal of the flush faces: points are off by t at most, the area by t times the
 ///     length of its outlines.
-///   - An edge that runs along a triangle within t, for more than 16 t, is a line; what crosses or touches otherwise is
-///   as
-///     it is exactly; and what is only near shares the point between the nearest points.
-///   - Points that gaps and rounding have parted, by less than t, become one of them, and what comes within t belongs
-///   together.
+///   - An edge that is within t wherever it lies over a triangle, for more than 4 t, is a line; what crosses or touches
+///     otherwise is as it is exactly; and what is only near shares the point between the nearest points.
+///   - Points that gaps and rounding have parted, by little more than t at most, become one of them; and what comes
+///     within t belongs together.
 /// A tolerance below 2^-36 of the largest |coordinate| is below what rounding leaves, and taken as 0.
 /// Errors: as `collide`; `bad_option` (tolerance negative, not finite, or above a quarter of the diagonal of either
 /// box).

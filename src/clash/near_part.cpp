@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNarrow = 0x1p-10;  ///< of the tolerance: far above what rounding leaves of a common edge
 constexpr double kFlushCosine = 0.9;
-constexpr double kRun = 16;  ///< tolerances: an edge that is near for as long is within 8 degrees of the other's plane
+constexpr double kRun = 4;  ///< tolerances: what is near for less is a point
 
 /// A triangle that is wide enough for its plane to be told.
 struct Face {
@@ -107,17 +107,17 @@ class Near {
   }
 
  private:
+  /// The part of an edge that lies over a face, if it is near as a whole.
   [[nodiscard]] std::optional<Segment> along(Segment edge, const Face& face) const {
-    const std::array<HalfSpace, 3> sides = prism_over(face, face.normal);
-    const double plane = dot(face.normal, face.triangle[0]);
-    for (const HalfSpace& side : {sides[0], sides[1], sides[2], HalfSpace{face.normal, plane + tolerance_},
-                                  HalfSpace{-1.0 * face.normal, tolerance_ - plane}}) {
+    for (const HalfSpace& side : prism_over(face, face.normal)) {
       const double from = dot(side.normal, edge[0]) - side.offset, to = dot(side.normal, edge[1]) - side.offset;
       if (from > 0 && to > 0) return {};
       const Vec3 at = from > 0 || to > 0 ? edge[0] + (from / (from - to)) * (edge[1] - edge[0]) : Vec3{};
       if (from > 0) edge[0] = at;
       if (to > 0) edge[1] = at;
     }
+    for (const Vec3& p : edge)
+      if (!(std::abs(way_to(face, p, face.normal)) <= tolerance_)) return {};
     return edge;
   }
 

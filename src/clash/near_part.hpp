@@ -23,8 +23,8 @@ struct NearPart {
 ///     than 25 degrees apart and which, wherever one lies over the other as seen along the bisector of their normals,
 ///     are no farther apart than the tolerance. A polygon narrower than 2^-10 tolerances is the segment that it almost
 ///     is.
-///   - An edge that runs along the other triangle within the tolerance, for more than 16 times that and farther than
-///     what they share exactly, is a segment, likewise half-way.
+///   - An edge that is within the tolerance wherever it lies over the other triangle, and over it for more than 4
+///     tolerances and for longer than what they share exactly, is a segment, likewise half-way.
 ///   - All others share what they share exactly or, if that is nothing, the point between their nearest points.
 NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
 

@@ -236,7 +236,9 @@ class Measures {
     const Normals& normals = of_lines_.a.weight > 0 ? of_lines_ : of_points_;
     const Vec3 direction = has_area ? direction_ : normals.direction();
     const double weight = has_area ? area_.weight : normals.a.weight;
-    region_.normal = norm(direction) > kCancelled * weight ? unit(direction) : Vec3{0, 0, 0};
+    // Areas are off by what moved along their outlines.
+    const double off = has_area ? within_ / unit_ * length_.weight : 0;
+    region_.normal = norm(direction) > kCancelled * weight + off ? unit(direction) : Vec3{0, 0, 0};
   }
 
   const Side &a_, &b_;

@@ -49,7 +49,7 @@ unsigned edges_near(const Vec3& p, const Triangle& t, double within) {
 
 }  // namespace
 
-double snapping_distance(const SharedParts& parts, double tolerance) { return 0.75 * parts.gap() + 0x1p-8 * tolerance; }
+double snapping_distance(const SharedParts& parts, double tolerance) { return 1.25 * parts.gap() + 0x1p-8 * tolerance; }
 
 SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
                     double tolerance) {

@@ -10,7 +10,7 @@
 namespace impinge::clash {
 
 /// Up to which distance corners of parts within a tolerance are taken to be one: far above rounding, and above what
-/// looking along one normal or another makes of a gap where flush faces turn by up to a right angle.
+/// parts points in a gap: those on one face, on the other and half-way between, as seen along one normal or another.
 double snapping_distance(const SharedParts& parts, double tolerance);
 
 /// The parts with corners that are no farther than the snapping distance from one chosen before them moved onto it:
