@@ -112,7 +112,7 @@ class Search {
       for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
       if (overlap(box_of(inner_.triangle(t)), common)) look_at(std::move(piece));
     }
-    const std::uint64_t last = effort_ + goal_.most_points + 2 * near.size();
+    const std::uint64_t last = effort_ + goal_.most_points + 4 * near.size();
     while (!open_.empty() && !is_good(open_.top().most) && effort_ < last && !goal_.stop.stop_requested()) {
       Piece piece = open_.top();
       open_.pop();
