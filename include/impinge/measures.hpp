@@ -58,7 +58,8 @@ struct OverlapDepth {
 };
 
 /// Each interval holds the true depth for certain; its width is at most `precision` times the depth, unless that is
-/// below what rounding leaves, or would take more than some 260,000 points to find out. Errors: as `locate`;
+/// below 2^-42 of the largest |world coordinate|, or would take more than some 130,000 points, and four more for each
+/// pair of triangles that touch, to find out. Errors: as `locate`;
 /// `bad_option` (precision not in (0, 1]), `cancelled`.
 Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                                    double precision = 0.01, const MeasureOptions& options = {});
