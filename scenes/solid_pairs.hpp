@@ -45,6 +45,7 @@ std::vector<SolidPair> shell_pairs();    ///< several shells in a part
 std::vector<SolidPair> concave_pairs();  ///< notches, grooves, tubes and rods
 std::vector<SolidPair> thin_pairs();
 std::vector<SolidPair> surface_pairs();  ///< one or both are no solids
+std::vector<SolidPair> passing_pairs();  ///< surfaces through each other along edges, and what looks like it
 
 /// Two boxes whose sides lie to each other in three of the thirteen ways in which two intervals can (Allen, 1983), in
 /// every combination but for turning the axes: 364 pairs, triangulated at random.

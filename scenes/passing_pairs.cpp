@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "scenes/shapes.hpp"
+#include "scenes/solid_pairs.hpp"
+#include "scenes/solids.hpp"
+
+namespace impinge::scenes {
+namespace {
+
+using Profile = std::vector<std::array<double, 2>>;
+
+/// What a polyline in the xz plane sweeps along y, cut at these coordinates; each strip with vertices of its own unless
+/// `shared`, and diagonals one way or the other.
+MeshData swept(const Profile& profile, const std::vector<double>& y, bool other_diagonals = false) {
+  MeshData mesh;
+  for (const double at : y)
+    for (const auto& [x, z] : profile) mesh.xyz.insert(mesh.xyz.end(), {x, at, z});
+  const auto n = static_cast<std::uint32_t>(profile.size());
+  for (std::uint32_t j = 0; j + 1 < y.size(); ++j) {
+    for (std::uint32_t i = 0; i + 1 < n; ++i) {
+      const std::uint32_t p = j * n + i, q = p + 1, r = q + n, s = p + n;
+      if (other_diagonals)
+        mesh.triangles.insert(mesh.triangles.end(), {p, q, s, q, r, s});
+      else
+        mesh.triangles.insert(mesh.triangles.end(), {p, q, r, p, r, s});
+    }
+  }
+  return mesh;
+}
+
+MeshData triangles(std::vector<double> xyz, std::vector<std::uint32_t> corners) {
+  MeshData mesh;
+  mesh.xyz = std::move(xyz), mesh.triangles = std::move(corners);
+  return mesh;
+}
+
+void add_lines(std::vector<SolidPair>& pairs) {
+  const auto add = [&](const std::string& name, const MeshData& a, const MeshData& b, const Judgement& known) {
+    pairs.push_back({name, a, b, known, false});
+  };
+  const std::vector<double> whole{0, 8}, within{2, 6}, cut{0, 3, 8}, cut_otherwise{0, 2, 5, 8};
+  const Profile flat{{-4, 0}, {0, 0}, {4, 0}}, upright{{0, -4}, {0, 0}, {0, 4}}, bent{{-4, 1}, {0, 0}, {4, 2}};
+  const MeshData floor = swept(flat, whole);
+  add("along an edge of both", floor, swept(upright, whole), kCrossing);
+  add("along an edge of both, inverted", inverted(floor), swept(upright, whole, true), kCrossing);
+  add("along edges of both, cut alike", swept(flat, cut), swept(upright, cut), kCrossing);
+  add("along edges of both, cut otherwise", swept(flat, cut), swept(upright, cut_otherwise), kCrossing);
+  add("along a part of an edge", floor, swept(upright, within), kCrossing);
+  add("along edges that overlap", floor, swept(upright, {4, 12}), kCrossing);
+  add("along an edge of one", swept({{-4, 0}, {4, 0}}, whole), swept(upright, whole), kCrossing);
+  add("along an edge of one, wide", swept({{-4, 0}, {4, 0}}, {-2, 10}), swept(upright, within), kCrossing);
+  add("along an edge of the other", floor, swept({{0, -4}, {0, 4}}, within), kCrossing);
+  add("both bent", swept(bent, whole), swept({{-1, -4}, {0, 0}, {2, 4}}, whole), kCrossing);
+  add("both bent, aslant", swept(bent, whole), swept({{4, 1}, {0, 0}, {-4, 2}}, whole), kCrossing);
+  add("both bent, at a flat angle", swept(bent, whole), swept({{-4, 0.5}, {0, 0}, {4, 2.5}}, whole), kCrossing);
+  add("a fold on a sheet", floor, swept({{-3, 4}, {0, 0}, {3, 4}}, whole), kTouching);
+  add("a fold on a sheet, cut otherwise", swept(flat, cut), swept({{-3, 4}, {0, 0}, {3, 4}}, cut_otherwise), kTouching);
+  add("a fold on the inside of a sheet", swept({{-4, 0}, {4, 0}}, {-2, 10}), swept({{-3, 4}, {0, 0}, {3, 4}}, whole),
+      kTouching);
+  add("a fold in a fold", swept({{-4, 4}, {0, 0}, {4, 4}}, whole), swept({{-2, 4}, {0, 0}, {2, 4}}, whole), kTouching);
+  add("a fold beside a fold", swept({{-4, 1}, {0, 0}, {-4, -1}}, whole), swept({{4, 1}, {0, 0}, {4, -1}}, whole),
+      kTouching);
+  add("a fold that half lies on a sheet", floor, swept({{-4, 0}, {0, 0}, {3, 4}}, whole), kTouching);
+  add("an end on an edge", floor, swept({{0, 0}, {0, 4}}, whole), kTouching);
+  add("an end on an edge, cut otherwise", swept(flat, cut), swept({{0, 0}, {0, 4}}, cut_otherwise), kTouching);
+  add("an edge on an end", swept({{0, 0}, {4, 0}}, whole), swept(upright, whole), kTouching);
+  add("an end on an end", swept({{0, 0}, {4, 0}}, whole), swept({{0, 0}, {0, 4}}, whole), kTouching);
+  // Four flaps around a line, of which each touches the next.
+  const MeshData cross = joined(joined(swept({{0, 0}, {4, 0}}, whole), swept({{0, 0}, {-4, 0}}, whole)),
+                                joined(swept({{0, 0}, {0, 4}}, whole), swept({{0, 0}, {0, -4}}, whole)));
+  add("through the middle of a cross", cross, swept({{-4, -4}, {0, 0}, {4, 4}}, whole), kCrossing);
+  add("through the middle of a cross, cut there", cross, swept({{-4, -4}, {4, 4}}, whole), kCrossing);
+  add("in a corner of a cross", cross, swept({{2, 4}, {0, 0}, {4, 2}}, whole), kTouching);
+  add("an end in a corner of a cross", cross, swept({{0, 0}, {4, 4}}, whole), kTouching);
+}
+
+/// A path that runs on edges here and through triangles there; places that are points, or areas.
+void add_mixed(std::vector<SolidPair>& pairs) {
+  const auto add = [&](const std::string& name, const MeshData& a, const MeshData& b, const Judgement& known) {
+    pairs.push_back({name, a, b, known, false});
+  };
+  const std::vector<double> whole{0, 8};
+  const MeshData floor = swept({{-4, 0}, {0, 0}, {4, 0}}, whole);
+  const MeshData upright =
+      triangles({0, 0, 0, 0, 4, 0, 2, 8, 0, 0, 0, 4, 0, 4, 4, 2, 8, 4, 0, 0, -4, 0, 4, -4, 2, 8, -4},
+                {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 6, 7, 1, 6, 1, 0, 7, 8, 2, 7, 2, 1});
+  add("on an edge, then through triangles", floor, upright, kCrossing);
+  add("on an edge, then through triangles, an end", floor, triangles(upright.xyz, {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4}),
+      kTouching);
+  add("through a vertex of both, not along an edge",
+      triangles({-4, -4, 0, 4, -4, 0, 4, 4, 0, -4, 4, 0, 0, 0, 0}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}),
+      triangles({-4, 0, -4, 4, 0, -4, 4, 0, 4, -4, 0, 4, 0, 0, 0}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}), kCrossing);
+  add("through a vertex of both, along edges",
+      triangles({-4, 0, 0, 0, -4, 0, 4, 0, 0, 0, 4, 0, 0, 0, 0}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}),
+      triangles({-4, 0, 0, 0, 0, -4, 4, 0, 0, 0, 0, 4, 0, 0, 0}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}), kCrossing);
+  add("tips that meet", triangles({-4, -4, 8, 4, -4, 8, 0, 4, 8, 0, 0, 0}, {0, 1, 3, 1, 2, 3, 2, 0, 3}),
+      triangles({-4, -4, -8, 4, -4, -8, 0, 4, -8, 0, 0, 0}, {0, 1, 3, 1, 2, 3, 2, 0, 3}), kTouching);
+  // Each with a notch towards the other, deep to a common point.
+  const MeshData notched = triangles({0, 0, 0, 4, 4, 0, -4, 4, 0, -4, -4, 0, 4, -4, 0}, {0, 1, 2, 0, 2, 3, 0, 3, 4});
+  add("notches in each other", notched,
+      triangles({0, 0, 0, -4, 0, 4, 4, 0, 4, 4, 0, -4, -4, 0, -4}, {0, 1, 2, 0, 2, 3, 0, 3, 4}), kTouching);
+  add("a sheet over a notch", notched, swept({{0, 0}, {4, 0}}, {-1, 1}), kTouching);
+  // A web that lies on the other sheet, or through it.
+  const Profile both{{-4, 0}, {-1, 0}, {1, 0}, {4, 0}};
+  const Profile up_and_down{{-1, 4}, {-1, 0}, {1, 0}, {1, -4}}, up{{-1, 4}, {-1, 0}, {1, 0}, {1, 4}};
+  add("comes from above, goes below", swept(both, whole), swept(up_and_down, whole), kCrossing);
+  add("comes from above, goes below, on one triangle", swept({{-4, 0}, {4, 0}}, {-2, 10}), swept(up_and_down, {1, 5}),
+      kCrossing);
+  add("comes from above, goes back up", swept(both, whole), swept(up, whole), kTouching);
+  add("comes from above, stays", swept(both, whole), swept({{-1, 4}, {-1, 0}, {1, 0}}, whole), kTouching);
+  add("around an end", swept({{-4, 0}, {-1, 0}, {1, 0}}, whole), swept(up_and_down, whole), kTouching);
+  add("around an end, on one triangle", swept({{-4, 0}, {1, 0}}, {-2, 10}), swept(up_and_down, {1, 5}), kTouching);
+  add("on both sides, one beside the other", swept(both, whole),
+      joined(swept({{-1, 0}, {-1, 4}}, whole), swept({{1, 0}, {1, -4}}, whole)), kTouching);
+  add("hooks from below and above", swept(both, whole),
+      joined(swept({{-3, 0}, {-1, 0}, {-1, 4}}, {1, 3}), swept({{3, 0}, {1, 0}, {1, -4}}, {5, 7})), kTouching);
+}
+
+}  // namespace
+
+std::vector<SolidPair> passing_pairs() {
+  std::vector<SolidPair> pairs;
+  add_lines(pairs);
+  add_mixed(pairs);
+  return pairs;
+}
+
+}  // namespace impinge::scenes
