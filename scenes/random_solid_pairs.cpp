@@ -306,6 +306,7 @@ std::vector<Family> solid_families() {
           {"Thin", thin_pairs()},
           {"Surfaces", surface_pairs()},
           {"Passing", passing_pairs()},
+          {"Degenerate", degenerate_pairs()},
           {"Intervals", interval_pairs(1)},
           {"Convex", convex_pairs(1, 120)},
           {"Voxels", voxel_pairs(1, 120)}};
