@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -187,6 +189,45 @@ std::vector<SolidPair> point_pairs() {
           {"a point above a face", point({2, 3, 8.5}), solid, kApart, false},
           {"a point on a sheet", point({3, 4, 4}), flat, kTouching, false},
           {"points, the same", point({3, 4, 4}), point({3, 4, 4}), kDuplicate, false}};
+}
+
+namespace {
+
+/// `solid`: an oracle knows better. The verdicts are on a surface, which has nothing in it but is there in the middle.
+void add_with_each(std::vector<SolidPair>& pairs, const std::string& name, const MeshData& part, bool solid) {
+  const auto add = [&](const std::string& what, const MeshData& other, const Judgement& of_surface) {
+    pairs.push_back({name + ": " + what, part, other, solid ? std::nullopt : std::optional(of_surface), solid});
+  };
+  add("a block in the middle", box({2.5, 2.5, 2.5}, {3.5, 3.5, 3.5}), kApart);
+  add("a block that fills the middle", box({2, 2, 2}, {4, 4, 4}), kTouching);
+  add("a block that fills the middle, cut", block({2, 3, 4}, {2, 4}, {2, 4}), kTouching);
+  add("a block from the middle to the first", box({1, 2.5, 2.5}, {3, 3.5, 3.5}), kCrossing);
+  add("a block from the middle outwards", box({3, 3, 3}, {5, 5, 9}), kCrossing);
+  add("a block in the first", box({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}), kApart);
+  add("a block in the second", box({4.5, 4.5, 4.5}, {5.5, 5.5, 5.5}), kApart);
+  add("a block on the first, in the corner of the second", box({4, 0, 0}, {6, 2, 2}), kTouching);
+  add("a block in the corner, flush with both", box({4, 1, 2}, {5, 2, 3}), kTouching);
+  add("a block across the corner", box({3, 1, 2}, {5, 3, 3}), kCrossing);
+  add("a block around", box({-1, -1, -1}, {7, 7, 7}), kInner);
+  add("a block around, flush", box({0, 0, 0}, {6, 6, 6}), kInner);
+  add("the first", box({0, 0, 0}, {4, 4, 4}), kCrossing);
+  add("the second", box({2, 2, 2}, {6, 6, 6}), kCrossing);
+  const auto in_either = [](int x, int y, int z) { return std::max({x, y, z}) < 2 || std::min({x, y, z}) > 0; };
+  add("the union", boundary({{0, 2, 4, 6}, {0, 2, 4, 6}, {0, 2, 4, 6}, in_either}), kInner);
+  add("itself", part, kDuplicate);
+}
+
+}  // namespace
+
+std::vector<SolidPair> self_passing_pairs() {
+  std::vector<SolidPair> pairs;
+  const std::vector<double> low{0, 2, 4}, high{2, 4, 6};
+  const MeshData first = block(low, low, low), second = block(high, high, high);
+  add_with_each(pairs, "cut alike", joined(first, second), true);
+  add_with_each(pairs, "cut alike, the second inverted", joined(first, inverted(second)), true);
+  add_with_each(pairs, "cut otherwise", joined(block(low, low, {0, 2, 3, 4}), second), false);
+  add_with_each(pairs, "the first cut", joined(first, box({2, 2, 2}, {6, 6, 6})), false);
+  return pairs;
 }
 
 std::vector<SolidPair> passing_pairs() {

@@ -49,6 +49,7 @@ std::vector<SolidPair> passing_pairs();     ///< surfaces through each other alo
 std::vector<SolidPair> degenerate_pairs();  ///< segments with solids and with surfaces, alone and as parts of surfaces
 /// The same of points. A point has no extent that a tolerance could be small against: they are judged exactly.
 std::vector<SolidPair> point_pairs();
+std::vector<SolidPair> self_passing_pairs();  ///< closed parts that pass through themselves along edges
 
 /// Two boxes whose sides lie to each other in three of the thirteen ways in which two intervals can (Allen, 1983), in
 /// every combination but for turning the axes: 364 pairs, triangulated at random.
