@@ -97,7 +97,8 @@ class SelfPassings {
     return false;
   }
 
-  /// What of an edge is in a slab.
+  /// What of an edge is between a slab's sides, if all of that is in the slab: one that only pierces it does not run
+  /// along the triangle, however flatly it does.
   static std::optional<Stretch> clipped(Stretch s, const Slab& slab) {
     const auto clip = [&](const HalfSpace& half_space) {
       const double p = dot(half_space.normal, s.from) - half_space.offset;
@@ -107,9 +108,11 @@ class SelfPassings {
       if (q > 0) s.to = s.from + (p / (p - q)) * (s.to - s.from);
       return true;
     };
-    if (!clip(slab.top) || !clip(slab.bottom)) return std::nullopt;
     for (std::size_t i = 0; i < slab.size; ++i)
       if (!clip(slab.sides[i])) return std::nullopt;
+    for (const HalfSpace* const half_space : {&slab.top, &slab.bottom})
+      for (const Vec3& end : {s.from, s.to})
+        if (dot(half_space->normal, end) > half_space->offset) return std::nullopt;
     return s;
   }
 
