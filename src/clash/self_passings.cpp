@@ -28,8 +28,10 @@ class SelfPassings {
  public:
   SelfPassings(const solid::Body& body, const solid::Topology& topology, double tolerance)
       : body_(body), topology_(topology), frame_(local_frame(body.box, body.box)) {
-    // Twice what slabs need, so that their planes can be told.
-    tolerance_ = std::max(frame_.unit * tolerance, 2 * kLeastTolerance * frame_.scale);
+    // Far less than a wall, for one face does not pass through the other; and twice what slabs need at least, so that
+    // their planes can be told.
+    tolerance_ = std::min(frame_.unit * tolerance, wall() / 16);
+    tolerance_ = std::max(tolerance_, 2 * kLeastTolerance * frame_.scale);
   }
 
   bool is_one(std::uint32_t a, std::uint32_t b) {
@@ -39,6 +41,17 @@ class SelfPassings {
 
  private:
   [[nodiscard]] bool is_proper(std::uint32_t t) const { return topology_.shell[t] != solid::Topology::kNoShell; }
+
+  /// As PartFacts::wall, in local units.
+  [[nodiscard]] double wall() const {
+    double area = 0, volume = 0;
+    for (std::uint32_t t = 0; t < body_.size(); ++t) {
+      const Triangle triangle = local(t);
+      const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+      area += norm(normal) / 2, volume += dot(triangle[0], normal) / 6;
+    }
+    return area > 0 ? 2 * std::abs(volume) / area : 0;
+  }
 
   [[nodiscard]] std::array<std::uint32_t, 3> corners(std::uint32_t t) const {
     const auto& [a, b, c] = body_.placed.mesh->triangles[t];
