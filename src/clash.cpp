@@ -16,6 +16,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/region_side.hpp"
 #include "clash/self_crossings.hpp"
+#include "clash/self_passings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
 #include "domain_error.hpp"
@@ -67,18 +68,23 @@ double tolerance_of(const ClashOptions& options, double largest) {
 
 /// The pairs of a placed mesh's own triangles that keep it from being a solid.
 Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
-  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
-                                {.kinds = kCrossing | kCoplanar, .threads = threads, .stop = options.stop});
-  if (!contacts) return contacts.error();
   const solid::Body body = body_of(*placed.mesh, placed.pose);
+  const solid::Topology topology = solid::examine(body);
+  const std::uint8_t kinds = topology.closed ? kAllKinds : kCrossing | kCoplanar;
+  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
+                                {.kinds = kinds, .threads = threads, .stop = options.stop});
+  if (!contacts) return contacts.error();
   const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
-  std::vector<TrianglePair> defects;
+  std::vector<TrianglePair> defects, others;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
     const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a < pair.b &&
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
-      defects.push_back(pair);
+    if (pair.a >= pair.b) continue;
+    const bool is_defect =
+        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance);
+    if (is_defect) defects.push_back(pair);
+    if (!is_defect && contacts->kinds[i] != Kind::coplanar) others.push_back(pair);
   }
+  if (defects.empty() && topology.closed) return clash::self_passings(body, topology, others, tolerance);
   return defects;
 }
 

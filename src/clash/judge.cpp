@@ -101,8 +101,8 @@ class Case {
 
   Finding find_exactly() {
     const Cells cells = solid::cells_of(a_.part, b_.part, contacts(), enough());
-    const bool crosses = std::any_of(contacts().begin(), contacts().end(), is_crossing);
-    return verdict_of(cells, kinds_, !contacts().empty(), crosses);
+    const bool pass = !kinds_.a_is_solid && !kinds_.b_is_solid && pass_exactly(a_.part, b_.part, contacts());
+    return verdict_of(cells, kinds_, !contacts().empty(), pass);
   }
   bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
@@ -116,8 +116,7 @@ class Case {
     } else if (!kinds_.a_is_solid && !kinds_.b_is_solid && ((cells.a | cells.b) & kOutside) == 0) {
       cells.a |= kSameSide, cells.b |= kSameSide;
     }
-    const bool pass =
-        !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, near_, contacts());
+    const bool pass = !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, near_);
     conclude(verdict_of(cells, kinds_, !near_.empty(), pass), !near_.empty());
     if (!near_.empty()) judgement_.note = note();
     return true;

@@ -56,6 +56,9 @@ class OneSide {
     const auto& triangles = own_.part.body.placed.mesh->triangles;
     for (std::uint32_t t = 0; unmet > 0; ++t)
       if (meet(t)) bits |= locate(own_.part.body.world[triangles[t][0]]);
+    for (std::uint32_t t = 0; has_degenerate_cells() && t < triangles.size(); ++t)
+      if (shell_of(t) == solid::Topology::kNoShell && !is_near(t))
+        bits |= locate(own_.part.body.world[triangles[t][0]]);
     return bits | look_at_rims();
   }
 
@@ -67,7 +70,7 @@ class OneSide {
     while (first < near_.size()) {
       std::size_t last = first;
       while (last < near_.size() && near_[last].a == near_[first].a) ++last;
-      if (shell_of(near_[first].a) != solid::Topology::kNoShell) {
+      if (counts(near_[first].a)) {
         slabs_.clear();
         for (std::size_t i = first; i < last; ++i) {
           const Triangle triangle = setting_.frame.to_local(other_.body.triangle(near_[i].b));
@@ -94,6 +97,14 @@ class OneSide {
   };
 
   [[nodiscard]] std::uint32_t shell_of(std::uint32_t triangle) const { return own_.part.topology.shell[triangle]; }
+  /// To a solid's boundary degenerate triangles add nothing; a surface has the segments and points that they are.
+  [[nodiscard]] bool has_degenerate_cells() const { return !own_.part.solid && own_.part.topology.degenerate > 0; }
+  [[nodiscard]] bool counts(std::uint32_t triangle) const {
+    return !own_.part.solid || shell_of(triangle) != solid::Topology::kNoShell;
+  }
+  [[nodiscard]] bool is_near(std::uint32_t triangle) const {
+    return std::binary_search(near_triangles_.begin(), near_triangles_.end(), triangle);
+  }
 
   /// Of a point that is not near the other part.
   [[nodiscard]] std::uint8_t locate(const Vec3& point) const {
@@ -107,9 +118,6 @@ class OneSide {
     std::vector<std::uint32_t> rim;
     const auto& triangles = own_.part.body.placed.mesh->triangles;
     const auto& position = own_.part.topology.position;
-    const auto is_near = [&](std::uint32_t t) {
-      return std::binary_search(near_triangles_.begin(), near_triangles_.end(), t);
-    };
     for (const std::uint32_t t : near_triangles_)
       for (const std::uint32_t vertex : triangles[t]) rim.push_back(vertex);
     std::sort(rim.begin(), rim.end(), [&](std::uint32_t v, std::uint32_t w) { return position[v] < position[w]; });
@@ -119,8 +127,7 @@ class OneSide {
       if (i > 0 && position[rim[i - 1]] == at) continue;
       const auto fan = own_.fans.triangles.begin();
       const auto begin = fan + own_.fans.offsets[at], end = fan + own_.fans.offsets[at + 1];
-      const bool is_clear = std::any_of(
-          begin, end, [&](std::uint32_t t) { return shell_of(t) != solid::Topology::kNoShell && !is_near(t); });
+      const bool is_clear = std::any_of(begin, end, [&](std::uint32_t t) { return counts(t) && !is_near(t); });
       if (is_clear) bits |= locate(own_.part.body.world[rim[i]]);
     }
     return bits;
