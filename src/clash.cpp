@@ -74,6 +74,7 @@ Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const Clash
   const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
   std::vector<TrianglePair> defects;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
+    if (options.stop.stop_requested()) return cancelled();
     const TrianglePair& pair = contacts->triangles[i];
     if (pair.a < pair.b &&
         clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
@@ -194,20 +195,25 @@ std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
 OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::DepthGoal& goal) {
   const solid::Part &part_a = a.known.linked.part, &part_b = b.known.linked.part;
   if (part_a.solid && part_b.solid)
-    return clash::depths_of(part_a, part_b, clash::contacts_of(part_a.body, part_b.body), goal);
+    return clash::depths_of(part_a, part_b,
+                            clash::find_encounter(part_a.body, part_b.body, {.stop = goal.stop}).contacts, goal);
   return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
 }
 
 /// The verdict on two parts, and what else is asked for.
 Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
-  clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance, options.stop);
-  if (a.whole || b.whole) judgement.contacts = clash::contacts_of(a.part().body, b.part().body);
+  clash::Judgement judgement = clash::judge_pair(a.known, b.known, {options.tolerance, options.regions, options.stop});
+  if (a.whole || b.whole) {
+    clash::Encounter met = clash::find_encounter(a.part().body, b.part().body, {0, options.regions, options.stop});
+    judgement.counts = met.counts, judgement.contacts = std::move(met.contacts);
+  }
   Clash clash;
   clash.verdict = judgement.verdict, clash.inner = judgement.inner;
   clash.note = judgement.note, clash.tolerance = judgement.tolerance;
-  for (const exact::Contact& contact : judgement.contacts) ++clash.contacts[static_cast<std::size_t>(contact.kind)];
+  clash.contacts = judgement.counts;
   if (options.clearance > 0 && !judgement.touch) {
-    const auto near = measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance);
+    const auto near =
+        measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance, 0, {.stop = options.stop});
     if (near && near->distance < options.clearance)
       clash.nearest = Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
   }

@@ -10,6 +10,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
 #include "core/disjoint_sets.hpp"
+#include "measure/nearest.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -104,16 +105,31 @@ std::uint8_t turned(std::uint8_t sides, int way) {
   return static_cast<std::uint8_t>(((sides & kAbove) != 0 ? kBelow : 0) | ((sides & kBelow) != 0 ? kAbove : 0));
 }
 
+/// Every near pair, those that the encounter left out too.
+void each_near(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+               const measure::TakePair& take, const std::stop_token& stop) {
+  if (!encounter.is_whole) return measure::near_pairs(a.part.body.placed, b.part.body.placed, tolerance, take, stop);
+  for (const TrianglePair& pair : encounter.near)
+    if (stop.stop_requested() || !take(pair)) return;
+}
+
 }  // namespace
 
-bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const std::vector<TrianglePair>& near,
-                  std::span<const exact::Contact> contacts) {
+bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+                  const std::stop_token& stop) {
+  const std::vector<exact::Contact>& contacts = encounter.contacts;
+  const auto is_crossing = [](const exact::Contact& contact) { return contact.kind == Kind::crossing; };
+  if (std::none_of(contacts.begin(), contacts.end(), is_crossing)) return false;
   std::vector<std::uint32_t> ids_a, ids_b;
-  for (const TrianglePair& pair : near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
+  for (const TrianglePair& pair : encounter.near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
   const NearTriangles of_a = near_triangles(a.part, std::move(ids_a)), of_b = near_triangles(b.part, std::move(ids_b));
   const auto count_a = static_cast<std::uint32_t>(of_a.ids.size());
   DisjointSets groups(of_a.ids.size() + of_b.ids.size());
-  for (const TrianglePair& pair : near) groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
+  const auto join = [&](const TrianglePair& pair) {
+    groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
+    return true;
+  };
+  each_near(a, b, tolerance, encounter, join, stop);
 
   // A place is where one piece meets one piece: sides of different pieces have nothing to do with each other.
   struct Place {
@@ -125,12 +141,13 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
     return std::array{groups.find(i), of_a.piece[i], of_b.piece[j]};
   };
   for (const exact::Contact& contact : contacts)
-    if (contact.kind == Kind::crossing) places.try_emplace(key_of(contact.a, contact.b));
+    if (is_crossing(contact)) places.try_emplace(key_of(contact.a, contact.b));
 
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
-  for (const TrianglePair& pair : near) {
+  bool pass = false;
+  const auto look_at = [&](const TrianglePair& pair) {
     const auto found = places.find(key_of(pair.a, pair.b));
-    if (found == places.end()) continue;
+    if (found == places.end()) return true;
     Place& place = found->second;
     const Triangle triangle_a = frame.to_local(a.part.body.triangle(pair.a));
     const Triangle triangle_b = frame.to_local(b.part.body.triangle(pair.b));
@@ -138,9 +155,11 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
     const auto slab_b = make_slab(triangle_b, frame.unit * tolerance, frame.scale);
     if (slab_a) place.b_at_a |= turned(sides_of(*slab_a, triangle_b), of_a.side[of_a.index(pair.a)]);
     if (slab_b) place.a_at_b |= turned(sides_of(*slab_b, triangle_a), of_b.side[of_b.index(pair.b)]);
-    if (place.a_at_b == (kAbove | kBelow) && place.b_at_a == (kAbove | kBelow)) return true;
-  }
-  return false;
+    pass = place.a_at_b == (kAbove | kBelow) && place.b_at_a == (kAbove | kBelow);
+    return !pass;
+  };
+  each_near(a, b, tolerance, encounter, look_at, stop);
+  return pass;
 }
 
 }  // namespace impinge::clash
