@@ -35,10 +35,13 @@ struct NearestPair {
   std::uint32_t triangle_a, triangle_b;
 };
 
+struct PairMemory;
+
 /// How a search is run.
 struct SearchMeans {
-  ForEach for_each{};      ///< shares the making of large nodes
-  std::stop_token stop{};  ///< a search that was stopped finds nothing
+  ForEach for_each{};            ///< shares the making of large nodes
+  std::stop_token stop{};        ///< a search that was stopped finds nothing
+  PairMemory* memory = nullptr;  ///< of an earlier search, to be used again (measure/pair_queue.hpp)
 };
 
 /// The nearest points of two bodies; same rules.
