@@ -66,8 +66,8 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     if (!tolerance) return tolerance.error();
     if (!is_exact && *tolerance == 0) found = find(Options::Find::all);
     if (!found) return found.error();
-    const auto contacts =
-        *tolerance > 0 ? clash::contacts_within(part_a.body, part_b.body, *tolerance) : contacts_of(*found);
+    const auto contacts = *tolerance > 0 ? clash::contacts_within(part_a.body, part_b.body, *tolerance, options.stop)
+                                         : contacts_of(*found);
     found = Contacts{};
     const clash::RegionSide a(part_a), b(part_b);
     auto regions =

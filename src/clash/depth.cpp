@@ -104,7 +104,8 @@ class Search {
     const Box common = intersection(inner_.box, outer_.box);
     if (is_empty(common)) return {};
     std::vector<TrianglePair> near;
-    measure::near_pairs(inner_.placed, outer_.placed, 5 * most_drift_, near);
+    const auto take = [&](const TrianglePair& pair) { return near.push_back(pair), true; };
+    measure::near_pairs(inner_.placed, outer_.placed, 5 * most_drift_, take, goal_.stop);
     std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
     auto pair = near.begin();
     for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t) {

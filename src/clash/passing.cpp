@@ -70,33 +70,48 @@ class Passing {
   LocalFrame frame_;
 };
 
+/// Every near pair, those that the encounter left out too.
+void each_near(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+               const measure::TakePair& take, const std::stop_token& stop) {
+  if (!encounter.is_whole) return measure::near_pairs(a.part.body.placed, b.part.body.placed, tolerance, take, stop);
+  for (const TrianglePair& pair : encounter.near)
+    if (stop.stop_requested() || !take(pair)) return;
+}
+
 }  // namespace
 
-bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const std::vector<TrianglePair>& near) {
+bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+                  const std::stop_token& stop) {
   std::vector<std::uint32_t> ids_a, ids_b;
-  for (const TrianglePair& pair : near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
+  for (const TrianglePair& pair : encounter.near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
   const Sheets of_a = sheets_of(a.part, std::move(ids_a)), of_b = sheets_of(b.part, std::move(ids_b));
   const auto count_a = static_cast<std::uint32_t>(of_a.ids.size());
   const auto is_proper = [&](const TrianglePair& pair) {
     return a.part.is_boundary(pair.a) && b.part.is_boundary(pair.b);
   };
   DisjointSets groups(of_a.ids.size() + of_b.ids.size());
-  for (const TrianglePair& pair : near)
+  const auto join = [&](const TrianglePair& pair) {
     if (is_proper(pair)) groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
+    return true;
+  };
+  each_near(a, b, tolerance, encounter, join, stop);
 
   const Passing passing(a, b, tolerance);
   std::map<std::array<std::uint32_t, 3>, Place> places;
-  for (const TrianglePair& pair : near) {
-    if (!is_proper(pair)) continue;
+  bool pass = false;
+  const auto look_at = [&](const TrianglePair& pair) {
+    if (!is_proper(pair)) return true;
     const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
     Place& place = places[{groups.find(i), of_a.cluster[i], of_b.cluster[j]}];
     const Triangle triangle_a = a.part.body.triangle(pair.a), triangle_b = b.part.body.triangle(pair.b);
     const std::uint8_t known_a = place.b_at_a.from(of_a, i), known_b = place.a_at_b.from(of_b, j);
     place.b_at_a.add(of_a, i, passing.see(triangle_b, triangle_a, a.part.body, known_a, place.box));
     place.a_at_b.add(of_b, j, passing.see(triangle_a, triangle_b, b.part.body, known_b, place.box));
-    if (place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box)) return true;
-  }
-  return false;
+    pass = place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box);
+    return !pass;
+  };
+  each_near(a, b, tolerance, encounter, look_at, stop);
+  return pass;
 }
 
 }  // namespace impinge::clash

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
+#include <stop_token>
 
 #include "clash/near_cells.hpp"
 #include "exact/contact.hpp"
@@ -15,11 +15,13 @@ namespace impinge::clash {
 /// vertices. There, each sheet is on both sides of the other, where it comes within the other's triangles and is not
 /// near another of them, and the place is longer than a point is: an edge that ends on a face, or pokes through it by
 /// no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles hand them on; a
-/// one-sided surface has none. `near` is as in near_cells.
-bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const std::vector<TrianglePair>& near);
+/// one-sided surface has none. `encounter` is as in near_cells.
+bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+                  const std::stop_token& stop);
 
 /// The same, exactly: two triangles cross, or somewhere along a common line, or around a common area, each sheet is on
-/// both sides of the other. `contacts` are all pairs of triangles that share a point.
+/// both sides of the other. `contacts` are all pairs of triangles that share more than
+/// a corner.
 bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts);
 
 }  // namespace impinge::clash

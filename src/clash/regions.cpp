@@ -77,12 +77,14 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   return regions;
 }
 
-std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance) {
-  std::vector<TrianglePair> near;
-  measure::near_pairs(a.placed, b.placed, tolerance, near);
+std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                            const std::stop_token& stop) {
   std::vector<exact::Contact> contacts;
-  contacts.reserve(near.size());
-  for (const TrianglePair& pair : near) contacts.push_back({pair.a, pair.b, Kind::touching});
+  const auto take = [&](const TrianglePair& pair) {
+    contacts.push_back({pair.a, pair.b, Kind::touching});
+    return true;
+  };
+  measure::near_pairs(a.placed, b.placed, tolerance, take, stop);
   std::sort(contacts.begin(), contacts.end(),
             [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   return contacts;

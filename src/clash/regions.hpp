@@ -39,7 +39,8 @@ std::optional<std::vector<Region>> regions_of(const Side& a, const Side& b, std:
                                               double tolerance, const ForEach& for_each = {},
                                               const std::stop_token& stop = {});
 
-/// The pairs within a tolerance above 0, as regions want them: the kinds are not told.
-std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance);
+/// The pairs within a tolerance above 0, as regions want them: the kinds are not told. Not all if stopped.
+std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                            const std::stop_token& stop = {});
 
 }  // namespace impinge::clash

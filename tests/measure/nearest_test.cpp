@@ -82,7 +82,8 @@ void expect_nearest(const Bodies& bodies, double error_limit) {
 
 void expect_near_pairs(const Bodies& bodies, double within) {
   std::vector<TrianglePair> pairs;
-  measure::near_pairs(bodies.placed(0), bodies.placed(1), within, pairs);
+  const auto take = [&](const TrianglePair& pair) { return pairs.push_back(pair), true; };
+  measure::near_pairs(bodies.placed(0), bodies.placed(1), within, take);
   std::vector<char> has(bodies.world(0).size() * bodies.world(1).size());
   const mpq_class limit = mpq_class(within) * mpq_class(within);
   const mpq_class wide = mpq_class(within) + mpq_class(0x1p-33 * extent(bodies));
