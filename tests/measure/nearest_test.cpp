@@ -14,6 +14,7 @@
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 #include "tests/measure/exact_distance.hpp"
 
 namespace impinge {
@@ -169,7 +170,7 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
 
 TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::trials(300); ++i) {
     const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
     const scenes::PlacedScene scene = apart(
         scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),
