@@ -45,11 +45,11 @@ struct ClashOptions {
   /// Parts that overlap by no more than this, for certain, are taken to touch. Nothing: 2^-20 of the largest |world
   /// coordinate| of each pair, which is what rotating flush parts in files of single precision leaves. 0: exactly.
   std::optional<double> tolerance;
-  double clearance = 0;  ///< pairs nearer than this are listed with their distance, though they are apart
-  bool depth = false;    ///< measure overlap depths of what penetrates
-  bool regions = false;  ///< find regions of contact
-  int threads = 0;       ///< at most so many; 0: all there are
-  Progress* progress = nullptr;
+  double clearance = 0;          ///< pairs nearer than this are listed with their distance, though they are apart
+  bool depth = false;            ///< measure overlap depths of what penetrates
+  bool regions = false;          ///< find regions of contact
+  int threads = 0;               ///< at most so many; 0: all there are
+  Progress* progress = nullptr;  ///< of `find_clashes`: counts meshes looked through, parts and pairs
   std::stop_token stop{};
 };
 
@@ -87,10 +87,12 @@ struct Clashes {
 };
 
 /// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored
-/// pairs are left out. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative or not finite).
+/// pairs are left out. It takes no workspace: the queries within use their threads' own memory again and again, and
+/// what else is made goes into the answer. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative
+/// or not finite).
 Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {});
 
-/// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors: likewise.
+/// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors and memory: likewise.
 Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                     const ClashOptions& options = {});
 
