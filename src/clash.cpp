@@ -3,6 +3,7 @@
 #include "impinge/clash.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -198,27 +199,64 @@ OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::Dept
   return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
 }
 
-/// The verdict on two parts, and what else is asked for.
-Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
-  clash::Judgement judgement = clash::judge_pair(a.known, b.known, options.tolerance, options.stop);
-  if (a.whole || b.whole) judgement.contacts = clash::contacts_of(a.part().body, b.part().body);
-  Clash clash;
-  clash.verdict = judgement.verdict, clash.inner = judgement.inner;
-  clash.note = judgement.note, clash.tolerance = judgement.tolerance;
-  for (const exact::Contact& contact : judgement.contacts) ++clash.contacts[static_cast<std::size_t>(contact.kind)];
-  if (options.clearance > 0 && !judgement.touch) {
-    const auto near = measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance);
-    if (near && near->distance < options.clearance)
-      clash.nearest = Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
+/// The verdicts on one pair of parts, and what else is asked for. What several terms have in common is found once.
+class PairCase {
+ public:
+  PairCase(const SeenPart& a, const SeenPart& b, const ClashOptions& options) : a_(a), b_(b), options_(options) {}
+
+  Clash judge(const ClashTerms& terms) {
+    Clash clash;
+    clash.test = terms.test;
+    const Verdicts& found = verdicts(terms.tolerance);
+    clash.verdict = found.judgement.verdict, clash.inner = found.judgement.inner;
+    clash.note = found.judgement.note, clash.tolerance = found.judgement.tolerance;
+    if (clash.verdict > terms.last) return clash;
+    for (const exact::Contact& contact : found.judgement.contacts)
+      ++clash.contacts[static_cast<std::size_t>(contact.kind)];
+    if (terms.clearance > 0 && !found.judgement.touch) clash.nearest = nearest(terms.clearance);
+    const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
+    if (options_.depth && overlap && a_.known.facts.solid && b_.known.facts.solid) {
+      if (!depth_) depth_ = find_depths(a_, b_, clash::DepthGoal{.stop = options_.stop});
+      clash.overlap_depth = depth_;
+    }
+    if (options_.regions && clash.verdict != Verdict::apart) {
+      if (!regions_) regions_ = find_regions(a_.part(), b_.part(), found.judgement.contacts, options_);
+      clash.regions = *regions_;
+    }
+    return clash;
   }
-  const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
-  if (options.depth && overlap && a.known.facts.solid && b.known.facts.solid) {
-    const clash::DepthGoal goal{.stop = options.stop};
-    clash.overlap_depth = find_depths(a, b, goal);
+
+ private:
+  struct Verdicts {
+    std::optional<double> tolerance;
+    clash::Judgement judgement;
+  };
+
+  /// There are as many as there are tolerances: few.
+  const Verdicts& verdicts(const std::optional<double>& tolerance) {
+    for (const Verdicts& known : verdicts_)
+      if (known.tolerance == tolerance) return known;
+    Verdicts& found =
+        verdicts_.emplace_back(tolerance, clash::judge_pair(a_.known, b_.known, tolerance, options_.stop));
+    if (a_.whole || b_.whole) found.judgement.contacts = clash::contacts_of(a_.part().body, b_.part().body);
+    return found;
   }
-  if (options.regions && clash.verdict != Verdict::apart)
-    clash.regions = find_regions(a.part(), b.part(), judgement.contacts, options);
-  return clash;
+
+  [[nodiscard]] std::optional<Nearest> nearest(double clearance) const {
+    const auto near = measure::nearest_pair(a_.part().body.placed, b_.part().body.placed, clearance);
+    if (!near || near->distance >= clearance) return std::nullopt;
+    return Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
+  }
+
+  const SeenPart &a_, &b_;
+  const ClashOptions& options_;
+  std::vector<Verdicts> verdicts_;
+  std::optional<OverlapDepth> depth_;
+  std::optional<std::vector<Region>> regions_;
+};
+
+bool is_listed(const Clash& clash, const ClashTerms& terms) {
+  return clash.verdict <= terms.last && (clash.verdict != Verdict::apart || clash.nearest);
 }
 
 /// Pairs whose boxes come as near as the options ask for, sorted.
@@ -227,7 +265,8 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   double largest = 0;
   for (const SeenPart& part : parts) largest = std::max(largest, clash::largest_coordinate(part.part().body.box));
   // Each box grows by half of the reach, and by what rounding may take from that.
-  const double reach = std::max(tolerance_of(options, largest), options.clearance);
+  const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
+  const double reach = std::max(nearest, options.clearance);
   const double half = reach / 2 + 0x1p-50 * (largest + reach);
   std::vector<Box> boxes(parts.size());
   std::vector<std::uint32_t> groups(parts.size(), 0);
@@ -253,6 +292,56 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   return candidates;
 }
 
+/// The terms of a pair of objects; one for all without `ClashOptions::terms`.
+std::vector<ClashTerms> terms_of(std::uint32_t a, std::uint32_t b, const ClashOptions& options) {
+  std::vector<ClashTerms> terms;
+  if (options.terms)
+    options.terms(a, b, terms);
+  else
+    terms.push_back({options.tolerance, options.clearance});
+  return terms;
+}
+
+bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
+  const auto is_within = [&](double length) { return length >= 0 && length <= options.clearance; };
+  return !is_within(terms.tolerance.value_or(0)) || !is_within(terms.clearance);
+}
+
+/// Judges each candidate on its terms; `count` is how many have some. Errors: `bad_option`, `cancelled`.
+Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidates, const std::vector<SeenPart>& parts,
+                                     const ClashOptions& options, std::uint64_t& count) {
+  std::vector<std::vector<Clash>> clashes(candidates.size());
+  std::atomic<std::uint64_t> with_terms = 0;
+  std::atomic<bool> too_far = false;
+  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
+    if (options.stop.stop_requested()) return;
+    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
+    const std::vector<ClashTerms> terms = terms_of(a, b, options);
+    PairCase pair(parts[a], parts[b], options);
+    for (const ClashTerms& each : terms) {
+      if (options.terms && reaches_farther(each, options)) {
+        too_far = true;
+        return;
+      }
+      Clash clash = pair.judge(each);
+      clash.objects = {a, b};
+      if (is_listed(clash, each)) clashes[i].push_back(std::move(clash));
+    }
+    if (!terms.empty()) with_terms.fetch_add(1, std::memory_order_relaxed);
+    if (options.progress != nullptr) options.progress->done.fetch_add(1, std::memory_order_relaxed);
+  });
+  if (options.stop.stop_requested()) return cancelled();
+  if (too_far)
+    return Error{Code::bad_option,
+                 "the terms of a pair have a tolerance or clearance that is negative, not finite or above the options' "
+                 "clearance; raise that to the greatest of all"};
+  count = with_terms;
+  std::vector<Clash> pairs;
+  for (std::vector<Clash>& of_pair : clashes)
+    for (Clash& clash : of_pair) pairs.push_back(std::move(clash));
+  return pairs;
+}
+
 Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options) {
   StageClock clock;
   Clashes result;
@@ -265,20 +354,10 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   clock.charge(result.parts_seconds);
 
   const std::vector<std::uint64_t> candidates = find_candidates(scene, *parts, options);
-  result.candidates = candidates.size();
   if (options.progress != nullptr) options.progress->done = 0, options.progress->total = candidates.size();
-  std::vector<std::optional<Clash>> clashes(candidates.size());
-  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
-    if (options.stop.stop_requested()) return;
-    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
-    Clash clash = make_clash((*parts)[a], (*parts)[b], options);
-    clash.objects = {a, b};
-    if (clash.verdict != Verdict::apart || clash.nearest) clashes[i] = std::move(clash);
-    if (options.progress != nullptr) options.progress->done.fetch_add(1, std::memory_order_relaxed);
-  });
-  if (options.stop.stop_requested()) return cancelled();
-  for (std::optional<Clash>& clash : clashes)
-    if (clash) result.pairs.push_back(std::move(*clash));
+  auto pairs = judge_all(candidates, *parts, options, result.candidates);
+  if (!pairs) return pairs.error();
+  result.pairs = *std::move(pairs);
   clock.charge(result.pairs_seconds);
   return result;
 }
@@ -304,7 +383,7 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
   return guarded([&]() -> Result<Clash> {
     const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
     if (!parts) return parts.error();
-    Clash clash = make_clash((*parts)[0], (*parts)[1], options);
+    Clash clash = PairCase((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
     if (options.stop.stop_requested()) return cancelled();
     clash.objects = {0, 1};
     return clash;
