@@ -42,7 +42,11 @@ struct FailOn {
   bool penetration = false;  ///< duplicate, penetrating and crossing
   bool inside = false;
   bool clearance = false;  ///< apart, and nearer than the clearance
+  bool fresh = false;      ///< and of all these only what is new since the previous run
 };
+
+/// How the table puts pairs together.
+enum class GroupBy : std::uint8_t { none, part, type, test };
 
 /// What a page is made of.
 struct PageArguments {
@@ -57,6 +61,8 @@ struct ClashArguments : SceneArguments, PageArguments {
   bool regions = false;
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;
+  std::optional<std::string> config, previous;  ///< files
+  GroupBy group_by = GroupBy::none;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< rows of the table
 };
 

@@ -18,11 +18,12 @@
 #include "review.hpp"
 #include "scene_command.hpp"
 #include "text.hpp"
+#include "triage/configured_clash.hpp"
 
 namespace impinge::cli {
 namespace {
 
-Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, ProgressLine& line,
+Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, const Plan& plan, ProgressLine& line,
                           const std::stop_token& stop) {
   Progress progress;
   ClashOptions options;
@@ -31,6 +32,12 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, P
   options.depth = arguments.depth;
   options.regions = arguments.regions;
   options.threads = arguments.threads;
+  if (!plan.tests().empty()) {
+    options.clearance = plan.reach();
+    options.terms = [&plan](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
+      plan.terms(a, b, terms);
+    };
+  }
   options.progress = &progress;
   options.stop = stop;
   line.phase(fmt::format("judging {}", counted(scene.size(), "part")), [&progress] { return fraction_of(progress); });
@@ -40,7 +47,19 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, P
   return clashes;
 }
 
-Result<Review> make_review(const ClashArguments& arguments, const std::stop_token& stop) {
+/// A pair's id tells its tests apart.
+std::vector<std::string> ids_of(const Review& review) {
+  const std::vector<std::string> keys = keys_of(review.assembly);
+  std::vector<std::string> ids;
+  for (const Clash& pair : review.clashes.pairs)
+    ids.push_back(guid_of_pair(keys[pair.objects[0]], keys[pair.objects[1]],
+                               review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name));
+  return ids;
+}
+
+/// `configuration` may be null.
+Result<Review> make_review(const ClashArguments& arguments, const Configuration* configuration,
+                           const std::stop_token& stop) {
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
   Review review;
   const auto start = Clock::now();
@@ -50,11 +69,16 @@ Result<Review> make_review(const ClashArguments& arguments, const std::stop_toke
   review.read_seconds = seconds_since(start);
 
   const auto read = Clock::now();
+  if (configuration != nullptr) {
+    Result<Plan> plan = Plan::make(*configuration, review.assembly);
+    if (!plan) return plan.error();
+    review.plan = *std::move(plan);
+  }
   const std::vector<std::uint32_t> groups = groups_of(review.assembly, arguments);
   review.split_products = count_shared(groups);
   const Result<Scene> scene = scene_of(review.assembly, arguments, groups);
   if (!scene) return scene.error();
-  Result<Clashes> clashes = judge_all(arguments, *scene, line, stop);
+  Result<Clashes> clashes = judge_all(arguments, *scene, review.plan, line, stop);
   if (!clashes) return clashes.error();
   review.clashes = std::move(*clashes);
   review.judge_seconds = seconds_since(read);
@@ -65,9 +89,9 @@ Result<Review> make_review(const ClashArguments& arguments, const std::stop_toke
     review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
   }
   review.clashes.parts.clear();
-  const std::vector<std::string> keys = keys_of(review.assembly);
-  for (const Clash& pair : review.clashes.pairs)
-    review.ids.push_back(guid_of_pair(keys[pair.objects[0]], keys[pair.objects[1]]));
+  review.ids = ids_of(review);
+  review.types = types_of(review.assembly);
+  if (auto taken = take_stock(arguments, review); !taken) return taken.error();
   return review;
 }
 
@@ -81,13 +105,19 @@ Result<void> print_on_standard_output(const Review& review, const ClashArguments
 
 }  // namespace
 
-Result<bool> clash(const ClashArguments& arguments, const std::stop_token& stop) {
-  Documents documents(arguments.files);
+Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
+  const Result<ConfiguredClash> configured = configure(given);
+  if (!configured) return configured.error();
+  const ClashArguments& arguments = configured->arguments;
+  std::vector<std::string> inputs = arguments.files;
+  if (arguments.config) inputs.push_back(*arguments.config);
+  Documents documents(inputs);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
-  const Result<Review> review = make_review(arguments, stop);
+  const Result<Review> review =
+      make_review(arguments, configured->configuration ? &*configured->configuration : nullptr, stop);
   if (!review) return review.error();
   if (!arguments.quiet) mention_warnings(review->assembly);
   const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
@@ -101,7 +131,7 @@ Result<bool> clash(const ClashArguments& arguments, const std::stop_token& stop)
   if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();
   }
-  return count_failing(review->clashes.pairs, arguments.fail_on) > 0;
+  return count_failing(*review) > 0;
 }
 
 }  // namespace impinge::cli

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "table.hpp"
 #include "text.hpp"
+#include "triage/triage_table.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -40,23 +42,32 @@ std::string note_text(Note note) {
 
 struct PairColumn {
   Column column;
-  std::string (*text)(const Clash& pair);
+  std::function<std::string(const Clash& pair, const Standing& standing)> text;
 };
 
-std::vector<PairColumn> columns_after_names(const std::vector<Clash>& pairs, const ClashArguments& arguments) {
+std::vector<PairColumn> columns_after_names(const Review& review, const ClashArguments& arguments) {
   using enum Column::Kind;
+  const std::vector<Clash>& pairs = review.clashes.pairs;
   std::vector<PairColumn> columns;
+  if (review.plan.tests().size() > 1)
+    columns.push_back({{"test", text}, [&review](const Clash& pair, const Standing&) {
+                         return fit(printable(review.plan.tests()[pair.test].name), 40);
+                       }});
+  if (arguments.previous)
+    columns.push_back({{"change", text}, [](const Clash&, const Standing& standing) { return change_text(standing); }});
   if (arguments.depth)
-    columns.push_back({{"depth", number},
-                       [](const Clash& pair) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; }});
+    columns.push_back({{"depth", number}, [](const Clash& pair, const Standing&) {
+                         return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing;
+                       }});
   if (arguments.clearance > 0)
-    columns.push_back({{"distance", number}, [](const Clash& pair) {
+    columns.push_back({{"distance", number}, [](const Clash& pair, const Standing&) {
                          return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
                        }});
   if (arguments.regions)
-    columns.push_back({{"regions", number}, [](const Clash& pair) { return grouped(pair.regions.size()); }});
+    columns.push_back(
+        {{"regions", number}, [](const Clash& pair, const Standing&) { return grouped(pair.regions.size()); }});
   if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
-    columns.push_back({{"note", text}, [](const Clash& pair) { return note_text(pair.note); }});
+    columns.push_back({{"note", text}, [](const Clash& pair, const Standing&) { return note_text(pair.note); }});
   return columns;
 }
 
@@ -64,7 +75,9 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
                  const std::stop_token& stop) {
   const std::vector<Clash>& pairs = review.clashes.pairs;
   const std::vector<std::size_t> order = ranked(pairs);
-  const std::vector<PairColumn> after = columns_after_names(pairs, arguments);
+  if (arguments.group_by != GroupBy::none)
+    return print_groups(review, arguments.group_by, order, arguments.limit, sink, width, stop);
+  const std::vector<PairColumn> after = columns_after_names(review, arguments);
   Table table;
   table.rows = static_cast<std::size_t>(std::min<std::uint64_t>(order.size(), arguments.limit));
   table.columns = {{"verdict", Column::Kind::text}, {"part", Column::Kind::name}, {"part", Column::Kind::name}};
@@ -72,7 +85,7 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
   table.cell = [&](std::size_t row, std::size_t column) -> std::string {
     const Clash& pair = pairs[order[row]];
     if (column == 0) return std::string(name(pair.verdict));
-    if (column > 2) return after[column - 3].text(pair);
+    if (column > 2) return after[column - 3].text(pair, review.standings[order[row]]);
     // "inside  bolt  plate" reads as it is: the bolt lies inside the plate.
     const bool inner_is_second = pair.verdict == Verdict::inside && pair.inner == 1;
     return review.assembly.labels[pair.objects[(column == 1) == inner_is_second ? 1 : 0]];
@@ -117,21 +130,26 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
   const std::vector<Clash>& pairs = review.clashes.pairs;
   const auto solids = static_cast<std::uint64_t>(
       std::count_if(review.parts.begin(), review.parts.end(), [](const Part& part) { return part.facts.solid; }));
-  std::string text = fmt::format("{}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"),
-                                 counted(solids, "solid"), counted(review.parts.size() - solids, "surface"),
-                                 counts_text(pairs, arguments.clearance), tolerance_text(pairs, arguments.tolerance));
+  std::string text =
+      fmt::format("{}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"), counted(solids, "solid"),
+                  counted(review.parts.size() - solids, "surface"), counts_text(pairs, arguments.clearance),
+                  review.plan.tests().empty() ? tolerance_text(pairs, arguments.tolerance)
+                                              : counted(review.plan.tests().size(), "test"));
   if (review.parts.size() == 1) text += "There is only one part, and no part is tested against itself.\n";
   if (review.split_products > 0)
     text += fmt::format(
         "Parts of one IFC product are not tested against each other ({} of several parts): "
         "--within-products tests them too.\n",
         counted(review.split_products, "product"));
-  const std::uint64_t failing = count_failing(pairs, arguments.fail_on);
+  text += triage_summary(review, arguments);
+  const std::uint64_t failing = count_failing(review);
   text += fmt::format("{} ({}).\n",
                       failing == 0   ? "No pair fails"
                       : failing == 1 ? "1 pair fails"
                                      : grouped(failing) + " pairs fail",
-                      fmt::join(words_of(arguments.fail_on), ", "));
+                      review.plan.tests().empty() ? fmt::format("{}", fmt::join(words_of(arguments.fail_on), ", "))
+                      : arguments.fail_on.fresh   ? "by the mode of each test, new"
+                                                  : "by the mode of each test");
   return text + fmt::format("{}; read in {}, judged in {}.\n", counted(review.assembly.triangles, "triangle"),
                             duration(review.read_seconds), duration(review.judge_seconds));
 }

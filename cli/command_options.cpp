@@ -96,6 +96,13 @@ void add_check(CLI::App& command, Raw& raw) {
 void add_clash(CLI::App& command, Raw& raw) {
   ClashArguments& to = raw.clash;
   add_files(command, to.files);
+  command.get_option("FILE")->required(false);  // a configuration may name them
+  command
+      .add_option(
+          "--config", raw.config,
+          "named tests between groups of parts, each with its mode, tolerance, clearance and exceptions, from a "
+          "file (docs/triage.md); clash sets of IfcClash are read too")
+      ->type_name("FILE");
   command
       .add_option("--tolerance", raw.tolerance,
                   "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, "
@@ -111,7 +118,8 @@ void add_clash(CLI::App& command, Raw& raw) {
   command
       .add_option("--fail-on", raw.fail_on,
                   "what makes the exit code 1: contact, penetration, inside, clearance, or several with commas "
-                  "between them; may be given again (default: penetration,inside)")
+                  "between them; may be given again (default: penetration,inside); with new, only what is new since "
+                  "--previous")
       ->type_name("LIST")
       ->allow_extra_args(false);
   add_json(command, raw, "verdicts");
@@ -121,6 +129,16 @@ void add_clash(CLI::App& command, Raw& raw) {
                   "--regions")
       ->type_name("FILE");
   add_page_triangles(command, raw);
+  command
+      .add_option("--previous", raw.previous,
+                  "the JSON of an earlier run: say what is new, what persists and what is resolved since then, and "
+                  "keep the status and comments written in it; includes --regions")
+      ->type_name("FILE");
+  command
+      .add_option("--group-by", raw.group_by,
+                  "a row for each part, each two types of part (instances of one mesh) or each test, and what clashes "
+                  "there: part, type, test or none (default: none)")
+      ->type_name("WHAT");
   command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
       ->type_name("N");
   add_ignore(command, raw);

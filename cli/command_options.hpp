@@ -17,7 +17,8 @@ struct Raw {
   ClashArguments clash;
   ViewArguments view;
   InfoArguments info;
-  std::string json, html, page_triangles, limit, threads, max_file, device_share, tolerance, clearance;
+  std::string json, html, page_triangles, limit, threads, max_file, device_share, tolerance, clearance, config,
+      previous, group_by;
   std::vector<std::string> ignored, scales, fail_on;
 };
 

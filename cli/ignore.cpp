@@ -43,9 +43,9 @@ Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::
     found = all_where([&](std::string_view name) { return matches_pattern(word, name); });
   if (!found.empty()) return found;
   if (assembly.objects.empty())
-    return Error{Code::bad_option, fmt::format("--ignore: nothing is named '{}'; the files hold no objects", word)};
-  return Error{Code::bad_option, fmt::format("--ignore: nothing is named '{}'; the nearest name is '{}'", word,
-                                             nearest_label(assembly, word))};
+    return Error{Code::bad_option, fmt::format("nothing is named '{}'; the files hold no objects", word)};
+  return Error{Code::bad_option,
+               fmt::format("nothing is named '{}'; the nearest name is '{}'", word, nearest_label(assembly, word))};
 }
 
 Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<std::string, std::string>> ignored,
@@ -53,9 +53,9 @@ Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<st
   std::uint64_t total = 0;
   for (const auto& [a, b] : ignored) {
     const auto first = objects_named(assembly, a);
-    if (!first) return first.error();
+    if (!first) return Error{first.error().code, "--ignore: " + first.error().message};
     const auto second = objects_named(assembly, b);
-    if (!second) return second.error();
+    if (!second) return Error{second.error().code, "--ignore: " + second.error().message};
     total += std::uint64_t{first->size()} * second->size();
     if (total > kMostPairs)
       return Error{Code::bad_option,

@@ -14,8 +14,9 @@
 
 namespace impinge::cli {
 
-/// The objects that a word of `--ignore` names: those whose name, or whose label in the table, is the word; only where
-/// there is none, those that the word describes as a shell pattern. Errors: `bad_option`, with the nearest name.
+/// The objects that a word such as those of `--ignore` names: those whose name, or whose label in the table, is the
+/// word; only where there is none, those that the word describes as a shell pattern. Errors: `bad_option`, with the
+/// nearest name.
 Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::string_view word);
 
 /// Leaves out of the scene every pair that `--ignore` names; `ids` are the scene's ids of the assembly's objects.

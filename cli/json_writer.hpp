@@ -23,6 +23,16 @@ std::string json_string(std::string_view text);
 /// The shortest number that reads back as the same double; null for infinities and NaN, and 0 for -0.
 std::string json_number(double value);
 
+/// [one,another], by a function that makes the text of each.
+std::string json_list(const auto& items, auto text_of) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ',';
+    text += text_of(item);
+  }
+  return text += ']';
+}
+
 /// What an object is called and where it comes from, as members of a JSON object, without braces: "id" to "triangles".
 std::string json_identity(const Assembly& assembly, std::size_t object);
 

@@ -109,8 +109,26 @@ Result<void> take_lengths(const Raw& raw, ClashArguments& to) {
   return {};
 }
 
+Result<void> take_triage(const Raw& raw, ClashArguments& to) {
+  if (!raw.config.empty()) to.config = raw.config;
+  if (!raw.previous.empty()) to.previous = raw.previous;
+  if (to.files.empty() && !to.config) return bad("no file to read is named; see impinge clash --help");
+  if (raw.group_by.empty() || raw.group_by == "none") return {};
+  if (raw.group_by == "part")
+    to.group_by = GroupBy::part;
+  else if (raw.group_by == "type")
+    to.group_by = GroupBy::type;
+  else if (raw.group_by == "test" && to.config)
+    to.group_by = GroupBy::test;
+  else if (raw.group_by == "test")
+    return bad("--group-by test needs tests: name their file with --config FILE");
+  else
+    return bad(fmt::format("--group-by takes part, type, test or none, not '{}'", raw.group_by));
+  return {};
+}
+
 Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments& to) {
-  if (lists.empty()) return {};
+  if (lists.empty() && !to.config) return {};
   to.fail_on = {};
   for (const std::string& list : lists) {
     std::string_view left = list;
@@ -123,15 +141,22 @@ Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments&
                           : word == "penetration" ? &to.fail_on.penetration
                           : word == "inside"      ? &to.fail_on.inside
                           : word == "clearance"   ? &to.fail_on.clearance
+                          : word == "new"         ? &to.fail_on.fresh
                                                   : nullptr;
       if (named == nullptr)
         return bad(
-            fmt::format("--fail-on takes contact, penetration, inside or clearance, or several with commas "
+            fmt::format("--fail-on takes contact, penetration, inside, clearance or new, or several with commas "
                         "between them, not '{}'",
                         word));
       *named = true;
     }
   }
+  const bool names_verdicts = to.fail_on.contact || to.fail_on.penetration || to.fail_on.inside || to.fail_on.clearance;
+  if (to.config && names_verdicts)
+    return bad("with --config, the mode of each test says what fails, and --fail-on takes new alone");
+  if (to.fail_on.fresh && !to.previous)
+    return bad("--fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON");
+  if (!names_verdicts) to.fail_on.penetration = to.fail_on.inside = !to.config;
   if (to.fail_on.clearance && to.clearance == 0)
     return bad("--fail-on clearance needs the distance to keep: add --clearance C, with C above 0");
   return {};
@@ -151,9 +176,11 @@ Result<Command> take_check(Raw raw) {
 Result<Command> take_clash(Raw raw) {
   ClashArguments& to = raw.clash;
   if (auto taken = take_lengths(raw, to); !taken) return taken.error();
+  if (auto taken = take_triage(raw, to); !taken) return taken.error();
   if (auto taken = take_fail_on(raw.fail_on, to); !taken) return taken.error();
   if (auto taken = take_page(raw, to); !taken) return taken.error();
   if (to.html) to.depth = to.regions = true;  // what the page shows of a clash
+  if (to.previous) to.regions = true;
   if (auto taken = take_limit(raw.limit, to.limit); !taken) return taken.error();
   if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
   if (auto taken = take_scene(raw, to); !taken) return taken.error();

@@ -3,8 +3,11 @@
 #include "review.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
+
+#include "triage/matching.hpp"
 
 namespace impinge::cli {
 
@@ -28,7 +31,8 @@ std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) {
     const double distance = pairs[i].nearest ? pairs[i].nearest->distance : 0;
-    return std::tuple(pairs[i].verdict, -depth_of(pairs[i]), distance, pairs[i].objects);
+    return std::tuple(pairs[i].verdict, -depth_of(pairs[i]), -area_of(pairs[i]), distance, pairs[i].objects,
+                      pairs[i].test);
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;
@@ -38,8 +42,14 @@ double depth_of(const Clash& pair) {
   return pair.overlap_depth ? std::max(pair.overlap_depth->a_in_b.hi, pair.overlap_depth->b_in_a.hi) : 0;
 }
 
-bool fails(const Clash& pair, const FailOn& fail_on) {
-  switch (pair.verdict) {
+double area_of(const Clash& pair) {
+  double area = 0;
+  for (const Region& region : pair.regions) area += region.area;
+  return area;
+}
+
+bool names(const FailOn& fail_on, Verdict verdict) {
+  switch (verdict) {
     case Verdict::duplicate:
     case Verdict::penetrating:
     case Verdict::crossing:
@@ -54,9 +64,39 @@ bool fails(const Clash& pair, const FailOn& fail_on) {
   return true;
 }
 
-std::uint64_t count_failing(const std::vector<Clash>& pairs, const FailOn& fail_on) {
-  return static_cast<std::uint64_t>(
-      std::count_if(pairs.begin(), pairs.end(), [&](const Clash& pair) { return fails(pair, fail_on); }));
+std::uint64_t count_failing(const Review& review) {
+  return static_cast<std::uint64_t>(std::count_if(review.standings.begin(), review.standings.end(),
+                                                  [](const Standing& standing) { return standing.fails; }));
+}
+
+Result<void> take_stock(const ClashArguments& arguments, Review& review) {
+  const auto is_named = [&](const Clash& pair, Verdict verdict) {
+    return review.plan.tests().empty() ? names(arguments.fail_on, verdict)
+                                       : review.plan.names(pair.objects[0], pair.objects[1], pair.test, verdict);
+  };
+  // A part that was moved by a twentieth of its size is still where it was, for a reviewer.
+  const auto slack = [&](const Clash& pair) {
+    return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
+  };
+  const Found found{review.clashes.pairs, review.ids, slack, is_named};
+  if (arguments.previous) {
+    const Result<Previous> previous = read_previous(*arguments.previous, arguments.max_file_bytes);
+    if (!previous) return previous.error();
+    review.standings = compare(found, *previous, review.resolved);
+  } else {
+    review.standings = stand_alone(found);
+  }
+  const auto is_new = [](const Standing& standing) {
+    return standing.change == Change::fresh ||
+           std::any_of(standing.regions.begin(), standing.regions.end(),
+                       [](const RegionStanding& region) { return region.change == Change::fresh; });
+  };
+  for (std::size_t i = 0; i < review.standings.size(); ++i) {
+    Standing& standing = review.standings[i];
+    const Clash& pair = review.clashes.pairs[i];
+    standing.fails = is_named(pair, pair.verdict) && (!arguments.fail_on.fresh || is_new(standing));
+  }
+  return {};
 }
 
 std::vector<std::string> words_of(const FailOn& fail_on) {
@@ -65,6 +105,7 @@ std::vector<std::string> words_of(const FailOn& fail_on) {
   if (fail_on.penetration) words.emplace_back("penetration");
   if (fail_on.inside) words.emplace_back("inside");
   if (fail_on.clearance) words.emplace_back("clearance");
+  if (fail_on.fresh) words.emplace_back("new");
   return words;
 }
 

@@ -11,15 +11,22 @@
 #include "assembly.hpp"
 #include "impinge/clash.hpp"
 #include "part.hpp"
+#include "triage/grouping.hpp"
+#include "triage/plan.hpp"
+#include "triage/standing.hpp"
 
 namespace impinge::cli {
 
 /// What `clash` found out.
 struct Review {
   Assembly assembly;
-  std::vector<Part> parts;         ///< for each object
-  Clashes clashes;                 ///< its `parts` are moved to those above
-  std::vector<std::string> ids;    ///< for each pair a UUID that it keeps as long as its parts keep their names
+  std::vector<Part> parts;          ///< for each object
+  Clashes clashes;                  ///< its `parts` are moved to those above
+  std::vector<std::string> ids;     ///< for each pair a UUID that it keeps as long as its parts keep their names
+  Plan plan;                        ///< without tests, if there is no configuration
+  std::vector<Standing> standings;  ///< for each pair
+  std::vector<Resolved> resolved;   ///< what is gone since the previous run
+  PartTypes types;
   std::size_t split_products = 0;  ///< IFC products of several parts, which were not tested against each other
   double read_seconds = 0, judge_seconds = 0;
 };
@@ -29,16 +36,23 @@ std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArgume
 /// How many groups have more than one object.
 std::size_t count_shared(std::vector<std::uint32_t> groups);
 
-/// The numbers of the pairs, worst first: by verdict; of one verdict the deepest first, then the nearest, then in
-/// canonical order.
+/// The numbers of the pairs, worst first: by verdict; of one verdict the deepest first, then those with the largest
+/// area of contact, then the nearest, then in canonical order.
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);
 
 /// The greater of the two overlap depths, by the upper end of its interval; 0 where none was measured.
 double depth_of(const Clash& pair);
+/// That of all regions; 0 where none were looked for.
+double area_of(const Clash& pair);
 
-/// Whether `--fail-on` names this pair.
-bool fails(const Clash& pair, const FailOn& fail_on);
-std::uint64_t count_failing(const std::vector<Clash>& pairs, const FailOn& fail_on);
+/// Whether `--fail-on` names this verdict.
+bool names(const FailOn& fail_on, Verdict verdict);
+/// How many of the pairs fail.
+std::uint64_t count_failing(const Review& review);
+
+/// Fills in what the pairs are since the previous run, if there is one, and which fail. Errors: those of
+/// `read_previous`.
+Result<void> take_stock(const ClashArguments& arguments, Review& review);
 
 /// The words of `--fail-on` that are set.
 std::vector<std::string> words_of(const FailOn& fail_on);

@@ -3,6 +3,7 @@
 #include "impinge/clash.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -223,31 +224,69 @@ OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::Dept
   return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
 }
 
-/// The verdict on two parts, and what else is asked for.
-Clash make_clash(const SeenPart& a, const SeenPart& b, const ClashOptions& options) {
-  clash::Judgement judgement = clash::judge_pair(a.known, b.known, {options.tolerance, options.regions, options.stop});
-  if (a.whole || b.whole) {
-    clash::Encounter met = clash::find_encounter(a.part().body, b.part().body, {0, options.regions, options.stop});
-    judgement.counts = met.counts, judgement.contacts = std::move(met.contacts);
+/// The verdicts on one pair of parts, and what else is asked for. What several terms have in common is found once.
+class PairCase {
+ public:
+  PairCase(const SeenPart& a, const SeenPart& b, const ClashOptions& options) : a_(a), b_(b), options_(options) {}
+
+  Clash judge(const ClashTerms& terms) {
+    Clash clash;
+    clash.test = terms.test;
+    Found& found = find(terms.tolerance);
+    const clash::Judgement& judgement = found.judgement;
+    clash.verdict = judgement.verdict, clash.inner = judgement.inner;
+    clash.note = judgement.note, clash.tolerance = judgement.tolerance;
+    if (clash.verdict > terms.last) return clash;
+    clash.contacts = judgement.counts;
+    if (terms.clearance > 0 && !judgement.touch) clash.nearest = nearest(terms.clearance);
+    const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
+    if (options_.depth && overlap && a_.known.facts.solid && b_.known.facts.solid) {
+      if (!depth_) depth_ = find_depths(a_, b_, clash::DepthGoal{.stop = options_.stop});
+      clash.overlap_depth = depth_;
+    }
+    if (options_.regions && clash.verdict != Verdict::apart) {
+      if (!found.regions) found.regions = find_regions(a_.part(), b_.part(), judgement, options_.stop);
+      clash.regions = *found.regions;
+    }
+    return clash;
   }
-  Clash clash;
-  clash.verdict = judgement.verdict, clash.inner = judgement.inner;
-  clash.note = judgement.note, clash.tolerance = judgement.tolerance;
-  clash.contacts = judgement.counts;
-  if (options.clearance > 0 && !judgement.touch) {
+
+ private:
+  struct Found {
+    std::optional<double> tolerance;
+    clash::Judgement judgement;
+    std::optional<std::vector<Region>> regions;
+  };
+
+  /// There are as many as there are tolerances: few.
+  Found& find(const std::optional<double>& tolerance) {
+    for (Found& known : found_)
+      if (known.tolerance == tolerance) return known;
+    Found& found = found_.emplace_back(
+        Found{tolerance, clash::judge_pair(a_.known, b_.known, {tolerance, options_.regions, options_.stop}), {}});
+    if (a_.whole || b_.whole) {
+      clash::Encounter met =
+          clash::find_encounter(a_.part().body, b_.part().body, {0, options_.regions, options_.stop});
+      found.judgement.counts = met.counts, found.judgement.contacts = std::move(met.contacts);
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::optional<Nearest> nearest(double clearance) const {
     const auto near =
-        measure::nearest_pair(a.part().body.placed, b.part().body.placed, options.clearance, 0, {.stop = options.stop});
-    if (near && near->distance < options.clearance)
-      clash.nearest = Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
+        measure::nearest_pair(a_.part().body.placed, b_.part().body.placed, clearance, 0, {.stop = options_.stop});
+    if (!near || near->distance >= clearance) return std::nullopt;
+    return Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
   }
-  const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
-  if (options.depth && overlap && a.known.facts.solid && b.known.facts.solid) {
-    const clash::DepthGoal goal{.stop = options.stop};
-    clash.overlap_depth = find_depths(a, b, goal);
-  }
-  if (options.regions && clash.verdict != Verdict::apart)
-    clash.regions = find_regions(a.part(), b.part(), judgement, options.stop);
-  return clash;
+
+  const SeenPart &a_, &b_;
+  const ClashOptions& options_;
+  std::vector<Found> found_;
+  std::optional<OverlapDepth> depth_;
+};
+
+bool is_listed(const Clash& clash, const ClashTerms& terms) {
+  return clash.verdict <= terms.last && (clash.verdict != Verdict::apart || clash.nearest);
 }
 
 /// Pairs whose boxes come as near as the options ask for, sorted.
@@ -257,7 +296,8 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(bodies[i].box));
   // Each box grows by half of the reach, and by what rounding may take from that.
-  const double reach = std::max(tolerance_of(options, largest), options.clearance);
+  const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
+  const double reach = std::max(nearest, options.clearance);
   const double half = reach / 2 + 0x1p-50 * (largest + reach);
   std::vector<Box> boxes(bodies.size());
   std::vector<std::uint32_t> groups(bodies.size(), 0);
@@ -283,6 +323,56 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   return candidates;
 }
 
+/// The terms of a pair of objects; one for all without `ClashOptions::terms`.
+std::vector<ClashTerms> terms_of(std::uint32_t a, std::uint32_t b, const ClashOptions& options) {
+  std::vector<ClashTerms> terms;
+  if (options.terms)
+    options.terms(a, b, terms);
+  else
+    terms.push_back({options.tolerance, options.clearance});
+  return terms;
+}
+
+bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
+  const auto is_within = [&](double length) { return length >= 0 && length <= options.clearance; };
+  return !is_within(terms.tolerance.value_or(0)) || !is_within(terms.clearance);
+}
+
+/// Judges each candidate on its terms; `count` is how many have some. Errors: `bad_option`, `cancelled`.
+Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidates, const std::vector<SeenPart>& parts,
+                                     const ClashOptions& options, std::uint64_t& count) {
+  std::vector<std::vector<Clash>> clashes(candidates.size());
+  std::atomic<std::uint64_t> with_terms = 0;
+  std::atomic<bool> too_far = false;
+  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
+    if (options.stop.stop_requested()) return;
+    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
+    const std::vector<ClashTerms> terms = terms_of(a, b, options);
+    PairCase pair(parts[a], parts[b], options);
+    for (const ClashTerms& each : terms) {
+      if (options.terms && reaches_farther(each, options)) {
+        too_far = true;
+        return;
+      }
+      Clash clash = pair.judge(each);
+      clash.objects = {a, b};
+      if (is_listed(clash, each)) clashes[i].push_back(std::move(clash));
+    }
+    if (!terms.empty()) with_terms.fetch_add(1, std::memory_order_relaxed);
+    Steps(options.progress).step();
+  });
+  if (options.stop.stop_requested()) return cancelled();
+  if (too_far)
+    return Error{Code::bad_option,
+                 "the terms of a pair have a tolerance or clearance that is negative, not finite or above the options' "
+                 "clearance; raise that to the greatest of all"};
+  count = with_terms;
+  std::vector<Clash> pairs;
+  for (std::vector<Clash>& of_pair : clashes)
+    for (Clash& clash : of_pair) pairs.push_back(std::move(clash));
+  return pairs;
+}
+
 Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options) {
   StageClock clock;
   Clashes result;
@@ -301,18 +391,9 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
   clock.charge(result.parts_seconds);
 
-  std::vector<std::optional<Clash>> clashes(candidates.size());
-  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
-    if (options.stop.stop_requested()) return;
-    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
-    Clash clash = make_clash((*parts)[a], (*parts)[b], options);
-    clash.objects = {a, b};
-    if (clash.verdict != Verdict::apart || clash.nearest) clashes[i] = std::move(clash);
-    steps.step();
-  });
-  if (options.stop.stop_requested()) return cancelled();
-  for (std::optional<Clash>& clash : clashes)
-    if (clash) result.pairs.push_back(std::move(*clash));
+  auto pairs = judge_all(candidates, *parts, options, result.candidates);
+  if (!pairs) return pairs.error();
+  result.pairs = *std::move(pairs);
   clock.charge(result.pairs_seconds);
   return result;
 }
@@ -339,7 +420,7 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
   return guarded([&]() -> Result<Clash> {
     const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
     if (!parts) return parts.error();
-    Clash clash = make_clash((*parts)[0], (*parts)[1], options);
+    Clash clash = PairCase((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
     if (options.stop.stop_requested()) return cancelled();
     clash.objects = {0, 1};
     return clash;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string_view>
@@ -41,14 +42,27 @@ enum class Note : std::uint8_t {
                              ///< coordinates: the verdict is the exact one
 };
 
+/// On what terms two parts are judged where a scene is put to several tests.
+struct ClashTerms {
+  std::optional<double> tolerance;  ///< as in `ClashOptions`
+  double clearance = 0;             ///< likewise
+  Verdict last = Verdict::apart;    ///< what comes after this in `Verdict` is left out
+  std::uint32_t test = 0;           ///< the caller's own number, which `Clash::test` repeats
+};
+
 struct ClashOptions {
   /// Parts that overlap by no more than this, for certain, are taken to touch. Nothing: 2^-20 of the largest |world
   /// coordinate| of each pair, which is what rotating flush parts in files of single precision leaves. 0: exactly.
   std::optional<double> tolerance;
-  double clearance = 0;          ///< pairs nearer than this are listed with their distance, though they are apart
-  bool depth = false;            ///< measure overlap depths of what penetrates
-  bool regions = false;          ///< find regions of contact
-  int threads = 0;               ///< at most so many; 0: all there are
+  double clearance = 0;  ///< pairs nearer than this are listed with their distance, though they are apart
+  bool depth = false;    ///< measure overlap depths of what penetrates
+  bool regions = false;  ///< find regions of contact
+  int threads = 0;       ///< at most so many; 0: all there are
+  /// With `find_clashes`: fills the empty list with the terms on which objects a < b are judged, one `Clash` for each;
+  /// a pair without terms is left out. Called from several threads at once. `tolerance` above then says only what
+  /// counts as a solid, and `clearance` how near parts must be to be asked about: no less than each tolerance and
+  /// clearance of the terms.
+  std::function<void(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms)> terms{};
   Progress* progress = nullptr;  ///< of `find_clashes`: counts meshes looked through, parts and pairs
   std::stop_token stop{};
 };
@@ -56,6 +70,7 @@ struct ClashOptions {
 /// Two parts and what is said of them.
 struct Clash {
   std::array<std::uint32_t, 2> objects{};  ///< the lower first
+  std::uint32_t test = 0;                  ///< of the terms on which they were judged
   Verdict verdict = Verdict::apart;
   int inner = -1;  ///< with `inside`: 0 if the first object lies in the second, 1 if the second in the first
   Note note = Note::none;
@@ -79,9 +94,11 @@ struct PartFacts {
 };
 
 struct Clashes {
-  std::vector<Clash> pairs;  ///< by (object, object); those that are apart and not nearer than the clearance left out
+  /// By (object, object), and each pair in the order of its terms; those that are apart and not nearer than the
+  /// clearance left out.
+  std::vector<Clash> pairs;
   std::vector<PartFacts> parts;  ///< by object index
-  std::uint64_t candidates = 0;  ///< pairs whose bounds are near enough
+  std::uint64_t candidates = 0;  ///< pairs whose bounds are near enough, and that there are terms for
   double parts_seconds = 0;      ///< wall clock: to see what the parts are
   double pairs_seconds = 0;      ///< and to judge the pairs
 };
@@ -89,7 +106,7 @@ struct Clashes {
 /// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored
 /// pairs are left out. It takes no workspace: the queries within use their threads' own memory again and again, and
 /// what else is made goes into the answer. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative
-/// or not finite).
+/// or not finite, or terms that reach farther than the options).
 Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {});
 
 /// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors and memory: likewise.

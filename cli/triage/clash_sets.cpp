@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The clash sets of IfcClash (IfcOpenShell, src/ifcclash): a list of {name, mode, a, b, ...}, where a and b are lists
+/// of {file, selector, mode}.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "text.hpp"
+#include "triage/configuration.hpp"
+
+namespace impinge::cli {
+namespace {
+
+using Kind = JsonReader::Kind;
+
+bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+bool is_class(std::string_view word) {
+  return word.starts_with("Ifc") && std::all_of(word.begin(), word.end(), is_letter_or_digit);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// One word of a selector. Of the query language these are understood: a class (with what
+/// is derived from it only where the name begins so), a global id, and what is a pattern of names.
+Group read_selected(std::string_view word, const JsonReader::Place& place) {
+  const auto by = [&](std::vector<Word> Group::*list, std::string text) {
+    Group group;
+    group.place = place;
+    (group.*list).push_back({std::move(text), place});
+    return group;
+  };
+  if (is_class(word)) return by(&Group::products, std::string(word) + "*");
+  if (word.starts_with('#')) return by(&Group::products, "*" + std::string(word.substr(1)) + "*");
+  return by(&Group::names, std::string(word));
+}
+
+bool is_everything(std::string_view word) { return word == "IfcElement" || word == "IfcProduct"; }
+
+/// Empty: everything.
+std::vector<Group> read_selector(JsonReader& reader) {
+  const std::string text = reader.string();
+  const JsonReader::Place place = reader.place();
+  std::vector<Group> groups;
+  std::string_view left = text;
+  for (bool more = !trimmed(left).empty(); more && !reader.failed();) {
+    const std::size_t comma = left.find_first_of(",+");
+    std::string_view word = trimmed(left.substr(0, comma));
+    more = comma != std::string_view::npos;
+    if (more) left.remove_prefix(comma + 1);
+    if (word.starts_with('.')) word.remove_prefix(1);  // a class, as IfcClash once wrote it
+    if (word.empty() || word.find_first_of("=!<>|&@\"") != std::string_view::npos ||
+        (text.find(',') != std::string::npos && !is_class(word))) {
+      reader.fail(
+          fmt::format("the selector '{}' is a query that impinge does not answer; it takes classes such as IfcWall, a "
+                      "global id after '#', or a pattern of names",
+                      fit(printable(text), 80)));
+      return {};
+    }
+    if (is_everything(word)) return {};
+    groups.push_back(read_selected(word, place));
+  }
+  return groups;
+}
+
+/// {file, selector, mode}
+Group read_source(JsonReader& reader) {
+  Group source;
+  std::vector<Group> selected;
+  std::string mode;
+  source.place = reader.place_of_next();
+  reader.object([&](const std::string& key) {
+    if (key == "file") {
+      source.files.push_back({reader.string(), {}});
+      source.files.back().place = reader.place();
+    } else if (key == "selector") {
+      if (reader.kind() == Kind::null)
+        reader.skip();
+      else
+        selected = read_selector(reader);
+    } else if (key == "mode") {
+      mode = reader.kind() == Kind::null ? (reader.skip(), std::string()) : reader.string();
+      if (mode != "" && mode != "a" && mode != "i" && mode != "e")
+        reader.fail("the mode of a source is i (include), e (exclude) or a (all)");
+    } else {
+      reader.fail_unknown(key, known_keys().source);
+    }
+  });
+  if (reader.failed()) return source;
+  if (source.files.empty() || source.files.front().text.empty()) reader.fail("this source has no \"file\"");
+  if (selected.empty() || (mode != "i" && mode != "e")) return source;
+  if (mode == "e") {
+    source.except = std::move(selected);
+    return source;
+  }
+  for (Group& group : selected) group.files = source.files;
+  source.files.clear();
+  source.any = std::move(selected);
+  return source;
+}
+
+std::optional<Group> read_sources(JsonReader& reader) {
+  Group group;
+  if (reader.kind() == Kind::null) return reader.skip(), std::nullopt;
+  group.place = reader.place_of_next();
+  reader.array([&] { group.any.push_back(read_source(reader)); });
+  if (group.any.empty()) return std::nullopt;
+  return group;
+}
+
+NamedTest read_clash_set(JsonReader& reader) {
+  NamedTest test;
+  std::string mode = "intersection";
+  std::optional<Group> a;
+  std::optional<double> tolerance, clearance;
+  bool allow_touching = false;
+  reader.object([&](const std::string& key) {
+    if (key == "name") {
+      test.name.text = reader.string();
+      test.name.place = reader.place();
+    } else if (key == "mode") {
+      mode = reader.string();
+      if (mode != "intersection" && mode != "collision" && mode != "clearance")
+        reader.fail("the mode of a clash set is intersection, collision or clearance");
+    } else if (key == "a") {
+      a = read_sources(reader);
+    } else if (key == "b") {
+      test.b = read_sources(reader);
+    } else if (key == "tolerance") {
+      tolerance = read_length(reader);
+    } else if (key == "clearance") {
+      clearance = read_length(reader);
+    } else if (key == "allow_touching") {
+      allow_touching = reader.boolean();
+    } else if (key == "check_all") {
+      reader.boolean();  // whatever it says, all are found, and the worst depth of each
+    } else if (key == "clashes") {
+      reader.skip();  // an earlier result
+    } else {
+      reader.fail_unknown(key, known_keys().clash_set);
+    }
+  });
+  if (reader.failed()) return test;
+  if (test.name.text.empty()) reader.fail("this clash set has no \"name\"");
+  if (!a) reader.fail("this clash set has no sources \"a\"");
+  if (mode == "clearance" && clearance.value_or(0) == 0) reader.fail("mode clearance needs a \"clearance\" above 0");
+  if (reader.failed()) return test;
+  test.a = *std::move(a);
+  test.terms.mode = mode == "clearance"                     ? Mode::clearance
+                    : mode == "collision" && allow_touching ? Mode::contact
+                                                            : Mode::penetration;
+  // Each of the three lengths and flags is for one mode; the program that writes these files writes all of them.
+  if (mode == "intersection" && tolerance) test.terms.tolerance = tolerance;
+  if (mode == "clearance") test.terms.clearance = clearance;
+  return test;
+}
+
+}  // namespace
+
+void read_clash_sets(JsonReader& reader, Configuration& to) {
+  reader.array([&] { to.tests.push_back(read_clash_set(reader)); });
+  if (!reader.failed() && to.tests.empty()) reader.fail("this list has no clash sets in it");
+}
+
+}  // namespace impinge::cli

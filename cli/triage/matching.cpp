@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "triage/matching.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "report/identity.hpp"
+
+namespace impinge::cli {
+namespace {
+
+// All pairs of one pair's regions are looked at. They come largest first: of more than so many the rest does not
+// matter, and no file makes a run take forever.
+constexpr std::size_t kMostRegions = 2000;
+
+double distance_between(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z); }
+
+double reach_of(const Region& region) {
+  const auto& [lo, hi] = region.box;
+  return distance_between({lo.x / 2, lo.y / 2, lo.z / 2}, {hi.x / 2, hi.y / 2, hi.z / 2});
+}
+
+/// A region of the previous run, whether it was there then or had been resolved.
+struct Earlier {
+  std::string id;
+  Point centroid;
+  double reach;
+  const Remark* remark;
+};
+
+/// For each new region the number of the earlier one that it is, or nothing; the nearest two first.
+std::vector<std::optional<std::size_t>> match(const std::vector<Region>& regions, const std::vector<bool>& is_taken,
+                                              const std::vector<Earlier>& earlier, double slack) {
+  struct Candidate {
+    double distance;
+    std::size_t region, earlier;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < std::min(regions.size(), kMostRegions); ++i) {
+    if (is_taken[i]) continue;
+    const double reach = reach_of(regions[i]) + slack;
+    for (std::size_t k = 0; k < std::min(earlier.size(), kMostRegions); ++k) {
+      const double distance = distance_between(regions[i].centroid, earlier[k].centroid);
+      if (distance <= reach + earlier[k].reach) candidates.push_back({distance, i, k});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+    return std::tie(x.distance, x.region, x.earlier) < std::tie(y.distance, y.region, y.earlier);
+  });
+  std::vector<std::optional<std::size_t>> matched(regions.size());
+  std::vector<bool> is_used(earlier.size());
+  for (const Candidate& candidate : candidates) {
+    if (matched[candidate.region] || is_used[candidate.earlier]) continue;
+    matched[candidate.region] = candidate.earlier;
+    is_used[candidate.earlier] = true;
+  }
+  return matched;
+}
+
+/// Ids for regions that have none: the first numbers that no other region of the pair has, or had.
+void name_regions(const std::string& pair, std::unordered_set<std::string> used, std::vector<RegionStanding>& regions) {
+  for (const RegionStanding& region : regions) used.insert(region.id);
+  std::size_t number = 0;
+  for (RegionStanding& region : regions)
+    while (region.id.empty()) {
+      std::string id = guid_of(fmt::format("{}/{}", pair, number++));
+      if (used.insert(id).second) region.id = std::move(id);
+    }
+}
+
+Resolved resolved_pair(const Previous::Pair& pair) {
+  Resolved resolved{pair.id, {}, pair.a, pair.b, pair.test, pair.verdict, pair.middle, pair.remark, {}, 0};
+  for (const Previous::OldRegion& region : pair.regions)
+    if (!region.remark.is_empty())
+      resolved.regions.push_back(
+          {{}, region.id, {}, {}, {}, pair.verdict, region.centroid, region.remark, {}, region.reach});
+  return resolved;
+}
+
+Resolved resolved_region(const Previous::Pair& pair, const Previous::OldRegion& region) {
+  return {pair.id,      region.id,       pair.a,        pair.b, pair.test,
+          pair.verdict, region.centroid, region.remark, {},     region.reach};
+}
+
+bool has_remark(const Resolved& resolved) { return !resolved.remark.is_empty() || !resolved.regions.empty(); }
+
+/// One pair held against what the previous run knew of it.
+class Comparison {
+ public:
+  Comparison(const Found& found, const Previous& previous, std::vector<Resolved>& resolved)
+      : found_(found), previous_(previous), to_(resolved), is_back_(previous.resolved.size()) {
+    for (std::size_t i = 0; i < previous.pairs.size(); ++i) pairs_.emplace(previous.pairs[i].id, i);
+    for (std::size_t i = 0; i < previous.resolved.size(); ++i) resolved_[previous.resolved[i].id].push_back(i);
+  }
+
+  std::vector<Standing> compare() {
+    std::vector<Standing> standings;
+    std::unordered_set<std::string_view> ids;
+    for (std::size_t i = 0; i < found_.pairs.size(); ++i) {
+      ids.insert(found_.ids[i]);
+      standings.push_back(compare(found_.pairs[i], found_.ids[i]));
+    }
+    for (const Previous::Pair& pair : previous_.pairs)
+      if (!ids.contains(pair.id)) to_.push_back(resolved_pair(pair));
+    // What nobody wrote about has been told once.
+    for (std::size_t i = 0; i < previous_.resolved.size(); ++i)
+      if (!is_back_[i] && has_remark(previous_.resolved[i])) to_.push_back(previous_.resolved[i]);
+    return standings;
+  }
+
+ private:
+  Standing compare(const Clash& pair, const std::string& id) {
+    Standing standing;
+    standing.regions.resize(pair.regions.size());
+    is_matched_.assign(pair.regions.size(), false);
+    std::unordered_set<std::string> used;
+    const auto known = pairs_.find(id);
+    const Previous::Pair* const old = known == pairs_.end() ? nullptr : &previous_.pairs[known->second];
+    standing.change = old == nullptr ? Change::fresh : Change::persisting;
+    if (old != nullptr) {
+      standing.was = old->verdict;
+      standing.remark = old->remark;
+      // Whoever looked at it then saw no failure.
+      if (found_.names(pair, pair.verdict) && !found_.names(pair, old->verdict)) standing.change = Change::fresh;
+      if (old->has_regions)
+        keep_regions(pair, *old, standing, used);
+      else
+        for (RegionStanding& region : standing.regions) region.change = standing.change;
+    }
+    bring_back(pair, id, standing, used);
+    for (RegionStanding& region : standing.regions)
+      if (region.change == Change::unknown) region.change = Change::fresh;
+    name_regions(id, std::move(used), standing.regions);
+    return standing;
+  }
+
+  void keep_regions(const Clash& pair, const Previous::Pair& old, Standing& standing,
+                    std::unordered_set<std::string>& used) {
+    std::vector<Earlier> earlier;
+    for (const Previous::OldRegion& region : old.regions) {
+      earlier.push_back({region.id, region.centroid, region.reach, &region.remark});
+      used.insert(region.id);
+    }
+    std::vector<bool> stays(old.regions.size());
+    const auto matched = match(pair.regions, is_matched_, earlier, found_.slack(pair));
+    for (std::size_t i = 0; i < matched.size(); ++i) {
+      if (!matched[i]) continue;
+      stays[*matched[i]] = true;
+      take(standing.regions[i], earlier[*matched[i]], Change::persisting, i);
+    }
+    for (std::size_t k = 0; k < stays.size(); ++k)
+      if (!stays[k]) to_.push_back(resolved_region(old, old.regions[k]));
+  }
+
+  /// Remarks on what had been resolved and is there again.
+  void bring_back(const Clash& pair, const std::string& id, Standing& standing, std::unordered_set<std::string>& used) {
+    const auto known = resolved_.find(id);
+    if (known == resolved_.end()) return;
+    std::vector<Earlier> earlier;
+    std::vector<Resolved> entries;  // that `earlier` comes from
+    for (const std::size_t i : known->second) {
+      const Resolved& resolved = previous_.resolved[i];
+      is_back_[i] = true;
+      if (!resolved.region.empty()) {
+        entries.push_back(resolved);
+        continue;
+      }
+      if (standing.remark.is_empty()) standing.remark = resolved.remark;
+      for (const Resolved& region : resolved.regions) {
+        entries.push_back({id,
+                           region.region,
+                           resolved.a,
+                           resolved.b,
+                           resolved.test,
+                           resolved.verdict,
+                           region.centroid,
+                           region.remark,
+                           {},
+                           region.reach});
+      }
+    }
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    for (const Resolved& entry : entries) {
+      used.insert(entry.region);
+      earlier.push_back(
+          {entry.region, entry.centroid.value_or(Point{kNowhere, kNowhere, kNowhere}), entry.reach, &entry.remark});
+    }
+    std::vector<bool> is_there(entries.size());
+    const auto matched = match(pair.regions, is_matched_, earlier, found_.slack(pair));
+    for (std::size_t i = 0; i < matched.size(); ++i) {
+      if (!matched[i]) continue;
+      take(standing.regions[i], earlier[*matched[i]], Change::fresh, i);
+      is_there[*matched[i]] = true;
+    }
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      if (!is_there[k] && has_remark(entries[k])) to_.push_back(std::move(entries[k]));
+  }
+
+  void take(RegionStanding& region, const Earlier& earlier, Change change, std::size_t number) {
+    region = {earlier.id, change, *earlier.remark};
+    is_matched_[number] = true;
+  }
+
+  const Found& found_;
+  const Previous& previous_;
+  std::vector<Resolved>& to_;
+  std::vector<bool> is_back_;     ///< of what had been resolved: its pair is there again
+  std::vector<bool> is_matched_;  ///< of the regions of the pair that is looked at
+  std::unordered_map<std::string_view, std::size_t> pairs_;
+  std::unordered_map<std::string_view, std::vector<std::size_t>> resolved_;
+};
+
+}  // namespace
+
+std::vector<Standing> stand_alone(const Found& found) {
+  std::vector<Standing> standings(found.pairs.size());
+  for (std::size_t i = 0; i < standings.size(); ++i) {
+    standings[i].regions.resize(found.pairs[i].regions.size());
+    name_regions(found.ids[i], {}, standings[i].regions);
+  }
+  return standings;
+}
+
+std::vector<Standing> compare(const Found& found, const Previous& previous, std::vector<Resolved>& resolved) {
+  return Comparison(found, previous, resolved).compare();
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "triage/previous.hpp"
+#include "triage/standing.hpp"
+
+namespace impinge::cli {
+
+/// What a review knows of its pairs, as matching needs it.
+struct Found {
+  const std::vector<Clash>& pairs;
+  const std::vector<std::string>& ids;               ///< of the pairs
+  std::function<double(const Clash&)> slack;         ///< how far a region may move beyond its own size
+  std::function<bool(const Clash&, Verdict)> names;  ///< whether this verdict on the pair would be a failure
+};
+
+/// Ids for the regions of each pair, all of them new if there is no previous run.
+std::vector<Standing> stand_alone(const Found& found);
+
+/// What became of the pairs and regions of the previous run; those that are gone are appended to `resolved`. A pair
+/// is known by its id. Its regions are matched by their centroids, the nearest two first, as far as half the diagonals
+/// of both boxes and the pair's slack reach. What comes back after it was resolved is new, with its remark.
+std::vector<Standing> compare(const Found& found, const Previous& previous, std::vector<Resolved>& resolved);
+
+}  // namespace impinge::cli

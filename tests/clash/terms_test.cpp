@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// A scene put to several tests at once gives each pair of parts what it gets when it is judged on those terms alone.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "impinge/clash.hpp"
+
+namespace impinge {
+namespace {
+
+/// A row of boxes along x, some moved aside; from one to the next there is an overlap, a gap or
+/// neither, of up to 1/4.
+Scene row_of_boxes() {
+  const std::vector<double> xyz{0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0, 0, 0, 2, 2, 0, 2, 0, 2, 2, 2, 2, 2};
+  const std::vector<std::uint32_t> triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                             2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  const Mesh mesh = Mesh::create(std::span<const double>(xyz), triangles).value();
+  const std::vector<double> steps{1.75, 2.25, 2, 1.9999, 2.0001, 2 - 0x1p-24, 2 + 0x1p-24, 0};
+  Scene scene;
+  double x = 0;
+  for (int i = 0; i < 24; ++i) {
+    Pose pose;
+    pose.t = {x, i % 3 == 0 ? 0.5 : 0, 0};
+    EXPECT_TRUE(scene.add(mesh, pose));
+    x += steps[static_cast<std::size_t>(i) % steps.size()];
+  }
+  return scene;
+}
+
+/// Bits of a pair's tests: some pairs are in none, some in all.
+std::uint32_t tests_of(std::uint32_t a, std::uint32_t b) { return (a * 7 + b * 3) % 16; }
+
+const std::vector<ClashTerms>& all_terms() {
+  static const std::vector<ClashTerms> terms{
+      {.tolerance = {}, .clearance = 0, .last = Verdict::crossing, .test = 10},
+      {.tolerance = 0, .clearance = 1, .test = 11},
+      {.tolerance = 0.125, .clearance = 0.1, .last = Verdict::touching, .test = 12},
+      {.tolerance = {}, .clearance = 1, .last = Verdict::apart, .test = 13}};
+  return terms;
+}
+
+void expect_equal(const Clash& found, const Clash& alone) {
+  EXPECT_EQ(found.objects, alone.objects);
+  EXPECT_EQ(found.verdict, alone.verdict);
+  EXPECT_EQ(found.inner, alone.inner);
+  EXPECT_EQ(found.note, alone.note);
+  EXPECT_EQ(found.tolerance, alone.tolerance);
+  EXPECT_EQ(found.contacts, alone.contacts);
+  ASSERT_EQ(found.nearest.has_value(), alone.nearest.has_value());
+  if (found.nearest) {
+    EXPECT_EQ(found.nearest->distance, alone.nearest->distance);
+  }
+  ASSERT_EQ(found.overlap_depth.has_value(), alone.overlap_depth.has_value());
+  if (found.overlap_depth) {
+    EXPECT_EQ(found.overlap_depth->a_in_b.hi, alone.overlap_depth->a_in_b.hi);
+  }
+  ASSERT_EQ(found.regions.size(), alone.regions.size());
+  for (std::size_t i = 0; i < found.regions.size(); ++i) EXPECT_EQ(found.regions[i].area, alone.regions[i].area);
+}
+
+TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
+  const Scene scene = row_of_boxes();
+  ClashOptions options{.clearance = 1, .depth = true, .regions = true};
+  options.terms = [](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
+    EXPECT_LT(a, b);
+    EXPECT_TRUE(terms.empty());
+    for (std::size_t i = 0; i < all_terms().size(); ++i)
+      if ((tests_of(a, b) >> i & 1U) != 0) terms.push_back(all_terms()[i]);
+  };
+  const Result<Clashes> found = find_clashes(scene, options);
+  ASSERT_TRUE(found) << found.error().message;
+  std::size_t expected = 0;
+  for (std::size_t i = 0; i < all_terms().size(); ++i) {
+    const ClashTerms& terms = all_terms()[i];
+    const Result<Clashes> alone = find_clashes(
+        scene, {.tolerance = terms.tolerance, .clearance = terms.clearance, .depth = true, .regions = true});
+    ASSERT_TRUE(alone) << alone.error().message;
+    std::vector<const Clash*> of_test, wanted;
+    for (const Clash& clash : found->pairs)
+      if (clash.test == terms.test) of_test.push_back(&clash);
+    for (const Clash& clash : alone->pairs)
+      if ((tests_of(clash.objects[0], clash.objects[1]) >> i & 1U) != 0 && clash.verdict <= terms.last)
+        wanted.push_back(&clash);
+    EXPECT_FALSE(wanted.empty()) << terms.test;
+    ASSERT_EQ(of_test.size(), wanted.size()) << terms.test;
+    for (std::size_t k = 0; k < wanted.size(); ++k) expect_equal(*of_test[k], *wanted[k]);
+    expected += wanted.size();
+  }
+  EXPECT_EQ(found->pairs.size(), expected);
+  for (std::size_t i = 1; i < found->pairs.size(); ++i) {
+    const Clash &before = found->pairs[i - 1], &after = found->pairs[i];
+    EXPECT_TRUE(std::tie(before.objects, before.test) < std::tie(after.objects, after.test)) << i;
+  }
+}
+
+TEST(Terms, AreTheOnlyPairsThatAreLookedAt) {
+  const Scene scene = row_of_boxes();
+  ClashOptions options;
+  options.terms = [](std::uint32_t, std::uint32_t, std::vector<ClashTerms>&) {};
+  const Result<Clashes> none = find_clashes(scene, options);
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->pairs.empty());
+  EXPECT_EQ(none->candidates, 0U);
+  EXPECT_EQ(none->parts.size(), 24U);
+}
+
+TEST(Terms, ThatReachFartherThanTheOptionsAreAnError) {
+  const Scene scene = row_of_boxes();
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  for (const ClashTerms& terms :
+       {ClashTerms{.tolerance = 6}, ClashTerms{.clearance = 6}, ClashTerms{.tolerance = -1},
+        ClashTerms{.clearance = -1}, ClashTerms{.tolerance = kNothing}, ClashTerms{.clearance = kNothing}}) {
+    ClashOptions options{.clearance = 5};
+    options.terms = [&](std::uint32_t, std::uint32_t, std::vector<ClashTerms>& all) { all.push_back(terms); };
+    const Result<Clashes> refused = find_clashes(scene, options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, Code::bad_option);
+  }
+}
+
+}  // namespace
+}  // namespace impinge
