@@ -20,7 +20,13 @@ struct Files {
 
 Scenery scenery_of(const Review& review, const Clash& clash, const Place& place) {
   Scenery scenery;
-  for (std::size_t side = 0; side < 2; ++side) scenery.parts[side] = &review.assembly.objects[clash.objects[side]];
+  for (std::size_t side = 0; side < 2; ++side) {
+    const io::Object& object = review.assembly.objects[clash.objects[side]];
+    for (const Point& vertex : object.mesh.vertices())
+      scenery.parts[side].vertices.push_back(world_vertex(object.pose, vertex));
+    scenery.parts[side].triangles = object.mesh.triangles();
+  }
+  if (clash.verdict == Verdict::inside && clash.inner >= 0) scenery.glass = static_cast<std::size_t>(1 - clash.inner);
   for (const Region& region : clash.regions) {
     scenery.lines.insert(scenery.lines.end(), region.lines.begin(), region.lines.end());
     if (region.lines.empty()) scenery.lines.push_back({region.centroid});
@@ -39,9 +45,10 @@ Files files_of(const Review& review, const ClashArguments& arguments, std::size_
   const Place place = place_of(review, pair);
   const Scenery scenery = scenery_of(review, clash, place);
   const Conventions conventions = conventions_of(arguments);
-  const View view = clearest(
-      scenery, views_of(place, {scenery.parts[0]->mesh.sphere_radius(), scenery.parts[1]->mesh.sphere_radius()},
-                        conventions.y_up));
+  const auto radius = [&](std::size_t side) {
+    return review.assembly.objects[clash.objects[side]].mesh.sphere_radius();
+  };
+  const View view = clearest(scenery, views_of(place, {radius(0), radius(1)}, conventions.y_up));
   return {markup_of(review, arguments, pair, rank), viewpoint_of(review, pair, view, scenery.lines, conventions),
           png_of(draw(scenery, view))};
 }

@@ -27,32 +27,49 @@ std::size_t cut(std::span<const Point> corners, double least, std::array<Point, 
 struct Range {
   std::size_t first, last;  ///< the last excluded
 };
-/// The pixels whose middles may lie between two coordinates.
+/// The pixels whose middles lie between two coordinates.
 Range pixels_between(double lo, double hi, std::size_t count) {
   const double most = static_cast<double>(count);
-  return {static_cast<std::size_t>(std::clamp(std::floor(lo), 0.0, most)),
-          static_cast<std::size_t>(std::clamp(std::ceil(hi), 0.0, most))};
+  return {static_cast<std::size_t>(std::clamp(std::ceil(lo - 0.5), 0.0, most)),
+          static_cast<std::size_t>(std::clamp(std::floor(hi + 0.5), 0.0, most))};
 }
 
+/// What is 0 at two corners of a triangle and 1 at the third, and linear between them.
+struct Share {
+  Projected zero;
+  double per_x, per_y;
+  [[nodiscard]] double at(double x, double y) const { return per_x * (x - zero.x) + per_y * (y - zero.y); }
+};
+
 void fill(Layer& layer, const Lens& lens, const std::array<Projected, 3>& c, unsigned char light) {
-  const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (c[1].y - c[0].y);
-  if (!(std::abs(area) > 0) || !std::isfinite(area)) return;
   const Range rows =
       pixels_between(std::min({c[0].y, c[1].y, c[2].y}), std::max({c[0].y, c[1].y, c[2].y}), lens.height);
-  const Range columns =
-      pixels_between(std::min({c[0].x, c[1].x, c[2].x}), std::max({c[0].x, c[1].x, c[2].x}), lens.width);
+  const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (c[1].y - c[0].y);
+  if (rows.first >= rows.last || !(std::abs(area) > 0) || !std::isfinite(area)) return;
+  const double left = std::min({c[0].x, c[1].x, c[2].x}), right = std::max({c[0].x, c[1].x, c[2].x});
+  const auto share = [&](const Projected& p, const Projected& q) {
+    return Share{p, (p.y - q.y) / area, (q.x - p.x) / area};
+  };
+  const std::array<Share, 3> shares{share(c[1], c[2]), share(c[2], c[0]), share(c[0], c[1])};
+  double per_x = 0;  // how fast nearness grows
+  for (std::size_t k = 0; k < 3; ++k) per_x += shares[k].per_x * c[k].nearness;
   for (std::size_t row = rows.first; row < rows.last; ++row) {
-    for (std::size_t column = columns.first; column < columns.last; ++column) {
-      const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
-      const auto share = [&](const Projected& p, const Projected& q) {
-        return ((q.x - p.x) * (y - p.y) - (x - p.x) * (q.y - p.y)) / area;
-      };
-      const double s0 = share(c[1], c[2]), s1 = share(c[2], c[0]), s2 = share(c[0], c[1]);
-      if (s0 < 0 || s1 < 0 || s2 < 0) continue;
-      const auto nearness = static_cast<float>(s0 * c[0].nearness + s1 * c[1].nearness + s2 * c[2].nearness);
+    const double y = static_cast<double>(row) + 0.5;
+    double from = left, to = right;  // where no share is negative
+    for (const Share& s : shares) {
+      const double here = s.at(s.zero.x, y);
+      if (s.per_x > 0) from = std::max(from, s.zero.x - here / s.per_x);
+      if (s.per_x < 0) to = std::min(to, s.zero.x - here / s.per_x);
+    }
+    const Range columns = pixels_between(from, to, lens.width);
+    if (columns.first >= columns.last) continue;
+    const double x = static_cast<double>(columns.first) + 0.5;
+    double nearness = 0;
+    for (std::size_t k = 0; k < 3; ++k) nearness += shares[k].at(x, y) * c[k].nearness;
+    for (std::size_t column = columns.first; column < columns.last; ++column, nearness += per_x) {
       const std::size_t at = row * lens.width + column;
-      if (nearness <= layer.nearness[at]) continue;
-      layer.nearness[at] = nearness;
+      if (static_cast<float>(nearness) <= layer.nearness[at]) continue;
+      layer.nearness[at] = static_cast<float>(nearness);
       layer.shading[at] = light;
     }
   }
@@ -67,14 +84,14 @@ unsigned char light_on(const std::array<Point, 3>& corners) {
 
 }  // namespace
 
-Layer layer_of(const io::Object& part, const Lens& lens) {
+Layer layer_of(const Placed& part, const Lens& lens) {
   Layer layer{std::vector<float>(lens.width * lens.height), std::vector<unsigned char>(lens.width * lens.height)};
   std::vector<Point> seen;
-  seen.reserve(part.mesh.vertex_count());
-  for (const Point& vertex : part.mesh.vertices()) seen.push_back(lens.seen(world_vertex(part.pose, vertex)));
-  for (const auto& triangle : part.mesh.triangles()) {
+  seen.reserve(part.vertices.size());
+  for (const Point& vertex : part.vertices) seen.push_back(lens.seen(vertex));
+  for (const auto& triangle : part.triangles) {
     const std::array<Point, 3> corners{seen[triangle[0]], seen[triangle[1]], seen[triangle[2]]};
-    std::array<Point, 4> kept;
+    std::array<Point, 4> kept{};
     const std::size_t count = cut(corners, lens.least(), kept);
     for (std::size_t i = 2; i < count; ++i)
       fill(layer, lens, {lens.project(kept[0]), lens.project(kept[i - 1]), lens.project(kept[i])}, light_on(corners));

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "report/camera.hpp"
@@ -38,12 +40,18 @@ struct Lens {
   [[nodiscard]] double least() const { return 1e-3 * view.distance; }
 };
 
+/// A part in the world.
+struct Placed {
+  std::vector<Point> vertices;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+};
+
 /// One part as it is seen.
 struct Layer {
   std::vector<float> nearness;         ///< of each pixel, 0 where there is nothing
   std::vector<unsigned char> shading;  ///< how much light falls there
 };
-Layer layer_of(const io::Object& part, const Lens& lens);
+Layer layer_of(const Placed& part, const Lens& lens);
 
 /// Whether a line is seen in a pixel; hidden behind a part counts for less.
 enum Mark : unsigned char { kNone, kHidden, kVisible };

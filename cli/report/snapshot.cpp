@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "report/raster.hpp"
-
 namespace impinge::cli {
 namespace {
 
@@ -17,7 +15,7 @@ struct Drawing {
 };
 
 Drawing drawing_of(const Scenery& scenery, const Lens& lens, double line_width) {
-  Drawing drawing{{layer_of(*scenery.parts[0], lens), layer_of(*scenery.parts[1], lens)}, {}};
+  Drawing drawing{{layer_of(scenery.parts[0], lens), layer_of(scenery.parts[1], lens)}, {}};
   drawing.marks = marks_of(scenery.lines, drawing.layers, lens, line_width);
   return drawing;
 }
@@ -34,7 +32,7 @@ Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
   return c;
 }
 
-Colour pixel_of(const Drawing& drawing, std::size_t at) {
+Colour pixel_of(const Drawing& drawing, std::optional<std::size_t> glass, std::size_t at) {
   static const Colour kBackground = colour_of(0xF7F7F7), kLine = colour_of(0xC2004D);
   static const std::array<Colour, 2> kParts{colour_of(kPartColours[0]), colour_of(kPartColours[1])};
   const auto shaded = [&](std::size_t part) {
@@ -43,12 +41,14 @@ Colour pixel_of(const Drawing& drawing, std::size_t at) {
   Colour colour = kBackground;
   const std::array<float, 2> near{drawing.layers[0].nearness[at], drawing.layers[1].nearness[at]};
   const std::size_t front = near[1] > near[0] ? 1 : 0;
-  constexpr double kShinesThrough = 0.35;
+  constexpr double kThroughParts = 0.35, kThroughGlass = 0.7;
   if (near[front] > 0)
-    colour = near[1 - front] > 0 ? mixed(shaded(front), shaded(1 - front), kShinesThrough) : shaded(front);
-  constexpr double kThroughParts = 0.55;
+    colour = near[1 - front] > 0
+                 ? mixed(shaded(front), shaded(1 - front), front == glass ? kThroughGlass : kThroughParts)
+                 : shaded(front);
+  constexpr double kHiddenLine = 0.55;
   const unsigned char mark = drawing.marks[at];
-  return mark == kNone ? colour : mixed(colour, kLine, mark == kVisible ? 1.0 : kThroughParts);
+  return mark == kNone ? colour : mixed(colour, kLine, mark == kVisible ? 1.0 : kHiddenLine);
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ Picture draw(const Scenery& scenery, const View& view) {
     for (std::size_t x = 0; x < kWidth; ++x) {
       Colour sum{};
       for (std::size_t i = 0; i < kFiner * kFiner; ++i) {
-        const Colour one = pixel_of(drawing, (kFiner * y + i / kFiner) * lens.width + kFiner * x + i % kFiner);
+        const Colour one =
+            pixel_of(drawing, scenery.glass, (kFiner * y + i / kFiner) * lens.width + kFiner * x + i % kFiner);
         for (std::size_t k = 0; k < 3; ++k) sum[k] += one[k];
       }
       for (const double value : sum)

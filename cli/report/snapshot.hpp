@@ -3,16 +3,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "report/camera.hpp"
 #include "report/png.hpp"
+#include "report/raster.hpp"
 
 namespace impinge::cli {
 
 /// What a picture of a clash shows: two parts and lines, in the world.
 struct Scenery {
-  std::array<const io::Object*, 2> parts{};
+  std::array<Placed, 2> parts;
+  std::optional<std::size_t> glass;       ///< the part that the other lies in, which must be seen through
   std::vector<std::vector<Point>> lines;  ///< where they meet, or between their nearest points; a point is a dot
 };
 
