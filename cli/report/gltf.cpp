@@ -145,7 +145,7 @@ class Document {
       buffers.add(fmt::format("{{\"byteLength\":{}}}", 4 * (positions_.size() + indices_.size())));
     }
     return fmt::format(
-               "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"impinge\",\"extras\":{{\"schema\":1}}}},\n"
+               "{{\"asset\":{{\"generator\":\"impinge\",\"version\":\"2.0\",\"extras\":{{\"schema\":1}}}},\n"
                "\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}]",
                root) +
            nodes_.member("nodes") + (meshes_.count() > 0 ? materials.member("materials") : "") +

@@ -81,6 +81,18 @@ TEST_F(Files, WhatNamesAnotherFileIsRefused) {
   EXPECT_EQ(folder.read("a.off"), off(box({0, 0, 0}, {2, 2, 2})));
 }
 
+TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
+  const std::string archive = "PK\3\4" + std::string(26, ' ') + "word/document.xml" + std::string(100, ' ');
+  folder.write("letter.docx", archive);
+  EXPECT_EQ(clash({"--bcf", "letter.docx"}).code, 2);
+  EXPECT_EQ(folder.read("letter.docx"), archive);
+  const std::string model =
+      "glTF" + std::string(16, ' ') + R"({"asset":{"generator":"another","version":"2.0"}})" + std::string(100, ' ');
+  folder.write("model.glb", model);
+  EXPECT_EQ(clash({"--gltf", "model.glb"}).code, 2);
+  EXPECT_EQ(folder.read("model.glb"), model);
+}
+
 TEST_F(Files, OnePlaceTakesOneDocument) {
   std::filesystem::create_directory(folder.path() / "sub");
   std::filesystem::create_symlink("sub", folder.path() / "link");
@@ -140,7 +152,8 @@ TEST_F(Files, AnInterruptWhileTopicsAreDrawnLeavesTheOldArchive) {
     folder.write(name, off(box({i, i, i}, {i + 100, i + 100, i + 100})));
     words.push_back(name);
   }
-  folder.write("out.bcf", "PK\3\4 an older one");
+  const std::string older = "PK\3\4" + std::string(26, ' ') + "bcf.version";
+  folder.write("out.bcf", older);
   Running running(folder, words);
   ASSERT_TRUE(running.handles(SIGINT, 20s));
   // The table is written first, the archive after it.
@@ -159,7 +172,7 @@ TEST_F(Files, AnInterruptWhileTopicsAreDrawnLeavesTheOldArchive) {
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.err, "impinge: interrupted; there is no result\n");
   EXPECT_EQ(names(), std::vector<std::string>{"out.bcf"});
-  EXPECT_EQ(folder.read("out.bcf"), "PK\3\4 an older one");
+  EXPECT_EQ(folder.read("out.bcf"), older);
 }
 
 TEST_F(Files, OptionsThatSayNothingAreRefused) {
