@@ -54,7 +54,16 @@ struct PageArguments {
   std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
 };
 
-struct ClashArguments : SceneArguments, PageArguments {
+/// Files for other tools, and what these take coordinates and dates for.
+struct ExportArguments {
+  std::optional<std::string> csv, bcf, gltf;  ///< "-" is standard output
+  double metres = 1;                          ///< that a unit of the files' coordinates has
+  std::optional<bool> y_up;                   ///< or Z; nothing: by the first file's format
+  std::string date;                           ///< of the BCF's topics, "2024-05-31T16:30:00Z"
+  std::uint64_t topics = 1'000;               ///< of the BCF, at most
+};
+
+struct ClashArguments : SceneArguments, PageArguments, ExportArguments {
   std::optional<double> tolerance;  ///< nothing: auto
   double clearance = 0;
   bool depth = false;

@@ -17,8 +17,8 @@ struct Raw {
   ClashArguments clash;
   ViewArguments view;
   InfoArguments info;
-  std::string json, html, page_triangles, limit, threads, max_file, device_share, tolerance, clearance, config,
-      previous, group_by;
+  std::string json, html, csv, bcf, gltf, unit, up, date, topics, page_triangles, config, previous, group_by, limit,
+      threads, max_file, device_share, tolerance, clearance;
   std::vector<std::string> ignored, scales, fail_on;
 };
 

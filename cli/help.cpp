@@ -147,6 +147,8 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
                   "Fail if anything touches the robot or comes nearer to it than 5 units."},
                  {"impinge clash engine.obj fixture.stl --html report.html",
                   "A page for the design review: open it in a browser; it needs nothing else."},
+                 {"impinge clash bracket.stl plate.stl --bcf clashes.bcf --csv clashes.csv --unit mm",
+                  "The same for a BIM tool and a spreadsheet; the files' coordinates are millimetres."},
                  {"impinge clash bracket.stl plate.stl --tolerance 0.01 --regions --json clashes.json",
                   "What overlaps by 0.01 counts as touching; every region of contact as JSON."}})
       .section("Exit codes:", {{"0", "nothing that --fail-on names"},
