@@ -90,7 +90,7 @@ export class Assembly {
       section: { value: new Vector4() },
       backdrop: { value: new Vector3() },
       ink: { value: new Vector3(0.07, 0.08, 0.1) },
-      strength: { value: 0.5 },
+      strength: { value: 0.45 },
       isParallel: { value: 0 },
     };
     this.materials = this.makeMaterials();

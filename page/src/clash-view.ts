@@ -10,7 +10,7 @@ import type { Stroke } from './overlay';
 import type { State } from './store';
 import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, unite } from './vector';
 
-const kGhost = 0.085;
+const kGhost = 0.06;
 const kGlass = 0.42;
 
 export class ClashView {

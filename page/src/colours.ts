@@ -25,7 +25,7 @@ export function oklch(lightness: number, chroma: number, hue: number): Rgb {
 
 /** Calm colours, as different as their number allows: hues step by the golden angle. */
 export function calmColour(index: number): Rgb {
-  return oklch(0.74 + 0.045 * ((index * 2) % 3) - 0.02, 0.055 + 0.02 * (index % 2), 4.1 + index * 2.39996);
+  return oklch(0.75 + 0.045 * ((index * 2) % 3), 0.045 + 0.02 * (index % 2), 4.1 + index * 2.39996);
 }
 
 export function hexColour(hex: string): Rgb {

@@ -47,6 +47,7 @@ export class Details {
 
   private show(): void {
     const { clash, part } = this.store.state;
+    document.body.classList.toggle('idle', !clash && part < 0);
     if (clash) this.body.replaceChildren(...this.ofClash(clash));
     else if (part >= 0) this.body.replaceChildren(...this.ofPart(this.report.objects[part]));
     else this.body.replaceChildren(el('p', { class: 'hint' }, this.hint()));

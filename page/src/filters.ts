@@ -10,11 +10,11 @@ import type { Store } from './store';
 
 type Choice = [value: string, text: string];
 
-function chooser(label: string, choices: Choice[], onChange: (value: string) => void, id: string): HTMLLabelElement {
-  const select = el('select', { id });
+function chooser(label: string, choices: Choice[], onChange: (value: string) => void, id: string): HTMLSelectElement {
+  const select = el('select', { id, 'aria-label': label, title: label });
   for (const [value, text] of choices) select.append(el('option', { value }, text));
   select.addEventListener('change', () => onChange(select.value));
-  return el('label', { class: 'field' }, el('span', {}, label), select);
+  return select;
 }
 
 function numberField(label: string, id: string, onChange: (value: number) => void): HTMLLabelElement {
@@ -44,7 +44,7 @@ export class Filters {
     private readonly store: Store,
     private readonly partName: (id: number) => string,
   ) {
-    this.host.append(this.makeChips(), this.makeSearch(), this.makeOrder(), this.makeMore(), this.makeState());
+    this.host.append(this.makeChips(), this.makeLine(), this.makeMore(), this.makeState());
     store.listen((_, changed) => {
       if (changed.has('filter')) this.update();
     });
@@ -83,23 +83,30 @@ export class Filters {
     return chips;
   }
 
-  private makeSearch(): HTMLElement {
+  private makeLine(): HTMLElement {
     this.search.addEventListener('input', () => this.store.filterBy({ text: this.search.value }));
     this.search.addEventListener('keydown', (event) => {
       if (event.key !== 'ArrowDown') return;
       event.preventDefault();
       byId('clash-list').focus();
     });
-    return el('div', { class: 'line' }, this.search);
-  }
-
-  private makeOrder(): HTMLElement {
-    const sorts: Choice[] = [['rank', 'verdict'], ['depth', 'depth'], ['distance', 'distance'], ['area', 'size'], ['name', 'name']];
-    const groups: Choice[] = [['none', 'no groups'], ['part', 'part'], ['types', 'pair of types']];
-    if (this.report.pairs.some((pair) => pair.test)) groups.push(['test', 'test']);
+    const sorts: Choice[] = [
+      ['rank', 'by verdict'],
+      ['depth', 'by depth'],
+      ['distance', 'by distance'],
+      ['area', 'by size'],
+      ['name', 'by name'],
+    ];
+    const groups: Choice[] = [
+      ['none', 'no groups'],
+      ['part', 'in parts'],
+      ['types', 'in pairs of types'],
+    ];
+    if (this.report.pairs.some((pair) => pair.test)) groups.push(['test', 'in tests']);
     return el(
       'div',
       { class: 'line' },
+      this.search,
       chooser('Sort by', sorts, (value) => this.store.set({ sort: value as SortKey }), 'sort'),
       chooser('Group by', groups, (value) => this.store.set({ group: value as GroupKey }), 'group'),
     );
@@ -109,13 +116,12 @@ export class Filters {
     const fields: HTMLElement[] = [];
     const { settings } = this.report;
     if (settings?.depth) fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
-    if (settings?.clearance) fields.push(numberField('Distance up to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));
+    if (settings?.clearance) fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));
     for (const key of ['test', 'status', 'change'] as const) {
       const values = valuesOf(this.report, key);
       if (!values.length) continue;
-      const choices: Choice[] = [['', 'all'], ...values.map((value): Choice => [value, nameText(value, 60)])];
-      const label = key[0].toUpperCase() + key.slice(1);
-      fields.push(chooser(label, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`));
+      const choices: Choice[] = [['', `any ${key}`], ...values.map((value): Choice => [value, nameText(value, 60)])];
+      fields.push(chooser(`Only of ${key}`, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`));
     }
     const line = el('div', { class: 'line' }, ...fields);
     line.hidden = !fields.length;

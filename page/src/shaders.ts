@@ -77,7 +77,7 @@ export const partFragment = /* glsl */ `
     #ifdef GHOST
       // The same colour for all that fades would not depend on the order of drawing; the two shown parts nearly so.
       float rim = 1.0 - abs(dot(n, toEye));
-      gl_FragColor = vec4(vLook.rgb, clamp(vLook.a * (0.35 + 2.4 * rim * rim * rim), 0.0, 0.9));
+      gl_FragColor = vec4(vLook.rgb, clamp(vLook.a * (0.4 + 1.9 * rim * rim * rim), 0.0, 0.9));
     #else
       if (isBack && dot(section.xyz, section.xyz) > 0.0) {
         // The inside of what is cut open: flat and hatched, as in a drawing.
@@ -90,7 +90,7 @@ export const partFragment = /* glsl */ `
       float fill = max(0.0, dot(n, normalize(vec3(0.75, -0.1, 0.5))));
       float sky = 0.5 + 0.5 * n.y;
       float head = max(0.0, dot(n, toEye));
-      float light = 0.34 + 0.16 * sky + 0.40 * key + 0.10 * fill + 0.16 * head;
+      float light = 0.46 + 0.14 * sky + 0.34 * key + 0.08 * fill + 0.10 * head;
       vec3 middle = normalize(toEye + normalize(vec3(-0.45, 0.65, 0.62)));
       float shine = 0.10 * pow(max(0.0, dot(n, middle)), 28.0);
       gl_FragColor = vec4(vLook.rgb * light + shine, 1.0);
