@@ -26,6 +26,7 @@ import type { Rgb } from './colours';
 import type { SceneBlock, Vec3 } from './data';
 import { Breather, type RawMesh } from './geometry';
 import { drawnMesh, type DrawnMesh } from './mesh';
+import type { Obstacle } from './sight';
 import { edgeFragment, edgeVertex, partFragment, partVertex, pickFragment } from './shaders';
 import { add, type Box, cornersOf, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unite } from './vector';
 
@@ -65,7 +66,7 @@ export class Assembly {
 
   private constructor(
     private readonly scene: SceneBlock,
-    meshes: (DrawnMesh | null)[],
+    private readonly meshes: (DrawnMesh | null)[],
   ) {
     this.instanceOf = new Int32Array(scene.objects.length).fill(-1);
     scene.objects.forEach((object, id) => {
@@ -201,6 +202,13 @@ export class Assembly {
 
   partOfInstance(instance: number): number {
     return this.partOf[instance] ?? -1;
+  }
+
+  /** What of a part can hide something, null if it has no triangles. */
+  obstacle(id: number): Obstacle | null {
+    const { mesh, pose } = this.scene.objects[id];
+    const drawn = this.meshes[mesh];
+    return drawn ? { positions: drawn.positions, corners: drawn.corners, pose } : null;
   }
 
   setLooks(lookOf: (id: number) => Look): void {

@@ -4,7 +4,7 @@
 // A camera that turns about a target as on a turntable, and flies. All of it in doubles.
 import { PerspectiveCamera } from 'three';
 import type { Vec3 } from './data';
-import { add, cross, mix, scale, sub } from './vector';
+import { add, type Box, cornersOf, cross, dot, middleOf, mix, scale, sub } from './vector';
 
 export type UpAxis = 'y' | 'z';
 
@@ -19,6 +19,7 @@ export interface Stand {
 
 const kHalfAngle = (17 * Math.PI) / 180;
 const kFlight = 420;  // milliseconds
+const kMargin = 1.1;
 const kQuarter = Math.PI / 2;
 
 /** From a frame whose third axis is up to the world. */
@@ -40,11 +41,22 @@ export class Camera {
   }
 
   /** Unit vectors to the right, up, and towards the viewer. */
-  axes(): { right: Vec3; up: Vec3; back: Vec3 } {
-    const { yaw, pitch } = this.stand;
+  axes({ yaw, pitch }: Pick<Stand, 'yaw' | 'pitch'> = this.stand): { right: Vec3; up: Vec3; back: Vec3 } {
     const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch)];
     const right: Vec3 = [Math.cos(yaw), Math.sin(yaw), 0];
     return { right: turned(right, this.up), up: turned(cross(back, right), this.up), back: turned(back, this.up) };
+  }
+
+  /** The angles from which one looks when the viewer is in a direction. */
+  anglesTo(direction: Vec3): { yaw: number; pitch: number } {
+    const [x, y, z] = this.up === 'z' ? direction : [direction[0], -direction[2], direction[1]];
+    const pitch = Math.asin(Math.max(-1, Math.min(1, z)));
+    return { yaw: Math.hypot(x, y) > 1e-9 ? Math.atan2(x, -y) : this.stand.yaw, pitch };
+  }
+
+  /** Towards the viewer at the end of the flight. */
+  goalBack(): Vec3 {
+    return this.axes(this.flight?.to ?? this.stand).back;
   }
 
   get isFlying(): boolean {
@@ -82,6 +94,20 @@ export class Camera {
   distanceFor(radius: number): number {
     const narrow = Math.min(1, this.aspect);
     return radius / Math.sin(Math.atan(Math.tan(kHalfAngle) * narrow));
+  }
+
+  /** How far from a box's middle it fills the view, as the camera stands. */
+  distanceForBox(box: Box): number {
+    const { right, up, back } = this.axes();
+    const middle = middleOf(box);
+    const rise = Math.tan(kHalfAngle);
+    let distance = 0;
+    for (const corner of cornersOf(box)) {
+      const from = sub(corner, middle);
+      const needed = Math.max(Math.abs(dot(from, up)), Math.abs(dot(from, right)) / this.aspect) / rise;
+      distance = Math.max(distance, needed + dot(from, back));
+    }
+    return distance * kMargin;
   }
 
   turn(yaw: number, pitch: number): void {
@@ -129,8 +155,7 @@ export class Camera {
     );
     this.eye.matrixWorldInverse.copy(this.eye.matrixWorld).invert();
     this.eye.matrixWorldAutoUpdate = false;
-    const toMiddle = sub(add(sub(target, middle), scale(back, distance)), [0, 0, 0]);
-    const depth = toMiddle[0] * back[0] + toMiddle[1] * back[1] + toMiddle[2] * back[2];
+    const depth = dot(sub(target, middle), back) + distance;
     const top = this.halfHeight();
     const reach = Math.max(radius, 1e-12) * 1.02;
     if (this.isParallel) {

@@ -3,6 +3,7 @@
 //
 // The list of clashes.
 import { type Clash, filterClashes, type Group, groupClashes, sortClashes, verbOf } from './clashes';
+import { kVerdicts } from './data';
 import { byId, el, nameOf, numberOf } from './dom';
 import { counted, nameText, plural, rounded } from './format';
 import type { Store } from './store';
@@ -135,7 +136,7 @@ export class ClashList {
         'span',
         { role: 'gridcell', class: `group-title verdict ${worst.verdict}` },
         el('span', { class: 'indent', 'aria-hidden': 'true' }, isOpen ? '▾' : '▸'),
-        nameOf(group.title),
+        el('span', { class: 'names' }, nameOf(group.title), el('small', {}, verdictsOf(group))),
       ),
       el('span', { role: 'gridcell', class: 'badge quiet', title: plural(group.clashes.length, 'clash', 'clashes') }, counted(group.clashes.length)),
     );
@@ -163,7 +164,7 @@ export class ClashList {
   }
 
   private mainFigure(clash: Clash): HTMLElement {
-    if (!Number.isNaN(clash.depth)) return el('span', { class: 'main' }, el('small', {}, 'deep '), numberOf(clash.depth));
+    if (!Number.isNaN(clash.depth)) return el('span', { class: 'main' }, el('small', {}, 'depth '), numberOf(clash.depth));
     if (!Number.isNaN(clash.distance)) return el('span', { class: 'main' }, el('small', {}, 'gap '), numberOf(clash.distance));
     return el('span', { class: 'main' }, '');
   }
@@ -176,6 +177,12 @@ export class ClashList {
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
     return side;
   }
+}
+
+/** How many of each verdict. */
+function verdictsOf(group: Group): string {
+  const counts = kVerdicts.map((verdict) => group.clashes.filter((clash) => clash.verdict === verdict).length);
+  return kVerdicts.map((verdict, i) => `${counted(counts[i])} ${verdict === 'apart' ? 'too near' : verdict}`).filter((_, i) => counts[i]).join(', ');
 }
 
 /** One sentence, as it is read out. */

@@ -7,6 +7,7 @@ import type { Clash } from './clashes';
 import { calmColour, kPartColours, type Rgb, themeColour, verdictColour, worst } from './colours';
 import type { Report, SceneBlock, Vec3, Verdict } from './data';
 import type { Stroke } from './overlay';
+import { findSight, samplesOf } from './sight';
 import type { State } from './store';
 import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, unite } from './vector';
 
@@ -16,6 +17,9 @@ const kGlass = 0.42;
 export class ClashView {
   private readonly files: string[];
   private readonly worstOf: (Verdict | null)[];
+
+  /** The contact of the chosen clash is seen from nowhere: both parts are drawn as of glass. */
+  private isBuried = false;
 
   constructor(
     private readonly report: Report,
@@ -43,7 +47,7 @@ export class ClashView {
     const [a, b] = [themeColour(kPartColours.a), themeColour(kPartColours.b)];
     const picked = themeColour(kPartColours.picked);
     const plain = themeColour('--plain-part');
-    const alpha = glass ? kGlass : 1;
+    const alpha = glass || this.isBuried ? kGlass : 1;
     const colours = new Map<number | string | null, Rgb>();
     const base = (id: number): Rgb => {
       const key = colourBy === 'type' ? this.scene.objects[id].mesh : colourBy === 'file' ? this.report.objects[id].file : this.worstOf[id];
@@ -60,6 +64,22 @@ export class ClashView {
       if (clash && others !== 'show') return others === 'fade' ? ghost : gone;
       return [...(id === part ? picked : base(id)), 1];
     });
+  }
+
+  /** From which direction to look at the chosen clash; the present one, if much of it is seen from there. */
+  lookFrom(state: State, present: Vec3): Vec3 {
+    const { clash, region } = state;
+    this.isBuried = false;
+    if (!clash) return present;
+    const regions = clash.pair?.regions ?? [];
+    const lines = (region >= 0 ? [regions[region]] : regions).flatMap((one) => one.lines);
+    if (!lines.length && clash.pair?.nearest) lines.push(clash.pair.nearest);
+    const parts = [clash.first, clash.second].filter((id) => id >= 0);
+    const obstacles = parts.map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
+    const gap = radiusOf(this.partsBox(clash)) * 2e-3;
+    const sight = findSight(obstacles, samplesOf(lines), present, gap);
+    this.isBuried = sight.isBuried;
+    return sight.direction;
   }
 
   strokes(state: State): Stroke[] {

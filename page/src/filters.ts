@@ -34,7 +34,7 @@ function valuesOf(report: Report, key: 'test' | 'status' | 'change'): string[] {
 export class Filters {
   private readonly host = byId('filters');
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
-  private readonly search = el('input', { type: 'search', placeholder: 'Filter by part names', 'aria-label': 'Filter by part names', id: 'clash-search' });
+  private readonly search = el('input', { type: 'search', placeholder: 'Filter names', 'aria-label': 'Filter by part names', id: 'clash-search' });
   private readonly clear = button('Clear filters', () => this.reset(), { id: 'clear-filters', class: 'link' });
   private readonly partNote = el('span', { class: 'part-note' });
 
@@ -73,7 +73,7 @@ export class Filters {
         if (!verdicts.delete(verdict)) verdicts.add(verdict);
         this.store.filterBy({ verdicts });
       };
-      chips.append(this.chip(verdict, count, `verdict ${verdict}`, (filter) => filter.verdicts.has(verdict), toggle));
+      chips.append(this.chip(verdict === 'apart' ? 'too near' : verdict, count, `verdict ${verdict}`, (filter) => filter.verdicts.has(verdict), toggle));
     }
     const resolved = this.report.resolved?.length ?? 0;
     if (resolved) {

@@ -86,8 +86,8 @@ function makePage(report: Report, scene: SceneBlock | null): void {
     if (!stage.closePanel()) store.set({ clash: null, part: -1 });
   };
   const shortcuts: Shortcut[] = [
-    ...(pairs ? [{ keys: ['j', 'n'], text: 'next clash', act: () => list.step(1) }] : []),
-    ...(pairs ? [{ keys: ['k', 'p'], text: 'previous clash', act: () => list.step(-1) }] : []),
+    ...(pairs ? [{ keys: ['j'], text: 'next clash', act: () => list.step(1) }] : []),
+    ...(pairs ? [{ keys: ['k'], text: 'previous clash', act: () => list.step(-1) }] : []),
     { keys: ['Escape'], text: 'close a panel; leave the clash or the part', act: escape },
     ...stage.shortcuts(tree),
     { keys: ['/'], text: 'filter the clashes by name', act: () => byId(isReview ? 'clash-search' : 'parts-search').focus() },

@@ -72,16 +72,11 @@ export class Stage {
     const up: UpAxis = this.report.objects.every((part) => kUpwardsY.test(part.file)) ? 'y' : 'z';
     view.camera.up = up;
     byId<HTMLSelectElement>('up-axis').value = up;
-    view.camera.stand.target = middleOf(view.assembly!.bounds);
-    view.camera.stand.distance = view.camera.distanceFor(Math.max(1e-9, this.sceneRadius()));
+    const { bounds } = view.assembly!;
+    view.camera.stand = { ...view.camera.stand, target: middleOf(bounds), distance: view.camera.distanceForBox(bounds) || 1 };
     if (state.clash) this.follow(state, new Set(['clash']));
     else if (state.part >= 0) this.follow(state, new Set(['part']));
     view.invalidate();
-  }
-
-  private sceneRadius(): number {
-    const { min, max } = this.view!.assembly!.bounds;
-    return min[0] <= max[0] ? Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]) / 2 : 1;
   }
 
   private clashPlace(): Vec3 | null {
@@ -138,12 +133,17 @@ export class Stage {
     const { view, look } = this;
     if (changed.has('clash')) this.showLegend(state);
     if (!view || !look) return;
-    const looks: (keyof State)[] = ['clash', 'part', 'hidden', 'isolated', 'others', 'glass', 'colourBy'];
+    const isElsewhere = changed.has('clash') || changed.has('region');
+    const from = isElsewhere ? look.lookFrom(state, view.camera.goalBack()) : null;
+    const looks: (keyof State)[] = ['clash', 'region', 'part', 'hidden', 'isolated', 'others', 'glass', 'colourBy'];
     if (looks.some((key) => changed.has(key))) look.applyLooks(state);
     if (changed.has('clash') || changed.has('region') || changed.has('boxes')) view.setStrokes(look.strokes(state));
-    if (changed.has('clash') || changed.has('region')) {
+    if (from) {
       const focus = look.focus(state);
-      if (focus) view.camera.fly({ target: focus.middle, distance: view.camera.distanceFor(focus.radius) });
+      if (focus) {
+        const { camera } = view;
+        camera.fly({ target: focus.middle, distance: camera.distanceFor(focus.radius), ...camera.anglesTo(from) });
+      }
       this.section?.follow();
       this.explode?.follow();
     }
@@ -221,7 +221,7 @@ export class Stage {
             { keys: ['b'], text: 'boxes of the regions of contact', act: () => store.set({ boxes: !store.state.boxes }) },
           ]
         : []),
-      { keys: ['o'], text: 'parallel or perspective', act: () => this.tools?.setParallel(!this.view!.camera.isParallel) },
+      { keys: ['p'], text: 'parallel or perspective', act: () => this.tools?.setParallel(!this.view!.camera.isParallel) },
     ];
   }
 

@@ -34,7 +34,7 @@ export class Tools {
     explode: Explode,
     private readonly actions: ToolActions,
   ) {
-    this.parallel = this.check('Parallel view', 'parallel', 'O', () => this.setParallel(this.parallel.checked));
+    this.parallel = this.check('Parallel view', 'parallel', 'P', () => this.setParallel(this.parallel.checked));
     this.glass = this.check('See through A and B', 'glass', 'X', () => store.set({ glass: this.glass.checked }));
     const boxes = this.check('Boxes of the regions', 'boxes', 'B', () => store.set({ boxes: boxes.checked }));
     const bar = el('div', { class: 'bar' });

@@ -8,7 +8,7 @@ import { Camera } from './camera';
 import { themeColour } from './colours';
 import type { Vec3 } from './data';
 import { Overlay, type Stroke } from './overlay';
-import { type Box, length, middleOf, radiusOf, sub } from './vector';
+import { type Box, isEmpty, length, middleOf, radiusOf, sub } from './vector';
 
 /** Single precision has 24 bits; nearer than this to something as far away as one, a rounding would be seen. */
 const kNearest = 1 / 4000;
@@ -85,9 +85,8 @@ export class View {
   }
 
   /** Flies to where the box fills the view. */
-  fit(box: Box, atLeast = 0): void {
-    const radius = Math.max(radiusOf(box), atLeast);
-    this.camera.fly({ target: middleOf(box), distance: this.camera.distanceFor(radius || 1) });
+  fit(box: Box): void {
+    if (!isEmpty(box)) this.camera.fly({ target: middleOf(box), distance: this.camera.distanceForBox(box) || 1 });
   }
 
   invalidate(): void {
