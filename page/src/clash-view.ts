@@ -13,12 +13,13 @@ import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, 
 
 const kGhost = 0.06;
 const kGlass = 0.42;
+const kThinGlass = 0.2;
 
 export class ClashView {
   private readonly files: string[];
   private readonly worstOf: (Verdict | null)[];
 
-  /** The contact of the chosen clash is seen from nowhere: both parts are drawn as of glass. */
+  /** The contact of the chosen clash is seen from nowhere: the larger part is drawn as of glass. */
   private isBuried = false;
 
   constructor(
@@ -40,6 +41,11 @@ export class ClashView {
     return verdict ? verdictColour(verdict) : plain;
   }
 
+  private largerOf(clash: Clash): [boolean, boolean] {
+    const [a, b] = [clash.first, clash.second].map((id) => (id < 0 ? 0 : radiusOf(this.assembly.boxes[id])));
+    return [a >= b, b >= a];
+  }
+
   applyLooks(state: State): void {
     const { clash, part, hidden, isolated, others, glass, colourBy } = state;
     const ghost: Look = [...themeColour('--ghost'), kGhost];
@@ -47,7 +53,9 @@ export class ClashView {
     const [a, b] = [themeColour(kPartColours.a), themeColour(kPartColours.b)];
     const picked = themeColour(kPartColours.picked);
     const plain = themeColour('--plain-part');
-    const alpha = glass || this.isBuried ? kGlass : 1;
+    // What hides a buried contact is the larger part.
+    const [hidesA, hidesB] = this.isBuried && clash ? this.largerOf(clash) : [false, false];
+    const alphaOf = (hides: boolean) => (hides ? kThinGlass : glass ? kGlass : 1);
     const colours = new Map<number | string | null, Rgb>();
     const base = (id: number): Rgb => {
       const key = colourBy === 'type' ? this.scene.objects[id].mesh : colourBy === 'file' ? this.report.objects[id].file : this.worstOf[id];
@@ -57,8 +65,8 @@ export class ClashView {
     };
     this.assembly.setLooks((id) => {
       if (clash) {
-        if (id === clash.first) return [...a, alpha];
-        if (id === clash.second) return [...b, alpha];
+        if (id === clash.first) return [...a, alphaOf(hidesA)];
+        if (id === clash.second) return [...b, alphaOf(hidesB)];
       }
       if (hidden.has(id) || (isolated && !isolated.has(id))) return gone;
       if (clash && others !== 'show') return others === 'fade' ? ghost : gone;

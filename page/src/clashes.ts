@@ -121,9 +121,7 @@ export function rankClashes(report: Report): Clash[] {
     (x, y) =>
       verdictRank(x.verdict) - verdictRank(y.verdict) ||
       compare(x.depth, y.depth, -1) ||
-      compare(x.distance, y.distance, 1) ||
-      x.pair!.a - y.pair!.a ||
-      x.pair!.b - y.pair!.b,
+      compare(x.distance, y.distance, 1),
   );
   const idOf = new Map(report.objects.map((part, id) => [`${part.file}\n${part.path}`, id]));
   for (const resolved of report.resolved ?? []) clashes.push(ofResolved(resolved, idOf));

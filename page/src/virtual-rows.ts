@@ -38,7 +38,8 @@ export class VirtualRows {
     list.addEventListener('scroll', () => this.draw(), { passive: true });
     list.addEventListener('keydown', (event) => this.key(event));
     list.addEventListener('focus', () => {
-      if (this.current < 0 && this.count) this.moveTo(0);
+      // The first in sight: a click on a row must find it where it was.
+      if (this.current < 0 && this.count) this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)), false);
     });
     new ResizeObserver(() => this.refresh()).observe(list);
   }
@@ -107,8 +108,11 @@ export class VirtualRows {
     this.current = index;
     const top = index * this.height;
     const { scrollTop, clientHeight } = this.list;
-    if (top < scrollTop) this.list.scrollTop = top;
-    else if (top + this.height > scrollTop + clientHeight) this.list.scrollTop = top + this.height - clientHeight;
+    // One step scrolls by one row; from further away the row comes to the middle.
+    const [above, below] = [scrollTop - top, top + this.height - scrollTop - clientHeight];
+    if (Math.max(above, below) > 2 * this.height) this.list.scrollTop = top - (clientHeight - this.height) / 2;
+    else if (above > 0) this.list.scrollTop = top;
+    else if (below > 0) this.list.scrollTop = scrollTop + below;
     this.draw();
     this.rows.get(index)?.classList.add('current');
     if (tell) this.source.onMove?.(index);
