@@ -28,8 +28,10 @@ let areOn = true;
 export function listenForKeys(shortcuts: Shortcut[]): void {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (byId<HTMLDialogElement>('help').open) return;
     const target = event.target as HTMLElement;
-    if (event.key !== 'Escape' && (target.matches('input:not([type=checkbox]), select, textarea') || byId<HTMLDialogElement>('help').open)) return;
+    const isField = target.matches('input:not([type=checkbox], [type=range]), select');
+    if (event.key !== 'Escape' && isField) return;
     if (!areOn && event.key !== 'Escape') return;
     const shortcut = shortcuts.find(({ keys }) => keys.includes(event.key));
     if (!shortcut) return;

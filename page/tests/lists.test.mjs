@@ -191,10 +191,11 @@ describe('the list of clashes', () => {
     await page.keyboard.press('?');
     assert.ok(await page.evaluate(() => document.getElementById('help').open));
     await page.keyboard.press('Escape');
+    assert.ok(!(await page.evaluate(() => document.getElementById('help').open)));
   });
 
   test('everything can be reached with Tab, and the focus is seen', async () => {
-    await page.evaluate(() => document.activeElement.blur());
+    await page.focus('#facts button');
     const reached = new Set();
     for (let i = 0; i < 60; ++i) {
       await page.keyboard.press('Tab');
