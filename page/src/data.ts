@@ -89,6 +89,7 @@ export interface Settings {
   depth: boolean;
   regions: boolean;
   fail_on: string[];
+  ignore?: unknown[];
   within_products?: boolean;
 }
 

@@ -31,7 +31,7 @@ export function listenForKeys(shortcuts: Shortcut[]): void {
     if (byId<HTMLDialogElement>('help').open) return;
     const target = event.target as HTMLElement;
     const isField = target.matches('input:not([type=checkbox], [type=range]), select');
-    if (event.key !== 'Escape' && isField) return;
+    if (isField) return;
     if (!areOn && event.key !== 'Escape') return;
     const shortcut = shortcuts.find(({ keys }) => keys.includes(event.key));
     if (!shortcut) return;

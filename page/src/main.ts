@@ -38,6 +38,15 @@ function typesOf(report: Report, scene: SceneBlock | null): (id: number) => { ke
   };
 }
 
+/** Browsers refuse to be told too often, as when a key is held down. */
+function tellAddress(hash: string): void {
+  try {
+    history.replaceState(null, '', location.href.split('#')[0] + hash);
+  } catch {
+    // The address then names an earlier clash, until the next is chosen.
+  }
+}
+
 function makePage(report: Report, scene: SceneBlock | null): void {
   const store = new Store();
   const clashes = rankClashes(report);
@@ -67,8 +76,7 @@ function makePage(report: Report, scene: SceneBlock | null): void {
       position.textContent = clash ? `${counted(clash.rank)} of ${counted(clashes.length)}` : '';
       if (changed.has('clash') && clash) byId('live').textContent = sentenceOf(clash, `${clash.rank} of ${clashes.length}`);
       else if (state.part >= 0) byId('live').textContent = `Part ${nameText(report.objects[state.part].name, 80)}`;
-      const hash = clash ? `#clash=${clash.rank}` : ' ';
-      if (changed.has('clash')) history.replaceState(null, '', hash === ' ' ? location.href.split('#')[0] : hash);
+      if (changed.has('clash')) tellAddress(clash ? `#clash=${clash.rank}` : '');
     }
     if (changed.has('hidden') || changed.has('isolated')) byId('live').textContent = byId('parts-count').textContent + ' parts';
   });

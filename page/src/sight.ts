@@ -13,7 +13,7 @@ export interface Obstacle {
 }
 
 /** So many ray and triangle tests are done while nobody notices. */
-const kMostTests = 12_000_000;
+const kMostTests = 8_000_000;
 const kPoints = 12;
 
 /** Points of polylines, evenly taken. */
@@ -34,18 +34,32 @@ function toLocal(pose: number[]): { point: (p: Vec3) => Vec3; way: (d: Vec3) => 
 
 /** Möller and Trumbore's test, from a little way along the ray. */
 function isBlocked({ positions: p, corners }: Obstacle, from: Vec3, d: Vec3): boolean {
+  const [dx, dy, dz] = d;
+  const [ox, oy, oz] = from;
   for (let t = 0; t < corners.length; t += 3) {
-    const [a, b, c] = [3 * corners[t], 3 * corners[t + 1], 3 * corners[t + 2]];
-    const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-    const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-    const [px, py, pz] = [d[1] * vz - d[2] * vy, d[2] * vx - d[0] * vz, d[0] * vy - d[1] * vx];
+    const a = 3 * corners[t];
+    const b = 3 * corners[t + 1];
+    const c = 3 * corners[t + 2];
+    const ux = p[b] - p[a];
+    const uy = p[b + 1] - p[a + 1];
+    const uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a];
+    const vy = p[c + 1] - p[a + 1];
+    const vz = p[c + 2] - p[a + 2];
+    const px = dy * vz - dz * vy;
+    const py = dz * vx - dx * vz;
+    const pz = dx * vy - dy * vx;
     const det = ux * px + uy * py + uz * pz;
     if (det === 0) continue;
-    const [sx, sy, sz] = [from[0] - p[a], from[1] - p[a + 1], from[2] - p[a + 2]];
+    const sx = ox - p[a];
+    const sy = oy - p[a + 1];
+    const sz = oz - p[a + 2];
     const u = (sx * px + sy * py + sz * pz) / det;
     if (!(u >= 0 && u <= 1)) continue;
-    const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
-    const v = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
+    const qx = sy * uz - sz * uy;
+    const qy = sz * ux - sx * uz;
+    const qz = sx * uy - sy * ux;
+    const v = (dx * qx + dy * qy + dz * qz) / det;
     if (!(v >= 0 && u + v <= 1)) continue;
     if ((vx * qx + vy * qy + vz * qz) / det > 0) return true;
   }

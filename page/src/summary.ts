@@ -79,6 +79,8 @@ export function showSummary(report: Report, clashes: Clash[], title: string, cho
   ];
   if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
   if (report.settings?.fail_on) facts.push([`fails on ${report.settings.fail_on.join(', ') || 'nothing'}`]);
+  const rules = report.settings?.ignore?.length ?? 0;
+  if (rules) facts.push([countOf(rules), rules === 1 ? ' rule leaves pairs out' : ' rules leave pairs out']);
   byId('facts').replaceChildren();
   for (const fact of facts) if (fact) byId('facts').append(el('span', {}, ...fact));
 }

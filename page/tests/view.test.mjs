@@ -267,3 +267,33 @@ test('10,000 parts of a million triangles open, and a click selects', async () =
     await browser.stop();
   }
 });
+
+test('fingers turn, move and zoom', async () => {
+  const browser = await startBrowser();
+  try {
+    const { page, close } = await browser.open(reviewPage(), { width: 390, height: 800, touch: true });
+    const box = await page.locator('#canvas').boundingBox();
+    const session = await page.context().newCDPSession(page);
+    const fingers = (type, points) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })) });
+    const before = await stand(page);
+    await fingers('touchStart', [[150, 150]]);
+    await fingers('touchMove', [[190, 170]]);
+    await fingers('touchEnd', []);
+    const turned = await stand(page);
+    assert.notEqual(turned.yaw, before.yaw);
+    assert.deepEqual(turned.target, before.target);
+    await fingers('touchStart', [[150, 150], [200, 150]]);
+    await fingers('touchMove', [[120, 150], [230, 150]]);
+    await fingers('touchEnd', []);
+    const zoomed = await stand(page);
+    assert.ok(zoomed.distance < turned.distance);
+    assert.equal(zoomed.yaw, turned.yaw);
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
+    await page.touchscreen.tap(x, y);
+    assert.ok((await page.evaluate(() => window.impinge.store.state.part)) >= -1);
+    await close();
+  } finally {
+    await browser.stop();
+  }
+});
