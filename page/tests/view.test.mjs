@@ -153,6 +153,25 @@ describe('the 3D view', () => {
     await close();
   });
 
+  test('what a section cuts away is not hit', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const hit = async (id) => {
+      const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
+      await page.evaluate(() => window.impinge.store.set({ part: -1 }));
+      await page.mouse.click(x, y);
+      return (await page.evaluate(() => window.impinge.store.state.part)) === id;
+    };
+    // The plane is at x = 3.3 or so: the post stands before it, the far bolt behind.
+    await page.keyboard.press('s');
+    await page.click('[data-axis=x]');
+    assert.deepEqual([await hit(5), await hit(10)], [true, false]);
+    await page.click('#section-flip');
+    assert.deepEqual([await hit(5), await hit(10)], [false, true]);
+    await page.click('[data-axis=none]');
+    assert.deepEqual([await hit(5), await hit(10)], [true, true]);
+    await close();
+  });
+
   test('is turned, moved and zoomed by mouse, wheel, keys and the cube', async () => {
     const { page, close } = await browser.open(reviewPage());
     const box = await page.locator('#canvas').boundingBox();
