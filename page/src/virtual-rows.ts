@@ -28,6 +28,7 @@ export class VirtualRows {
   private height = 1;
   private count = 0;
   private made = 0;
+  private room = 0;
 
   constructor(
     readonly list: HTMLElement,
@@ -41,7 +42,17 @@ export class VirtualRows {
       // The first in sight: a click on a row must find it where it was.
       if (this.current < 0 && this.count) this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)), false);
     });
-    new ResizeObserver(() => this.refresh()).observe(list);
+    new ResizeObserver(() => this.resized()).observe(list);
+  }
+
+  /** A row that was in sight stays in sight: choosing it may have opened a panel beside the list. */
+  private resized(): void {
+    const { scrollTop, clientHeight } = this.list;
+    const top = this.current * this.height;
+    const wasSeen = this.current >= 0 && top >= scrollTop && top + this.height <= scrollTop + this.room;
+    this.room = clientHeight;
+    this.refresh();
+    if (wasSeen) this.moveTo(this.current, false);
   }
 
   /** Everything may have changed. */

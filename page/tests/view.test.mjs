@@ -72,13 +72,19 @@ describe('the 3D view', () => {
   });
 
   test('a click on a part selects it in the tree', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const { page, close } = await browser.open(reviewPage(), { height: 560 });
     for (const id of [5, 10]) {
       const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
       await page.mouse.click(x, y);
       const row = page.locator('#parts-tree .row[aria-selected=true]');
       assert.equal(await row.locator('.name').textContent(), ['post', 'far bolt'][Number(id === 10)]);
     }
+    await settled(page);
+    const inSight = await page.evaluate(() => {
+      const [row, list] = ['#parts-tree [aria-selected=true]', '#parts-tree'].map((one) => document.querySelector(one).getBoundingClientRect());
+      return row.top >= list.top && row.bottom <= list.bottom + 1;
+    });
+    assert.ok(inSight, 'the row is in sight');
     await page.keyboard.press('h');
     await settled(page);
     const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
