@@ -43,7 +43,8 @@ function texture(count: number, data: Float32Array | Uint8Array, width: number):
   return made;
 }
 
-const side = (texels: number, multiple: number) => Math.max(multiple, Math.ceil(Math.sqrt(texels) / multiple) * multiple);
+const side = (texels: number, multiple: number) =>
+  Math.max(multiple, Math.ceil(Math.sqrt(texels) / multiple) * multiple);
 
 export class Assembly {
   readonly parts: BatchedMesh;
@@ -266,8 +267,6 @@ export class Assembly {
     this.poseTexture.needsUpdate = true;
   }
 }
-
-
 
 function worldBox(pose: number[], mesh: DrawnMesh | null): Box {
   const box = emptyBox();

@@ -18,7 +18,7 @@ export interface Stand {
 }
 
 const kHalfAngle = (17 * Math.PI) / 180;
-const kFlight = 420;  // milliseconds
+const kFlight = 420; // milliseconds
 const kMargin = 1.1;
 const kQuarter = Math.PI / 2;
 

@@ -76,7 +76,10 @@ export class ClashList {
     const current = this.rowsShown[this.rows.current];
     // Under both of its parts a clash has two rows; the one that was chosen stays.
     if (clash && !(current && 'clash' in current && current.clash === clash)) {
-      this.rows.moveTo(this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash), false);
+      this.rows.moveTo(
+        this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash),
+        false,
+      );
     }
     this.rows.refresh();
   }
@@ -138,7 +141,11 @@ export class ClashList {
         el('span', { class: 'indent', 'aria-hidden': 'true' }, isOpen ? '▾' : '▸'),
         el('span', { class: 'names' }, nameOf(group.title), el('small', {}, verdictsOf(group))),
       ),
-      el('span', { role: 'gridcell', class: 'badge quiet', title: plural(group.clashes.length, 'clash', 'clashes') }, counted(group.clashes.length)),
+      el(
+        'span',
+        { role: 'gridcell', class: 'badge quiet', title: plural(group.clashes.length, 'clash', 'clashes') },
+        counted(group.clashes.length),
+      ),
     );
   }
 
@@ -164,8 +171,10 @@ export class ClashList {
   }
 
   private mainFigure(clash: Clash): HTMLElement {
-    if (!Number.isNaN(clash.depth)) return el('span', { class: 'main' }, el('small', {}, 'depth '), numberOf(clash.depth));
-    if (!Number.isNaN(clash.distance)) return el('span', { class: 'main' }, el('small', {}, 'gap '), numberOf(clash.distance));
+    if (!Number.isNaN(clash.depth))
+      return el('span', { class: 'main' }, el('small', {}, 'depth '), numberOf(clash.depth));
+    if (!Number.isNaN(clash.distance))
+      return el('span', { class: 'main' }, el('small', {}, 'gap '), numberOf(clash.distance));
     return el('span', { class: 'main' }, '');
   }
 
@@ -182,7 +191,10 @@ export class ClashList {
 /** How many of each verdict. */
 function verdictsOf(group: Group): string {
   const counts = kVerdicts.map((verdict) => group.clashes.filter((clash) => clash.verdict === verdict).length);
-  return kVerdicts.map((verdict, i) => `${counted(counts[i])} ${verdict === 'apart' ? 'too near' : verdict}`).filter((_, i) => counts[i]).join(', ');
+  return kVerdicts
+    .map((verdict, i) => `${counted(counts[i])} ${verdict === 'apart' ? 'too near' : verdict}`)
+    .filter((_, i) => counts[i])
+    .join(', ');
 }
 
 /** One sentence, as it is read out. */

@@ -58,7 +58,12 @@ export class ClashView {
     const alphaOf = (hides: boolean) => (hides ? kThinGlass : glass ? kGlass : 1);
     const colours = new Map<number | string | null, Rgb>();
     const base = (id: number): Rgb => {
-      const key = colourBy === 'type' ? this.scene.objects[id].mesh : colourBy === 'file' ? this.report.objects[id].file : this.worstOf[id];
+      const key =
+        colourBy === 'type'
+          ? this.scene.objects[id].mesh
+          : colourBy === 'file'
+            ? this.report.objects[id].file
+            : this.worstOf[id];
       let colour = colours.get(key);
       if (!colour) colours.set(key, (colour = this.baseColour(id, colourBy, plain)));
       return colour;
@@ -100,8 +105,15 @@ export class ClashView {
       for (const points of region.lines) strokes.push({ points, colour, width: points.length > 1 ? 1.25 : 3 });
       if (state.boxes) strokes.push(...boxStrokes(region.box), this.dot(region.centroid, '--contact'));
       if ((state.region === i || state.boxes) && region.normal.some((c) => c !== 0)) {
-        const size = Math.max(length(sub(region.box[1], region.box[0])) / 2, radiusOf(this.partsBox(state.clash!)) / 12);
-        strokes.push({ points: [region.centroid, add(region.centroid, scale(region.normal, size))], colour: themeColour('--part-b'), width: 1.75 });
+        const size = Math.max(
+          length(sub(region.box[1], region.box[0])) / 2,
+          radiusOf(this.partsBox(state.clash!)) / 12,
+        );
+        strokes.push({
+          points: [region.centroid, add(region.centroid, scale(region.normal, size))],
+          colour: themeColour('--part-b'),
+          width: 1.75,
+        });
       }
     });
     if (pair.nearest) {
@@ -132,11 +144,15 @@ export class ClashView {
     if (clash.resolved?.centroid) grow(box, clash.resolved.centroid);
     const whole = this.partsBox(clash);
     const contact = radiusOf(box);
-    if (!(box.min[0] <= box.max[0])) return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
+    if (!(box.min[0] <= box.max[0]))
+      return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
     const sizes = [clash.first, clash.second].filter((id) => id >= 0).map((id) => radiusOf(this.assembly.boxes[id]));
     const smaller = Math.min(...sizes.filter((size) => size > 0), radiusOf(whole) || Infinity);
     const around = state.region >= 0 ? 0.18 : 0.75;
-    return { middle: middleOf(box), radius: Math.max(1.5 * contact, around * (Number.isFinite(smaller) ? smaller : 1), 1e-9) };
+    return {
+      middle: middleOf(box),
+      radius: Math.max(1.5 * contact, around * (Number.isFinite(smaller) ? smaller : 1), 1e-9),
+    };
   }
 }
 

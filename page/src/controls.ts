@@ -9,7 +9,7 @@ interface Held {
   y: number;
 }
 
-const kClick = 5;  // CSS pixels that a pointer may stray in a click
+const kClick = 5; // CSS pixels that a pointer may stray in a click
 
 export interface Wishes {
   onClick: (part: number, isTwice: boolean) => void;
@@ -66,7 +66,8 @@ export class Controls {
       const other = [...this.held].find(([id]) => id !== event.pointerId)![1];
       const spread = Math.hypot(before.x - other.x, before.y - other.y) / Math.hypot(now.x - other.x, now.y - other.y);
       camera.pan(dx / half / 2, -dy / half / 2);
-      if (Number.isFinite(spread) && spread > 0) camera.zoom(spread, ...this.placeOf((now.x + other.x) / 2, (now.y + other.y) / 2));
+      if (Number.isFinite(spread) && spread > 0)
+        camera.zoom(spread, ...this.placeOf((now.x + other.x) / 2, (now.y + other.y) / 2));
     }
     this.held.set(event.pointerId, now);
   }
@@ -94,7 +95,10 @@ export class Controls {
     event.preventDefault();
     this.leave();
     const pixels = event.deltaY * [1, 16, 400][event.deltaMode];
-    this.view.camera.zoom(Math.exp(Math.max(-1, Math.min(1, pixels * 0.0016))), ...this.placeOf(event.offsetX, event.offsetY));
+    this.view.camera.zoom(
+      Math.exp(Math.max(-1, Math.min(1, pixels * 0.0016))),
+      ...this.placeOf(event.offsetX, event.offsetY),
+    );
   }
 
   private placeOf(x: number, y: number): [number, number] {

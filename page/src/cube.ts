@@ -30,7 +30,8 @@ export const kFaces: Face[] = [
   { name: 'Bottom', key: '6', yaw: 0, pitch: -q, turn: 'rotateX(-90deg)', normal: [0, 0, -1] },
 ];
 
-export const faceTo = (camera: Camera, face: Face): void => camera.fly({ yaw: face.yaw ?? camera.stand.yaw, pitch: face.pitch });
+export const faceTo = (camera: Camera, face: Face): void =>
+  camera.fly({ yaw: face.yaw ?? camera.stand.yaw, pitch: face.pitch });
 
 const axisName = (normal: Vec3, up: 'y' | 'z'): string => {
   const [x, y, z] = normal;

@@ -13,7 +13,8 @@ type Value = (Node | string)[];
 const kRegionsAtOnce = 60;
 
 const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', numberOf(p[2])];
-const interval = ([low, high]: Interval): Value => (low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)]);
+const interval = ([low, high]: Interval): Value =>
+  low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)];
 
 function figures(rows: [string, Value | null][]): HTMLElement {
   const list = el('dl');
@@ -81,7 +82,8 @@ export class Details {
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );
-    if (clash.pair) nodes.push(this.measures(clash, clash.pair), this.facts(clash, clash.pair), ...this.regions(clash.pair));
+    if (clash.pair)
+      nodes.push(this.measures(clash, clash.pair), this.facts(clash, clash.pair), ...this.regions(clash.pair));
     return nodes;
   }
 
@@ -90,10 +92,17 @@ export class Details {
     const letter = el('span', { class: `letter side-${'ab'[side]}` }, 'AB'[side]);
     const name = clash.names[side];
     if (id < 0) return el('span', { class: 'part-link' }, letter, nameOf(name, 2000));
-    const link = button('', () => this.store.set({ clash: null, part: id }), { class: 'link', title: 'Show this part' });
+    const link = button('', () => this.store.set({ clash: null, part: id }), {
+      class: 'link',
+      title: 'Show this part',
+    });
     link.append(nameOf(name, 2000));
     const part = this.report.objects[id];
-    const where = el('small', {}, nameOf(part.path === part.name ? fileName(part.file) : `${fileName(part.file)} / ${part.path}`, 300));
+    const where = el(
+      'small',
+      {},
+      nameOf(part.path === part.name ? fileName(part.file) : `${fileName(part.file)} / ${part.path}`, 300),
+    );
     return el('div', { class: 'part-link' }, letter, el('div', {}, link, where));
   }
 
@@ -122,7 +131,17 @@ export class Details {
     const nearest = pair.nearest && (clash.first === pair.a ? pair.nearest : [pair.nearest[1], pair.nearest[0]]);
     return figures([
       ['Verdict', [pair.verdict, pair.fails ? ', fails' : ', does not fail']],
-      ['Triangle pairs', [countOf(pair.crossing), ' crossing, ', countOf(pair.touching), ' touching, ', countOf(pair.coplanar), ' coplanar']],
+      [
+        'Triangle pairs',
+        [
+          countOf(pair.crossing),
+          ' crossing, ',
+          countOf(pair.touching),
+          ' touching, ',
+          countOf(pair.coplanar),
+          ' coplanar',
+        ],
+      ],
       ['Nearest point of A', nearest ? point(nearest[0]) : null],
       ['Nearest point of B', nearest ? point(nearest[1]) : null],
       ['Tolerance applied', pair.tolerance == null ? null : [numberOf(pair.tolerance)]],
@@ -137,7 +156,11 @@ export class Details {
   private regions(pair: Pair): Node[] {
     const regions = pair.regions ?? [];
     if (!regions.length) return [];
-    const head = el('h3', {}, regions.length === 1 ? 'One region of contact' : `${counted(regions.length)} regions of contact`);
+    const head = el(
+      'h3',
+      {},
+      regions.length === 1 ? 'One region of contact' : `${counted(regions.length)} regions of contact`,
+    );
     const list = el('div', { class: 'regions', role: 'group', 'aria-label': 'Regions of contact' });
     const add = (from: number, to: number) => {
       for (let i = from; i < Math.min(to, regions.length); ++i) list.append(this.region(regions[i], i));

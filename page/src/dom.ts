@@ -30,14 +30,19 @@ export function numberOf(value: number | null | undefined): HTMLElement {
   return el('span', { class: 'number', title: String(value) }, rounded(value));
 }
 
-export const countOf = (value: number): HTMLElement => el('span', { class: 'number', title: String(value) }, counted(value));
+export const countOf = (value: number): HTMLElement =>
+  el('span', { class: 'number', title: String(value) }, counted(value));
 
 /** A name from a file, kept from steering the text around it. */
 export function nameOf(name: string, longest = 200): HTMLElement {
   return el('bdi', { class: 'name', title: nameText(name, 2000) }, nameText(name, longest));
 }
 
-export function button(text: string, onClick: () => void, attributes: Record<string, string | boolean> = {}): HTMLButtonElement {
+export function button(
+  text: string,
+  onClick: () => void,
+  attributes: Record<string, string | boolean> = {},
+): HTMLButtonElement {
   const element = el('button', { type: 'button', ...attributes }, text);
   element.addEventListener('click', onClick);
   return element;

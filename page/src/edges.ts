@@ -6,7 +6,15 @@ import type { RawMesh } from './geometry';
 import { bounds, face, type Faces, type Fans, isSmooth } from './surface';
 
 /** Whether a triangle that goes on smoothly has an edge from `a` the same way as `b`: then the edge ends in a T, and is none. */
-function goesOn(raw: RawMesh, first: Uint32Array, faces: Float32Array, fan: Fans, t: number, a: number, b: number): boolean {
+function goesOn(
+  raw: RawMesh,
+  first: Uint32Array,
+  faces: Float32Array,
+  fan: Fans,
+  t: number,
+  a: number,
+  b: number,
+): boolean {
   const { positions: p, corners } = raw;
   const way = (from: number, to: number) => [0, 1, 2].map((k) => p[3 * to + k] - p[3 * from + k]);
   const [x, y, z] = way(a, b);

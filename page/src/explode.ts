@@ -7,7 +7,14 @@ import { el } from './dom';
 
 export class Explode {
   readonly panel: HTMLElement;
-  private readonly slider = el('input', { type: 'range', min: 0, max: 200, value: 0, id: 'explode-by', 'aria-label': 'How far the parts are drawn apart' });
+  private readonly slider = el('input', {
+    type: 'range',
+    min: 0,
+    max: 200,
+    value: 0,
+    id: 'explode-by',
+    'aria-label': 'How far the parts are drawn apart',
+  });
   private readonly about = el(
     'select',
     { id: 'explode-about', 'aria-label': 'Drawn apart from' },

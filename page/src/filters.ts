@@ -34,7 +34,12 @@ function valuesOf(report: Report, key: 'test' | 'status' | 'change'): string[] {
 export class Filters {
   private readonly host = byId('filters');
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
-  private readonly search = el('input', { type: 'search', placeholder: 'Filter names', 'aria-label': 'Filter by part names', id: 'clash-search' });
+  private readonly search = el('input', {
+    type: 'search',
+    placeholder: 'Filter names',
+    'aria-label': 'Filter by part names',
+    id: 'clash-search',
+  });
   private readonly clear = button('Clear filters', () => this.reset(), { id: 'clear-filters', class: 'link' });
   private readonly partNote = el('span', { class: 'part-note' });
 
@@ -51,7 +56,13 @@ export class Filters {
     this.update();
   }
 
-  private chip(text: string, count: number, classes: string, isOn: (filter: Filter) => boolean, toggle: () => void): HTMLButtonElement {
+  private chip(
+    text: string,
+    count: number,
+    classes: string,
+    isOn: (filter: Filter) => boolean,
+    toggle: () => void,
+  ): HTMLButtonElement {
     const element = button('', toggle, { class: `chip ${classes}` });
     element.append(text, ' ', el('b', {}, counted(count)));
     this.chips.push({ element, isOn });
@@ -73,7 +84,15 @@ export class Filters {
         if (!verdicts.delete(verdict)) verdicts.add(verdict);
         this.store.filterBy({ verdicts });
       };
-      chips.append(this.chip(verdict === 'apart' ? 'too near' : verdict, count, `verdict ${verdict}`, (filter) => filter.verdicts.has(verdict), toggle));
+      chips.append(
+        this.chip(
+          verdict === 'apart' ? 'too near' : verdict,
+          count,
+          `verdict ${verdict}`,
+          (filter) => filter.verdicts.has(verdict),
+          toggle,
+        ),
+      );
     }
     const resolved = this.report.resolved?.length ?? 0;
     if (resolved) {
@@ -115,13 +134,17 @@ export class Filters {
   private makeMore(): HTMLElement {
     const fields: HTMLElement[] = [];
     const { settings } = this.report;
-    if (settings?.depth) fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
-    if (settings?.clearance) fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));
+    if (settings?.depth)
+      fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
+    if (settings?.clearance)
+      fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));
     for (const key of ['test', 'status', 'change'] as const) {
       const values = valuesOf(this.report, key);
       if (!values.length) continue;
       const choices: Choice[] = [['', `any ${key}`], ...values.map((value): Choice => [value, nameText(value, 60)])];
-      fields.push(chooser(`Only of ${key}`, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`));
+      fields.push(
+        chooser(`Only of ${key}`, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`),
+      );
     }
     const line = el('div', { class: 'line' }, ...fields);
     line.hidden = !fields.length;

@@ -19,7 +19,7 @@ export class Breather {
   }
 }
 
-const kPiece = 1 << 18;  // a multiple of four: base64 digits come in fours
+const kPiece = 1 << 18; // a multiple of four: base64 digits come in fours
 
 async function* bytesOf(text: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const breather = new Breather();

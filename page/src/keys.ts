@@ -46,13 +46,22 @@ export function makeHelp(shortcuts: Shortcut[]): void {
   const add = (keys: Node[], text: string) => rows.append(el('dt', {}, ...keys), el('dd', {}, text));
   for (const { keys, text } of shortcuts) {
     const shown = keys.length > 3 ? [`${keys[0]} to ${keys[keys.length - 1]}`] : keys;
-    if (text) add(shown.map((key) => el('kbd', {}, key.length === 1 ? key.toUpperCase() : key)), text);
+    if (text)
+      add(
+        shown.map((key) => el('kbd', {}, key.length === 1 ? key.toUpperCase() : key)),
+        text,
+      );
   }
   for (const [keys, text] of kElsewhere) add([el('kbd', {}, keys)], text);
   const input = el('input', { type: 'checkbox', checked: true, id: 'single-keys' });
   input.addEventListener('change', () => (areOn = input.checked));
   dialog.append(
-    el('div', { class: 'pane-head' }, el('h2', { id: 'help-title' }, 'Keys and gestures'), button('Close', () => dialog.close(), { autofocus: true })),
+    el(
+      'div',
+      { class: 'pane-head' },
+      el('h2', { id: 'help-title' }, 'Keys and gestures'),
+      button('Close', () => dialog.close(), { autofocus: true }),
+    ),
     rows,
     el('label', { class: 'check' }, input, ' Single keys work everywhere on the page'),
   );

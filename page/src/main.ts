@@ -58,15 +58,22 @@ function makePage(report: Report, scene: SceneBlock | null): void {
   showSummary(report, clashes, titleOf(report, scene), (clash) => store.select(clash));
   const stage = new Stage(report, store, () => clashes.length > 0);
   const tree = new PartsTree(report, clashes, store, (parts) => stage.fitParts(parts));
-  const countOf = (part: number) => clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
-  new Details(report, countOf, store, { fit: (parts) => stage.fitParts(parts), toggleHidden: (parts) => tree.toggleHidden(parts) });
+  const countOf = (part: number) =>
+    clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
+  new Details(report, countOf, store, {
+    fit: (parts) => stage.fitParts(parts),
+    toggleHidden: (parts) => tree.toggleHidden(parts),
+  });
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
 
   const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });
   const next = button('▸', () => list.step(1), { 'aria-label': 'Next clash', title: 'Next clash (J)' });
-  const leave = button('✕', () => store.set({ clash: null, part: -1 }), { 'aria-label': 'Leave', title: 'Leave (Escape)' });
+  const leave = button('✕', () => store.set({ clash: null, part: -1 }), {
+    'aria-label': 'Leave',
+    title: 'Leave (Escape)',
+  });
   const position = el('span', { class: 'count' });
   if (pairs) byId('details-steps').append(position, back, next, leave);
 
@@ -74,11 +81,13 @@ function makePage(report: Report, scene: SceneBlock | null): void {
     const { clash } = state;
     if (changed.has('clash') || changed.has('part')) {
       position.textContent = clash ? `${counted(clash.rank)} of ${counted(clashes.length)}` : '';
-      if (changed.has('clash') && clash) byId('live').textContent = sentenceOf(clash, `${clash.rank} of ${clashes.length}`);
+      if (changed.has('clash') && clash)
+        byId('live').textContent = sentenceOf(clash, `${clash.rank} of ${clashes.length}`);
       else if (state.part >= 0) byId('live').textContent = `Part ${nameText(report.objects[state.part].name, 80)}`;
       if (changed.has('clash')) tellAddress(clash ? `#clash=${clash.rank}` : '');
     }
-    if (changed.has('hidden') || changed.has('isolated')) byId('live').textContent = byId('parts-count').textContent + ' parts';
+    if (changed.has('hidden') || changed.has('isolated'))
+      byId('live').textContent = byId('parts-count').textContent + ' parts';
   });
 
   const panes = [...document.querySelectorAll<HTMLButtonElement>('#panes button')];
@@ -98,7 +107,11 @@ function makePage(report: Report, scene: SceneBlock | null): void {
     ...(pairs ? [{ keys: ['k'], text: 'previous clash', act: () => list.step(-1) }] : []),
     { keys: ['Escape'], text: 'close a panel; leave the clash or the part', act: escape },
     ...stage.shortcuts(tree),
-    { keys: ['/'], text: 'filter the clashes by name', act: () => byId(isReview ? 'clash-search' : 'parts-search').focus() },
+    {
+      keys: ['/'],
+      text: 'filter the clashes by name',
+      act: () => byId(isReview ? 'clash-search' : 'parts-search').focus(),
+    },
     { keys: ['t'], text: 'light or dark', act: toggleTheme },
     { keys: ['?'], text: 'this help', act: () => byId<HTMLDialogElement>('help').showModal() },
   ];

@@ -89,7 +89,10 @@ export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
     y = Math.round(y * scale);
     z = Math.round(z * scale);
     let vertex = head[v];
-    while (vertex >= 0 && !(normals.at(4 * vertex) === x && normals.at(4 * vertex + 1) === y && normals.at(4 * vertex + 2) === z)) {
+    while (
+      vertex >= 0 &&
+      !(normals.at(4 * vertex) === x && normals.at(4 * vertex + 1) === y && normals.at(4 * vertex + 2) === z)
+    ) {
       vertex = next[vertex];
     }
     if (vertex < 0) {

@@ -47,7 +47,12 @@ function lineMesh(strokes: Stroke[], origin: Vec3, shared: Uniforms, width: numb
   geometry.setAttribute('tint', new InstancedBufferAttribute(Float32Array.from(tint), 3));
   geometry.instanceCount = from.length / 3;
   const material = new ShaderMaterial({
-    uniforms: { ...shared, width: { value: width }, isHalo: { value: isHalo ? 1 : 0 }, strength: { value: isHalo ? 0.75 : 1 } },
+    uniforms: {
+      ...shared,
+      width: { value: width },
+      isHalo: { value: isHalo ? 1 : 0 },
+      strength: { value: isHalo ? 0.75 : 1 },
+    },
     vertexShader: lineVertex,
     fragmentShader: lineFragment,
     depthTest: false,

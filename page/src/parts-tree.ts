@@ -39,7 +39,12 @@ export class PartsTree {
   private shown: number[] = [];
   private query = '';
   private readonly rows: VirtualRows;
-  private readonly search = el('input', { type: 'search', placeholder: 'Search parts', 'aria-label': 'Search parts', id: 'parts-search' });
+  private readonly search = el('input', {
+    type: 'search',
+    placeholder: 'Search parts',
+    'aria-label': 'Search parts',
+    id: 'parts-search',
+  });
 
   constructor(
     private readonly report: Report,
@@ -69,7 +74,8 @@ export class PartsTree {
     this.list();
     store.listen((state, changed) => {
       if (changed.has('part') && state.part >= 0) this.reveal(state.part);
-      else if (['part', 'clash', 'hidden', 'isolated', 'filter'].some((key) => changed.has(key as 'part'))) this.rows.refresh();
+      else if (['part', 'clash', 'hidden', 'isolated', 'filter'].some((key) => changed.has(key as 'part')))
+        this.rows.refresh();
     });
   }
 
@@ -200,7 +206,10 @@ export class PartsTree {
     if ((event.target as HTMLElement).dataset?.act === 'hide') {
       this.toggleHidden(this.partsUnder(index));
     } else if (node.part >= 0) {
-      this.store.set({ part: node.part === this.store.state.part && event.type === 'click' ? -1 : node.part, clash: null });
+      this.store.set({
+        part: node.part === this.store.state.part && event.type === 'click' ? -1 : node.part,
+        clash: null,
+      });
       if (event instanceof MouseEvent && event.detail > 1) this.onFit([node.part]);
     } else {
       this.toggleOpen(index);

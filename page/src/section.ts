@@ -24,7 +24,14 @@ export class Section {
   private axis: Axis = 'none';
   private normal: Vec3 = kAxes.x;
   private isFlipped = false;
-  private readonly slider = el('input', { type: 'range', min: 0, max: kSteps, value: kSteps / 2, id: 'section-place', 'aria-label': 'Place of the section' });
+  private readonly slider = el('input', {
+    type: 'range',
+    min: 0,
+    max: kSteps,
+    value: kSteps / 2,
+    id: 'section-place',
+    'aria-label': 'Place of the section',
+  });
   private readonly flip = el('button', { type: 'button', id: 'section-flip', 'aria-pressed': 'false' }, 'Flip');
   private readonly axes = new Map<Axis, HTMLButtonElement>();
 

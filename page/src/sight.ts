@@ -107,5 +107,7 @@ export function findSight(obstacles: Obstacle[], points: Vec3[], present: Vec3, 
     if (best.share >= kEnough) break;
   }
   // Turning for nothing would only confuse.
-  return best.share < kTooLittle ? { direction: present, isBuried: true } : { direction: best.direction, isBuried: false };
+  return best.share < kTooLittle
+    ? { direction: present, isBuried: true }
+    : { direction: best.direction, isBuried: false };
 }

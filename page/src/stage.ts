@@ -50,7 +50,8 @@ export class Stage {
       this.view = new View(byId('stage'), byId<HTMLCanvasElement>('canvas'), isStill);
     } catch {
       byId('stage').classList.add('no-view');
-      this.note.textContent = 'This browser offers no WebGL 2, so there is no 3D view. The list, the parts and all figures are complete.';
+      this.note.textContent =
+        'This browser offers no WebGL 2, so there is no 3D view. The list, the parts and all figures are complete.';
       return;
     }
     const { view } = this;
@@ -73,7 +74,11 @@ export class Stage {
     view.camera.up = up;
     byId<HTMLSelectElement>('up-axis').value = up;
     const { bounds } = view.assembly!;
-    view.camera.stand = { ...view.camera.stand, target: middleOf(bounds), distance: view.camera.distanceForBox(bounds) || 1 };
+    view.camera.stand = {
+      ...view.camera.stand,
+      target: middleOf(bounds),
+      distance: view.camera.distanceForBox(bounds) || 1,
+    };
     if (state.clash) this.follow(state, new Set(['clash']));
     else if (state.part >= 0) this.follow(state, new Set(['part']));
     view.invalidate();
@@ -89,7 +94,12 @@ export class Stage {
   private furnish(view: View): void {
     const bounds = () => view.assembly!.bounds;
     this.section = new Section(
-      { bounds, back: () => view.camera.axes().back, clashPlace: () => this.clashPlace(), cut: (plane) => view.setSection(plane) },
+      {
+        bounds,
+        back: () => view.camera.axes().back,
+        clashPlace: () => this.clashPlace(),
+        cut: (plane) => view.setSection(plane),
+      },
       (isOn) => this.tools?.mark('section', isOn),
     );
     this.explode = new Explode(
@@ -118,7 +128,8 @@ export class Stage {
 
   private click(part: number, isTwice: boolean): void {
     if (isTwice && part >= 0) this.fitParts([part]);
-    if (part >= 0 || !this.store.state.clash) this.store.set({ part, clash: part >= 0 ? null : this.store.state.clash });
+    if (part >= 0 || !this.store.state.clash)
+      this.store.set({ part, clash: part >= 0 ? null : this.store.state.clash });
   }
 
   private showHover(part: number, x: number, y: number): void {
@@ -156,7 +167,12 @@ export class Stage {
     legend.hidden = !clash;
     if (!clash) return;
     const entry = (side: 0 | 1) =>
-      el('span', { class: 'entry' }, el('span', { class: `letter side-${'ab'[side]}`, 'aria-hidden': 'true' }, 'AB'[side]), nameOf(clash.names[side], 60));
+      el(
+        'span',
+        { class: 'entry' },
+        el('span', { class: `letter side-${'ab'[side]}`, 'aria-hidden': 'true' }, 'AB'[side]),
+        nameOf(clash.names[side], 60),
+      );
     legend.replaceChildren(entry(0), entry(1));
   }
 
@@ -195,7 +211,8 @@ export class Stage {
   private frame(): void {
     const { state } = this.store;
     const focus = this.look?.focus(state);
-    if (focus && this.view) this.view.camera.fly({ target: focus.middle, distance: this.view.camera.distanceFor(focus.radius) });
+    if (focus && this.view)
+      this.view.camera.fly({ target: focus.middle, distance: this.view.camera.distanceFor(focus.radius) });
     else if (state.part >= 0) this.fitParts([state.part]);
     else this.fitAll();
   }
@@ -209,7 +226,11 @@ export class Stage {
     const isolate = (parts: number[]) => store.set({ isolated: new Set(parts), hidden: new Set() });
     return [
       { keys: ['f'], text: 'fit what is chosen, or all', act: () => this.frame() },
-      { keys: kFaces.map((face) => face.key), text: 'front, back, left, right, top, bottom', act: (key) => this.face(key) },
+      {
+        keys: kFaces.map((face) => face.key),
+        text: 'front, back, left, right, top, bottom',
+        act: (key) => this.face(key),
+      },
       { keys: ['h'], text: 'hide the chosen part, or show it', act: withParts((parts) => tree.toggleHidden(parts)) },
       { keys: ['i'], text: 'isolate the chosen part', act: withParts(isolate) },
       { keys: ['a'], text: 'show all parts', act: () => store.set({ hidden: new Set(), isolated: null }) },
@@ -217,11 +238,23 @@ export class Stage {
       { keys: ['e'], text: 'explode', act: () => this.tools?.toggle('explode') },
       ...(this.hasClashes()
         ? [
-            { keys: ['x'], text: 'see through both parts of the clash', act: () => store.set({ glass: !store.state.glass }) },
-            { keys: ['b'], text: 'boxes of the regions of contact', act: () => store.set({ boxes: !store.state.boxes }) },
+            {
+              keys: ['x'],
+              text: 'see through both parts of the clash',
+              act: () => store.set({ glass: !store.state.glass }),
+            },
+            {
+              keys: ['b'],
+              text: 'boxes of the regions of contact',
+              act: () => store.set({ boxes: !store.state.boxes }),
+            },
           ]
         : []),
-      { keys: ['p'], text: 'parallel or perspective', act: () => this.tools?.setParallel(!this.view!.camera.isParallel) },
+      {
+        keys: ['p'],
+        text: 'parallel or perspective',
+        act: () => this.tools?.setParallel(!this.view!.camera.isParallel),
+      },
     ];
   }
 

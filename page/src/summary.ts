@@ -11,7 +11,11 @@ type Fact = (Node | string)[];
 
 function partFacts(report: Report): Fact {
   const files = new Set(report.objects.map((part) => part.file)).size;
-  const facts: Fact = [countOf(report.objects.length), report.objects.length === 1 ? ' part' : ' parts', ` in ${plural(files, 'file')}`];
+  const facts: Fact = [
+    countOf(report.objects.length),
+    report.objects.length === 1 ? ' part' : ' parts',
+    ` in ${plural(files, 'file')}`,
+  ];
   if (report.objects.some((part) => part.solid !== undefined)) {
     const solids = report.objects.filter((part) => part.solid).length;
     facts.push(`: ${plural(solids, 'solid')}, ${plural(report.objects.length - solids, 'surface')}`);
@@ -22,7 +26,10 @@ function partFacts(report: Report): Fact {
 function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) => void): Fact | null {
   if (!report.settings) return null;
   if (!report.settings.depth) return ['depths not measured'];
-  const deepest = clashes.reduce<Clash | null>((best, clash) => (clash.depth > (best?.depth ?? -1) ? clash : best), null);
+  const deepest = clashes.reduce<Clash | null>(
+    (best, clash) => (clash.depth > (best?.depth ?? -1) ? clash : best),
+    null,
+  );
   if (!deepest) return ['no overlap of solids'];
   const link = button('', () => choose(deepest), { class: 'link' });
   link.append(nameOf(deepest.names[0], 60), ' and ', nameOf(deepest.names[1], 60));
@@ -61,7 +68,15 @@ function verdictLine(report: Report): Node[] {
   const parts: Node[] = [failing];
   const list = el('span', { class: 'verdicts' });
   for (const verdict of kVerdicts) {
-    if (counts[verdict]) list.append(el('span', { class: `verdict ${verdict}` }, countOf(counts[verdict]), ` ${verdict === 'apart' ? 'too near' : verdict}`));
+    if (counts[verdict])
+      list.append(
+        el(
+          'span',
+          { class: `verdict ${verdict}` },
+          countOf(counts[verdict]),
+          ` ${verdict === 'apart' ? 'too near' : verdict}`,
+        ),
+      );
   }
   parts.push(list.childNodes.length ? list : el('span', { class: 'verdicts' }, 'no two parts touch'));
   return parts;
@@ -89,7 +104,15 @@ export function showSummary(report: Report, clashes: Clash[], title: string, cho
 export function tellSimplified(scene: SceneBlock): void {
   if (scene.shown >= scene.triangles) return;
   byId('facts').append(
-    el('span', {}, '3D simplified to ', countOf(scene.shown), ' of ', countOf(scene.triangles), ' triangles; figures are of the full model'),
+    el(
+      'span',
+      {},
+      '3D simplified to ',
+      countOf(scene.shown),
+      ' of ',
+      countOf(scene.triangles),
+      ' triangles; figures are of the full model',
+    ),
   );
 }
 

@@ -8,7 +8,13 @@ import type { Explode } from './explode';
 import type { Section } from './section';
 import type { State, Store } from './store';
 
-function choices<T extends string>(label: string, id: string, options: [T, string][], value: T, onChange: (value: T) => void): HTMLElement {
+function choices<T extends string>(
+  label: string,
+  id: string,
+  options: [T, string][],
+  value: T,
+  onChange: (value: T) => void,
+): HTMLElement {
   const select = el('select', { id });
   for (const [key, text] of options) select.append(el('option', { value: key }, text));
   select.value = value;
@@ -45,7 +51,11 @@ export class Tools {
       ['explode', 'Explode', explode.panel],
       ['look', 'Look', look],
     ] as const) {
-      const opener = button(title, () => this.toggle(name), { id: `${name}-button`, 'aria-expanded': 'false', 'aria-controls': panel.id });
+      const opener = button(title, () => this.toggle(name), {
+        id: `${name}-button`,
+        'aria-expanded': 'false',
+        'aria-controls': panel.id,
+      });
       panel.hidden = true;
       this.panels.set(name, { panel, button: opener });
       bar.append(opener);
@@ -66,16 +76,48 @@ export class Tools {
 
   private lookPanel(boxes: HTMLInputElement): HTMLElement {
     const { camera } = this.actions;
-    const set = <K extends keyof State>(key: K) => (value: State[K]) => this.store.set({ [key]: value } as Pick<State, K>);
+    const set =
+      <K extends keyof State>(key: K) =>
+      (value: State[K]) =>
+        this.store.set({ [key]: value } as Pick<State, K>);
     return el(
       'div',
       { class: 'tool-panel column', id: 'look-panel' },
-      choices('Colours', 'colour-by', [['type', 'by type'], ['file', 'by file'], ['verdict', 'by worst verdict']], 'type', set('colourBy')),
-      choices('Other parts', 'others', [['fade', 'fade'], ['hide', 'hide'], ['show', 'show']], 'fade', set('others')),
-      choices('Upwards', 'up-axis', [['y', 'Y'], ['z', 'Z']], camera.up, (value) => {
-        camera.up = value;
-        this.actions.redraw();
-      }),
+      choices(
+        'Colours',
+        'colour-by',
+        [
+          ['type', 'by type'],
+          ['file', 'by file'],
+          ['verdict', 'by worst verdict'],
+        ],
+        'type',
+        set('colourBy'),
+      ),
+      choices(
+        'Other parts',
+        'others',
+        [
+          ['fade', 'fade'],
+          ['hide', 'hide'],
+          ['show', 'show'],
+        ],
+        'fade',
+        set('others'),
+      ),
+      choices(
+        'Upwards',
+        'up-axis',
+        [
+          ['y', 'Y'],
+          ['z', 'Z'],
+        ],
+        camera.up,
+        (value) => {
+          camera.up = value;
+          this.actions.redraw();
+        },
+      ),
       this.glass.parentElement,
       boxes.parentElement,
       this.parallel.parentElement,

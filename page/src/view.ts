@@ -138,7 +138,9 @@ export class View {
   screenPlace(place: Vec3): { x: number; y: number } {
     const { assembly, canvas } = this;
     this.prepare(assembly!);
-    const seen = new Vector3(...sub(place, assembly!.origin)).applyMatrix4(this.camera.eye.matrixWorldInverse).applyMatrix4(this.camera.eye.projectionMatrix);
+    const seen = new Vector3(...sub(place, assembly!.origin))
+      .applyMatrix4(this.camera.eye.matrixWorldInverse)
+      .applyMatrix4(this.camera.eye.projectionMatrix);
     const { left, top, width, height } = canvas.getBoundingClientRect();
     return { x: left + ((seen.x + 1) / 2) * width, y: top + ((1 - seen.y) / 2) * height };
   }

@@ -40,7 +40,8 @@ export class VirtualRows {
     list.addEventListener('keydown', (event) => this.key(event));
     list.addEventListener('focus', () => {
       // The first in sight: a click on a row must find it where it was.
-      if (this.current < 0 && this.count) this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)), false);
+      if (this.current < 0 && this.count)
+        this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)), false);
     });
     new ResizeObserver(() => this.resized()).observe(list);
   }
@@ -141,7 +142,8 @@ export class VirtualRows {
       End: this.count - 1,
     }[event.key];
     if (goal !== undefined) this.moveTo(goal);
-    else if ((event.key === 'Enter' || event.key === ' ') && this.current >= 0) this.source.onChoose(this.current, event);
+    else if ((event.key === 'Enter' || event.key === ' ') && this.current >= 0)
+      this.source.onChoose(this.current, event);
     else if (!(this.current >= 0 && this.source.onKey?.(this.current, event))) return;
     event.preventDefault();
     event.stopPropagation();

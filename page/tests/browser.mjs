@@ -19,11 +19,18 @@ export async function startBrowser({ webgl = true } = {}) {
   let count = 0;
 
   /** Opens the page; `check` at the end fails on any error on the page and on any request but for the page itself. */
-  async function open(html, { width = 1280, height = 800, scheme = 'light', motion = 'reduce', hash = '', scale = 1, touch = false } = {}) {
+  async function open(
+    html,
+    { width = 1280, height = 800, scheme = 'light', motion = 'reduce', hash = '', scale = 1, touch = false } = {},
+  ) {
     const file = join(folder, `${count++}.html`);
     writeFileSync(file, html);
     const context = await browser.newContext({
-      viewport: { width, height }, colorScheme: scheme, reducedMotion: motion, deviceScaleFactor: scale, hasTouch: touch,
+      viewport: { width, height },
+      colorScheme: scheme,
+      reducedMotion: motion,
+      deviceScaleFactor: scale,
+      hasTouch: touch,
     });
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
@@ -64,7 +71,8 @@ export function listed(page, selector = '.rank', list = '#clash-list') {
       const before = host.scrollTop;
       for (host.scrollTop = 0; ; host.scrollTop += host.clientHeight / 2) {
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-        for (const row of host.querySelectorAll('.row')) rows.set(Number(row.dataset.index), row.querySelector(selector)?.textContent ?? null);
+        for (const row of host.querySelectorAll('.row'))
+          rows.set(Number(row.dataset.index), row.querySelector(selector)?.textContent ?? null);
         if (host.scrollTop + host.clientHeight >= host.scrollHeight - 1) break;
       }
       host.scrollTop = before;
@@ -99,4 +107,6 @@ export async function picture(page, selector = '#canvas') {
 
 /** The frames that are asked for have been drawn. */
 export const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))));
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+  );

@@ -34,7 +34,10 @@ const escaped = (value) => JSON.stringify(value).replace(/</g, '\\u003c');
 
 export function blocksOf({ report, scene, geometry }) {
   const blocks = [];
-  if (report !== undefined) blocks.push(`<script type="application/json" id="report">${typeof report === 'string' ? report : escaped(report)}</script>`);
+  if (report !== undefined)
+    blocks.push(
+      `<script type="application/json" id="report">${typeof report === 'string' ? report : escaped(report)}</script>`,
+    );
   if (scene !== undefined) blocks.push(`<script type="application/json" id="scene">${escaped(scene)}</script>`);
   if (geometry !== undefined) blocks.push(`<script type="text/plain" id="geometry">${geometry}</script>`);
   return blocks.join('\n');

@@ -10,12 +10,20 @@ import { kLong, kMarkup, review, reviewPage } from './fixture.mjs';
 
 const kOrder = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'apart'];
 const { report, scene, geometry } = review();
-const depth = (pair) => (pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a[1]) : NaN);
+const depth = (pair) =>
+  pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a[1]) : NaN;
 const area = (pair) => pair.regions.reduce((sum, region) => sum + region.area, 0);
 const last = (x, y, sign) => (Number.isNaN(x) || Number.isNaN(y) ? Number.isNaN(x) - Number.isNaN(y) : sign * (x - y));
-const ranked = report.pairs.map((pair, i) => ({ pair, i })).sort((x, y) =>
-  kOrder.indexOf(x.pair.verdict) - kOrder.indexOf(y.pair.verdict) || last(depth(x.pair), depth(y.pair), -1) ||
-  last(x.pair.distance ?? NaN, y.pair.distance ?? NaN, 1) || x.i - y.i).map(({ pair }) => pair);
+const ranked = report.pairs
+  .map((pair, i) => ({ pair, i }))
+  .sort(
+    (x, y) =>
+      kOrder.indexOf(x.pair.verdict) - kOrder.indexOf(y.pair.verdict) ||
+      last(depth(x.pair), depth(y.pair), -1) ||
+      last(x.pair.distance ?? NaN, y.pair.distance ?? NaN, 1) ||
+      x.i - y.i,
+  )
+  .map(({ pair }) => pair);
 const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
 const nameOf = (id) => report.objects[id].name;
@@ -50,7 +58,14 @@ describe('the list of clashes', () => {
   test('is summed up', async () => {
     assert.match(await page.textContent('#verdict-line'), /^6 clashes fail/);
     const facts = await page.textContent('#facts');
-    for (const fact of ['12 parts in 2 files', '12 solids', '6 new, 6 persisting', '1 resolved', 'deepest overlap 1.25', 'clearance 0.5']) {
+    for (const fact of [
+      '12 parts in 2 files',
+      '12 solids',
+      '6 new, 6 persisting',
+      '1 resolved',
+      'deepest overlap 1.25',
+      'clearance 0.5',
+    ]) {
       assert.ok(facts.includes(fact), `${fact} in ${facts}`);
     }
   });
@@ -77,24 +92,36 @@ describe('the list of clashes', () => {
 
   test('is filtered by verdicts', async () => {
     await page.click('.chip.apart');
-    assert.deepEqual(await listed(page), ranksOf((pair) => pair.verdict === 'apart'));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => pair.verdict === 'apart'),
+    );
     await page.click('.chip.duplicate');
-    assert.deepEqual(await listed(page), ranksOf((pair) => ['apart', 'duplicate'].includes(pair.verdict)));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => ['apart', 'duplicate'].includes(pair.verdict)),
+    );
     assert.equal(await page.getAttribute('.chip.duplicate', 'aria-pressed'), 'true');
     assert.equal(await page.textContent('#clashes-count'), '4 of 12');
     await clear();
     await page.click('.chip.failing');
-    assert.deepEqual(await listed(page), ranksOf((pair) => pair.fails));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => pair.fails),
+    );
     await clear();
     assert.deepEqual(await listed(page), ranked.map(rankOf));
   });
 
   test('is filtered by words', async () => {
     await page.fill('#clash-search', 'PLATE bolt');
-    assert.deepEqual(await listed(page), ranksOf((pair) => {
-      const names = `${nameOf(pair.a)} ${nameOf(pair.b)}`;
-      return names.includes('plate') && names.includes('bolt');
-    }));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => {
+        const names = `${nameOf(pair.a)} ${nameOf(pair.b)}`;
+        return names.includes('plate') && names.includes('bolt');
+      }),
+    );
     await page.fill('#clash-search', 'no such part');
     assert.deepEqual(await listed(page), []);
     await clear();
@@ -102,17 +129,31 @@ describe('the list of clashes', () => {
 
   test('is filtered by depth and by distance', async () => {
     await page.fill('#depth-from', '0.6');
-    assert.deepEqual(await listed(page), ranksOf((pair) => depth(pair) >= 0.6));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => depth(pair) >= 0.6),
+    );
     await clear();
     await page.fill('#distance-to', '0.25');
-    assert.deepEqual(await listed(page), ranksOf((pair) => pair.distance !== null && pair.distance <= 0.25));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => pair.distance !== null && pair.distance <= 0.25),
+    );
     await clear();
   });
 
   test('is filtered by what triage says', async () => {
-    for (const [key, value] of [['test', 'bolts against plates'], ['status', 'approved'], ['change', 'new']]) {
+    for (const [key, value] of [
+      ['test', 'bolts against plates'],
+      ['status', 'approved'],
+      ['change', 'new'],
+    ]) {
       await page.selectOption(`#filter-${key}`, value);
-      assert.deepEqual(await listed(page), ranksOf((pair) => pair[key] === value), key);
+      assert.deepEqual(
+        await listed(page),
+        ranksOf((pair) => pair[key] === value),
+        key,
+      );
       await clear();
     }
     await page.click('.chip.resolved');
@@ -124,7 +165,10 @@ describe('the list of clashes', () => {
     const row = page.locator('#parts-tree .row', { hasText: 'far bolt' });
     await row.click();
     await page.getByRole('button', { name: 'Only its clashes' }).click();
-    assert.deepEqual(await listed(page), ranksOf((pair) => pair.a === 10 || pair.b === 10));
+    assert.deepEqual(
+      await listed(page),
+      ranksOf((pair) => pair.a === 10 || pair.b === 10),
+    );
     await clear();
     await page.keyboard.press('Escape');
   });
@@ -135,15 +179,25 @@ describe('the list of clashes', () => {
     for (const pair of report.pairs) for (const id of [pair.a, pair.b]) sizes.set(id, (sizes.get(id) ?? 0) + 1);
     const groups = await listed(page, '.group-title .name');
     assert.equal(groups.filter((title) => title !== null).length, sizes.size);
-    assert.equal(groups.filter((title) => title === null).length, 2 * report.pairs.length, 'each clash under both parts');
+    assert.equal(
+      groups.filter((title) => title === null).length,
+      2 * report.pairs.length,
+      'each clash under both parts',
+    );
     await page.selectOption('#group', 'types');
     const types = new Set(report.pairs.map(({ a, b }) => [scene.objects[a].mesh, scene.objects[b].mesh].sort().join()));
     assert.equal((await listed(page, '.group-title .name')).filter((title) => title !== null).length, types.size);
     await page.locator('#clash-list .clash-group').first().click();
-    assert.ok((await listed(page)).filter((rank) => rank !== null).length < report.pairs.length, 'a closed group hides its clashes');
+    assert.ok(
+      (await listed(page)).filter((rank) => rank !== null).length < report.pairs.length,
+      'a closed group hides its clashes',
+    );
     await page.locator('#clash-list .clash-group').first().click();
     await page.selectOption('#group', 'test');
-    assert.deepEqual(new Set(await listed(page, '.group-title .name')), new Set([null, 'No named test', 'bolts against plates']));
+    assert.deepEqual(
+      new Set(await listed(page, '.group-title .name')),
+      new Set([null, 'No named test', 'bolts against plates']),
+    );
     await page.selectOption('#group', 'none');
   });
 
@@ -152,7 +206,17 @@ describe('the list of clashes', () => {
     await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(pair));
     await settled(page);
     const text = await page.textContent('#details-body');
-    for (const figure of ['0.5072 to 0.5123', '0.4611 to 0.4867', '2.5', '12 crossing, 3 touching, 1 coplanar', '2 regions of contact', 'seen by <b>two</b>', 'approved', 'persisting', '0000-0']) {
+    for (const figure of [
+      '0.5072 to 0.5123',
+      '0.4611 to 0.4867',
+      '2.5',
+      '12 crossing, 3 touching, 1 coplanar',
+      '2 regions of contact',
+      'seen by <b>two</b>',
+      'approved',
+      'persisting',
+      '0000-0',
+    ]) {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
@@ -172,7 +236,10 @@ describe('the list of clashes', () => {
     assert.equal(await page.textContent(`#${current} .rank`), '2');
     await page.keyboard.press('Enter');
     assert.ok(page.url().endsWith('#clash=2'));
-    assert.equal(await page.getAttribute(`#${await page.getAttribute('#clash-list', 'aria-activedescendant')}`, 'aria-selected'), 'true');
+    assert.equal(
+      await page.getAttribute(`#${await page.getAttribute('#clash-list', 'aria-activedescendant')}`, 'aria-selected'),
+      'true',
+    );
     await page.keyboard.press('j');
     assert.ok(page.url().endsWith('#clash=3'));
     await page.keyboard.press('k');
@@ -200,13 +267,29 @@ describe('the list of clashes', () => {
     for (let i = 0; i < 60; ++i) {
       await page.keyboard.press('Tab');
       const [id, outline] = await page.evaluate(() => [
-        document.activeElement === document.body ? '' : document.activeElement.id || document.activeElement.className || document.activeElement.textContent,
+        document.activeElement === document.body
+          ? ''
+          : document.activeElement.id || document.activeElement.className || document.activeElement.textContent,
         getComputedStyle(document.activeElement).outlineStyle,
       ]);
       if (id) assert.notEqual(outline, 'none', `focus on ${id}`);
       reached.add(id);
     }
-    for (const id of ['theme-button', 'help-button', 'canvas', 'fit', 'section-button', 'explode-button', 'look-button', 'parts-search', 'parts-tree', 'clash-search', 'sort', 'group', 'clash-list']) {
+    for (const id of [
+      'theme-button',
+      'help-button',
+      'canvas',
+      'fit',
+      'section-button',
+      'explode-button',
+      'look-button',
+      'parts-search',
+      'parts-tree',
+      'clash-search',
+      'sort',
+      'group',
+      'clash-list',
+    ]) {
       assert.ok(reached.has(id), id);
     }
   });
@@ -222,7 +305,15 @@ describe('the tree of parts', () => {
     const names = await listed(page, '.name', '#parts-tree');
     assert.equal(names.length, 12 + 2 + 4, 'parts, files and the groups frame, left, right, far');
     await page.fill('#parts-search', 'bolt FRAME');
-    assert.deepEqual(await listed(page, '.name', '#parts-tree'), ['left.stl', 'frame', 'left', 'bolt', 'bolt (2)', 'right', 'bolt (3)']);
+    assert.deepEqual(await listed(page, '.name', '#parts-tree'), [
+      'left.stl',
+      'frame',
+      'left',
+      'bolt',
+      'bolt (2)',
+      'right',
+      'bolt (3)',
+    ]);
     await page.fill('#parts-search', '');
     await page.focus('#parts-tree');
     await page.keyboard.press('Home');
@@ -257,7 +348,10 @@ describe('the page', () => {
     const names = await listed(page, '.name', '#parts-tree');
     assert.ok(names.includes(kMarkup));
     assert.ok(names.includes('left\\u202eright\\nnext\\x00line'), 'characters that steer are spelled out');
-    assert.ok(names.some((name) => name.startsWith('long/') && name.length < kLong.length / 10), 'a long name is cut');
+    assert.ok(
+      names.some((name) => name.startsWith('long/') && name.length < kLong.length / 10),
+      'a long name is cut',
+    );
     await close();
   });
 
@@ -290,7 +384,10 @@ describe('the page', () => {
       const { page, close } = await browser.open(reviewPage(), { scheme, hash: '#clash=3' });
       const poor = await page.evaluate(() => {
         const parse = (text) => (text.match(/[\d.]+/g) ?? []).map(Number);
-        const light = ([r, g, b]) => [r, g, b].map((c) => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4).reduce((s, c, i) => s + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const light = ([r, g, b]) =>
+          [r, g, b]
+            .map((c) => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+            .reduce((s, c, i) => s + c * [0.2126, 0.7152, 0.0722][i], 0);
         const groundOf = (element) => {
           for (let e = element; e; e = e.parentElement) {
             const colour = parse(getComputedStyle(e).backgroundColor);
@@ -304,7 +401,10 @@ describe('the page', () => {
           if (!own || !element.checkVisibility() || element.closest(':disabled, script, #cube')) continue;
           const [x, y] = [light(parse(getComputedStyle(element).color)), light(groundOf(element))];
           const contrast = (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
-          if (contrast < 4.5) found.push(`${element.tagName}.${element.className} ${element.textContent.slice(0, 20)} ${contrast.toFixed(2)}`);
+          if (contrast < 4.5)
+            found.push(
+              `${element.tagName}.${element.className} ${element.textContent.slice(0, 20)} ${contrast.toFixed(2)}`,
+            );
         }
         return found;
       });
@@ -323,7 +423,9 @@ describe('the page', () => {
   });
 
   test('says so if the model was simplified', async () => {
-    const { page, close } = await browser.open(compose({ report, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }));
+    const { page, close } = await browser.open(
+      compose({ report, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
+    );
     assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles/);
     await close();
   });
@@ -331,22 +433,45 @@ describe('the page', () => {
   const broken = {
     'no report': [{ scene, geometry }, /the block “report” is missing/],
     'a report that is not JSON': [{ report: '{"version":1,', scene, geometry }, /“report” is not JSON/],
-    'a report of another version': [{ report: { ...report, version: 7 }, scene, geometry }, /version 7, and this page reads version 1/],
-    'a pair of no parts': [{ report: { ...report, pairs: [{ ...report.pairs[0], b: 99 }] }, scene, geometry }, /its pair 0 names no two parts/],
+    'a report of another version': [
+      { report: { ...report, version: 7 }, scene, geometry },
+      /version 7, and this page reads version 1/,
+    ],
+    'a pair of no parts': [
+      { report: { ...report, pairs: [{ ...report.pairs[0], b: 99 }] }, scene, geometry },
+      /its pair 0 names no two parts/,
+    ],
     'no scene': [{ report, geometry }, /the block “scene” is missing/],
-    'a scene of another report': [{ report, scene: { ...scene, objects: [] }, geometry }, /0 objects, but the report has 12 parts/],
-    'a pose that is none': [{ report, scene: { ...scene, objects: scene.objects.map(() => ({ mesh: 0, pose: [1] })) }, geometry }, /its object 0 has no mesh or no pose/],
+    'a scene of another report': [
+      { report, scene: { ...scene, objects: [] }, geometry },
+      /0 objects, but the report has 12 parts/,
+    ],
+    'a pose that is none': [
+      { report, scene: { ...scene, objects: scene.objects.map(() => ({ mesh: 0, pose: [1] })) }, geometry },
+      /its object 0 has no mesh or no pose/,
+    ],
     'no geometry': [{ report, scene }, /the block “geometry” is missing/],
     'geometry cut short': [{ report, scene, geometry: geometry.slice(0, 40) }, /geometry cannot be read/],
     'geometry of noise': [{ report, scene, geometry: '!!!!' }, /geometry cannot be read/],
-    'geometry of too few bytes': [{ report, scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, triangles: mesh.triangles + 1 })) }, geometry }, /geometry cannot be read/],
+    'geometry of too few bytes': [
+      {
+        report,
+        scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, triangles: mesh.triangles + 1 })) },
+        geometry,
+      },
+      /geometry cannot be read/,
+    ],
   };
   for (const [what, [blocks, words]] of Object.entries(broken)) {
     test(`tells of ${what}`, async () => {
       const { page, close } = await browser.open(compose(blocks));
       assert.match(await page.textContent('#trouble'), words);
       assert.ok(await page.locator('#trouble').isVisible());
-      if (blocks.report && typeof blocks.report === 'object' && words.source.match(/geometry|scene|objects,|object 0/)) {
+      if (
+        blocks.report &&
+        typeof blocks.report === 'object' &&
+        words.source.match(/geometry|scene|objects,|object 0/)
+      ) {
         assert.equal((await listed(page)).length, report.pairs.length, 'the list is there all the same');
       }
       await close();

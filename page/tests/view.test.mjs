@@ -50,12 +50,16 @@ describe('the 3D view', () => {
     for (const motion of ['reduce', 'no-preference']) {
       const { page, close } = await browser.open(reviewPage(), { motion });
       await page.locator('#clash-list .row').nth(3).click();
-      await page.waitForFunction(() => {
-        const now = JSON.stringify(window.impinge.stand());
-        const same = window.standBefore === now;
-        window.standBefore = now;
-        return same;
-      }, null, { polling: 700 });
+      await page.waitForFunction(
+        () => {
+          const now = JSON.stringify(window.impinge.stand());
+          const same = window.standBefore === now;
+          window.standBefore = now;
+          return same;
+        },
+        null,
+        { polling: 700 },
+      );
       ends.push(await stand(page));
       await close();
     }
@@ -81,7 +85,9 @@ describe('the 3D view', () => {
     }
     await settled(page);
     const inSight = await page.evaluate(() => {
-      const [row, list] = ['#parts-tree [aria-selected=true]', '#parts-tree'].map((one) => document.querySelector(one).getBoundingClientRect());
+      const [row, list] = ['#parts-tree [aria-selected=true]', '#parts-tree'].map((one) =>
+        document.querySelector(one).getBoundingClientRect(),
+      );
       return row.top >= list.top && row.bottom <= list.bottom + 1;
     });
     assert.ok(inSight, 'the row is in sight');
@@ -90,7 +96,11 @@ describe('the 3D view', () => {
     const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
     await page.keyboard.press('Escape');
     await page.mouse.click(x, y);
-    assert.equal(await page.locator('#parts-tree .row[aria-selected=true] .name', { hasText: 'far bolt' }).count(), 0, 'what is hidden is not hit');
+    assert.equal(
+      await page.locator('#parts-tree .row[aria-selected=true] .name', { hasText: 'far bolt' }).count(),
+      0,
+      'what is hidden is not hit',
+    );
     await close();
   });
 
@@ -235,7 +245,10 @@ describe('the 3D view', () => {
 
   test('is the same far from the origin', async () => {
     const pictures = [];
-    for (const offset of [[0, 0, 0], [8388608, -4194304, 16777216]]) {
+    for (const offset of [
+      [0, 0, 0],
+      [8388608, -4194304, 16777216],
+    ]) {
       const { page, close } = await browser.open(reviewPage({ offset }), { hash: '#clash=4' });
       pictures.push((await picture(page)).png);
       await close();
@@ -260,7 +273,13 @@ describe('the 3D view', () => {
   test('shows a report of no parts', async () => {
     const { report } = review({ triage: false });
     const none = { ...report, objects: [], pairs: [], counts: { ...report.counts, fail: 0 } };
-    const { page, close } = await browser.open(compose({ report: none, scene: { version: 1, title: 'none', triangles: 0, shown: 0, meshes: [], objects: [] }, geometry: 'eJwDAAAAAAE=' }));
+    const { page, close } = await browser.open(
+      compose({
+        report: none,
+        scene: { version: 1, title: 'none', triangles: 0, shown: 0, meshes: [], objects: [] },
+        geometry: 'eJwDAAAAAAE=',
+      }),
+    );
     assert.match(await page.textContent('#verdict-line'), /Nothing fails/);
     await page.keyboard.press('f');
     await close();
@@ -300,7 +319,10 @@ test('fingers turn, move and zoom', async () => {
     const box = await page.locator('#canvas').boundingBox();
     const session = await page.context().newCDPSession(page);
     const fingers = (type, points) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })) });
+      session.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })),
+      });
     const before = await stand(page);
     await fingers('touchStart', [[150, 150]]);
     await fingers('touchMove', [[190, 170]]);
@@ -308,8 +330,14 @@ test('fingers turn, move and zoom', async () => {
     const turned = await stand(page);
     assert.notEqual(turned.yaw, before.yaw);
     assert.deepEqual(turned.target, before.target);
-    await fingers('touchStart', [[150, 150], [200, 150]]);
-    await fingers('touchMove', [[120, 150], [230, 150]]);
+    await fingers('touchStart', [
+      [150, 150],
+      [200, 150],
+    ]);
+    await fingers('touchMove', [
+      [120, 150],
+      [230, 150],
+    ]);
     await fingers('touchEnd', []);
     const zoomed = await stand(page);
     assert.ok(zoomed.distance < turned.distance);
