@@ -76,7 +76,7 @@ Result<void> add_topic(Zip& zip, const std::string& id, const Files& files) {
 Topics topics_of(const Review& review, const ClashArguments& arguments) {
   Topics topics;
   for (const std::size_t pair : ranked(review.clashes.pairs))
-    if (fails(review.clashes.pairs[pair], arguments.fail_on)) topics.pairs.push_back(pair);
+    if (review.standings[pair].fails) topics.pairs.push_back(pair);
   const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(topics.pairs.size(), arguments.topics));
   topics.left_out = topics.pairs.size() - kept;
   topics.pairs.resize(kept);

@@ -127,7 +127,7 @@ Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& a
     if (stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
     const Clash& pair = review.clashes.pairs[i];
-    const Row row{review, pair, ++rank, review.ids[i], fails(pair, arguments.fail_on), place_of(review, i).at};
+    const Row row{review, pair, ++rank, review.ids[i], review.standings[i].fails, place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
   return {};

@@ -215,7 +215,7 @@ std::size_t node_of(Document& document, const Review& review, const ClashArgumen
   return document.node(
       fmt::format("\"name\":{},\"extras\":{{\"id\":\"{}\",\"rank\":{},\"verdict\":\"{}\",\"fails\":{},\"depth\":{},"
                   "\"distance\":{},\"a\":{},\"b\":{}}}{}",
-                  json_string(title), review.ids[pair], rank, name(clash.verdict), fails(clash, arguments.fail_on),
+                  json_string(title), review.ids[pair], rank, name(clash.verdict), review.standings[pair].fails,
                   clash.overlap_depth ? json_number(depth_of(clash)) : "null",
                   clash.nearest ? json_number(clash.nearest->distance) : "null", json_part(assembly, clash.objects[0]),
                   json_part(assembly, clash.objects[1]), children.member("children")));
