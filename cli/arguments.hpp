@@ -77,6 +77,14 @@ struct ClashArguments : SceneArguments, PageArguments, ExportArguments {
 
 struct ViewArguments : SceneArguments, PageArguments {};
 
+struct MotionArguments : SceneArguments, PageArguments {
+  std::uint32_t frames = 120;            ///< steps
+  std::optional<std::string> animation;  ///< its name or number; nothing: the first
+  std::optional<double> tolerance;       ///< nothing: auto
+  bool depth = false;
+  FailOn fail_on{.penetration = true, .inside = true};
+};
+
 struct InfoArguments {
   std::vector<std::string> files;
   std::optional<std::string> json;
@@ -90,7 +98,8 @@ struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, InfoArguments, DevicesArguments, Notice>;
+using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, MotionArguments, InfoArguments,
+                             DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

@@ -186,6 +186,34 @@ void add_clash(CLI::App& command, Raw& raw) {
   add_quiet(command, to.quiet);
 }
 
+void add_motion(CLI::App& command, Raw& raw) {
+  MotionArguments& to = raw.motion;
+  add_files(command, to.files);
+  command
+      .add_option("--frames", raw.frames,
+                  "look at N steps of equal length; what is over within one of them may be missed (default: 120)")
+      ->type_name("N");
+  command
+      .add_option("--animation", raw.animation,
+                  "which of the file's animations, by name or number (default: the first)")
+      ->type_name("NAME|N");
+  command.add_option("--tolerance", raw.tolerance, "as with impinge clash (default: auto)")->type_name("auto|0|D");
+  command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
+  command
+      .add_option("--fail-on", raw.fail_on,
+                  "what is a clash: contact, penetration, inside, or several with commas between them; may be given "
+                  "again (default: penetration,inside)")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  add_json(command, raw, "times");
+  command.add_option("--html", raw.html, "write a page to look at, with the motion on a timeline")->type_name("FILE");
+  add_page_triangles(command, raw);
+  add_ignore(command, raw);
+  add_threads(command, raw);
+  add_max_file(command, raw);
+  add_quiet(command, to.quiet);
+}
+
 void add_view(CLI::App& command, Raw& raw) {
   ViewArguments& to = raw.view;
   add_files(command, to.files);
