@@ -120,7 +120,7 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& arguments, const std::stop_token& stop) {
+Result<void> write_csv(Sink& sink, const Review& review, const std::stop_token& stop) {
   sink.write(line([](const Column& column) { return column.name; }));
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {

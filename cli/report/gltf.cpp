@@ -202,8 +202,7 @@ std::string json_part(const Assembly& assembly, std::uint32_t object) {
                      json_string(assembly.files[assembly.file_of[object]]));
 }
 
-std::size_t node_of(Document& document, const Review& review, const ClashArguments& arguments, std::size_t pair,
-                    std::size_t rank) {
+std::size_t node_of(Document& document, const Review& review, std::size_t pair, std::size_t rank) {
   const Clash& clash = review.clashes.pairs[pair];
   const Assembly& assembly = review.assembly;
   List children;
@@ -230,7 +229,7 @@ Result<void> write_gltf(Sink& sink, const Review& review, const ClashArguments& 
   std::size_t rank = 0;
   for (const std::size_t pair : ranked(review.clashes.pairs)) {
     if (stop.stop_requested()) return interrupted();
-    clashes.add(fmt::format("{}", node_of(document, review, arguments, pair, ++rank)));
+    clashes.add(fmt::format("{}", node_of(document, review, pair, ++rank)));
     if (document.is_too_large())
       return Error{Code::bad_file, "the regions are more than a binary glTF can hold; leave pairs out by --ignore"};
   }
