@@ -66,7 +66,9 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
   sink.write(fmt::format("{}, {} of them moving; animation '{}' of {} s; {}.\n",
                          counted(report.assembly.objects.size(), "part"), moving, printable(report.animation.name),
                          time_text(report.animation.seconds, step),
-                         spans.empty() ? "nothing clashes" : counted(spans.size(), "clash")));
+                         spans.empty()       ? "nothing clashes"
+                         : spans.size() == 1 ? "1 clash"
+                                             : grouped(spans.size()) + " clashes"));
   sink.write(
       fmt::format("Looked at {} steps of {} s: a clash that is over within one step may be missed; the times of "
                   "those that were seen are exact to a millionth of a step.\n",
