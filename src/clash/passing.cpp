@@ -13,6 +13,7 @@
 #include "clash/slab.hpp"
 #include "core/disjoint_sets.hpp"
 #include "measure/nearest.hpp"
+#include "measure/triangle_distance.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -31,22 +32,25 @@ class Passing {
       : a_(a.part.body), b_(b.part.body), tolerance_(tolerance), frame_(local_frame(a_.box, b_.box)) {}
 
   /// What `own` has between the sides of the other's triangle: grows the box of what of it is near, and returns the
-  /// sides of the triangle on which it is far. They are not looked for on those that are `known`.
+  /// sides of the triangle on which it goes on. They are not looked for on those that are `known`.
   std::uint8_t see(const Triangle& own, const Triangle& other, const solid::Body& others, std::uint8_t known,
                    Box& near) const {
-    const auto slab = make_slab(frame_.to_local(other), frame_.unit * tolerance_, frame_.scale);
+    const Triangle seen_from = frame_.to_local(other);
+    const auto slab = make_slab(seen_from, frame_.unit * tolerance_, frame_.scale);
     if (!slab || !slab->has_plane) return 0;
     Polygon piece(frame_.to_local(own));
     for (std::size_t i = 0; i < slab->size && piece.size() > 0; ++i) piece = cut(piece, slab->sides[i]).within;
     if (piece.size() == 0) return 0;
+    for (const Vec3& point : cut(cut(piece, slab->top).within, slab->bottom).within)
+      near.lo = min(near.lo, point), near.hi = max(near.hi, point);
+    const auto sides = sides_of(seen_from);
+    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
+    if (piece.size() == 0) return 0;
     const Cut top = cut(piece, slab->top), bottom = cut(piece, slab->bottom);
-    if (top.within.size() > 0)
-      for (const Vec3& point : cut(top.within, slab->bottom).within)
-        near.lo = min(near.lo, point), near.hi = max(near.hi, point);
-    std::uint8_t sides = 0;
+    std::uint8_t found = 0;
     for (const auto& [side, beyond] : {std::pair(kAbove, &top.beyond), {kBelow, &bottom.beyond}})
-      if ((known & side) == 0 && beyond->size() > 0 && is_far(*beyond, others)) sides |= side;
-    return sides;
+      if ((known & side) == 0 && beyond->size() > 0 && goes_on(*beyond, seen_from, others)) found |= side;
+    return found;
   }
 
   /// A point has no length: what two sheets that meet in one have near each other is longer than the tolerance only as
@@ -57,13 +61,40 @@ class Passing {
   }
 
  private:
-  /// Of the points that are tried.
-  [[nodiscard]] bool is_far(const Polygon& piece, const solid::Body& body) const {
-    const auto is_far = [&](const Vec3& point) {
-      return !measure::nearest_point(body.placed, frame_.to_world(point), tolerance_, tolerance_);
-    };
-    return is_far(piece.middle()) || std::any_of(piece.begin(), piece.end(), is_far);
+  /// Across the triangle's plane along its edges, a little wider than it: what runs along an edge is seen from one of
+  /// the triangles there at least.
+  [[nodiscard]] std::array<HalfSpace, 3> sides_of(const Triangle& t) const {
+    const Vec3 up = cross(t[1] - t[0], t[2] - t[0]);
+    std::array<HalfSpace, 3> sides;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 across = cross(t[(i + 1) % 3] - t[i], up);
+      const Vec3 normal = (1 / norm(across)) * across;
+      sides[i] = {normal, dot(normal, t[i]) + frame_.unit * tolerance_ / 16};
+    }
+    return sides;
   }
+
+  /// Whether some of the points that are tried is farther than the tolerance from the other body, and of that body no
+  /// nearer to another triangle: what passes beyond the triangle's end, before another face, is that one's to tell.
+  [[nodiscard]] bool goes_on(const Polygon& piece, const Triangle& triangle, const solid::Body& body) const {
+    const auto is_seen = [&](const Vec3& point) {
+      const Vec3 world = frame_.to_world(point);
+      if (measure::nearest_point(body.placed, world, tolerance_, tolerance_)) return false;
+      constexpr double kNearer = 1 - 0x1p-20;
+      const double distance = measure::point_distance(point, triangle, kFarthest).distance / frame_.unit;
+      return !measure::nearest_point(body.placed, world, kNearer * distance, kNearer * distance);
+    };
+    const Vec3 middle = piece.middle();
+    if (is_seen(middle)) return true;
+    return std::any_of(piece.begin(), piece.end(), [&](const Vec3& vertex) {
+      // Close to where the piece leaves the triangle other faces are the farthest away.
+      constexpr std::array kShares{0.0, 0x1p-6, 0x1p-3, 0x1p-1};
+      return std::any_of(kShares.begin(), kShares.end(),
+                         [&](double share) { return is_seen(vertex + share * (middle - vertex)); });
+    });
+  }
+
+  static constexpr double kFarthest = std::numeric_limits<double>::infinity();
 
   const solid::Body &a_, &b_;
   double tolerance_;

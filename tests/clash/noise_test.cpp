@@ -85,6 +85,38 @@ TEST(Noise, AShelfEndsOnTwoWallsOfOnePart) {
   expect_verdict(Verdict::crossing, walls, through);
 }
 
+/// A pipe of 13 sides, open somewhere at its far end.
+MeshData open_pipe(double low, double high, double far_end, double turn) {
+  const auto circle = [&](double radius) {
+    scenes::Outline outline;
+    for (int i = 0; i < 13; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + turn) / 13;
+      outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return outline;
+  };
+  MeshData pipe = scenes::ring(circle(2), circle(0.9), low, high);
+  for (std::size_t t = 0; t < pipe.triangles.size(); t += 3) {
+    const auto is_far = [&](std::size_t k) { return pipe.xyz[3 * pipe.triangles[t + k] + 2] == far_end; };
+    if (!is_far(0) || !is_far(1) || !is_far(2)) continue;
+    pipe.triangles.erase(pipe.triangles.begin() + static_cast<std::ptrdiff_t>(t),
+                         pipe.triangles.begin() + static_cast<std::ptrdiff_t>(t + 3));
+    break;
+  }
+  return pipe;
+}
+
+/// Their corners lie beyond the ends of each other's walls, within and without: before the end's face, not through it.
+TEST(Noise, PipesThatAreSurfacesStandEndToEnd) {
+  constexpr double kTolerance = 1e-3;
+  const MeshData pipe = open_pipe(0, 5, 0, 0);
+  for (const double turn : {0.0, 0.1, 0.5})
+    for (const double gap : {0.0, 1e-5, -1e-5, 9e-4, -9e-4})
+      expect_verdict(Verdict::touching, pipe, open_pipe(5 + gap, 10, 10, turn), kTolerance);
+  expect_verdict(Verdict::apart, pipe, open_pipe(5.0011, 10, 10, 0.5), kTolerance);
+  expect_verdict(Verdict::crossing, pipe, open_pipe(4.9, 10, 10, 0.5), kTolerance);
+}
+
 TEST(Noise, AChangedVerdictHasANote) {
   const MeshData large = box({0, 0, 0}, {10, 10, 10}), small = box({0.1, 0.1, 0.1}, {9.9, 9.9, 9.9});
   expect_verdict(Verdict::inside, large, small, std::nullopt, Note::none);
