@@ -113,7 +113,7 @@ std::string line(auto text_of) {
 }  // namespace
 
 std::string csv_cell(std::string_view text) {
-  const std::string cell = (needs_defusing(text) ? "'" : "") + printable(text);
+  std::string cell = (needs_defusing(text) ? "'" : "") + printable(text);
   if (cell.find_first_of("\",") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

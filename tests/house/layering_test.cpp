@@ -167,7 +167,8 @@ TEST(Layering, ReadersAndCommandLineUseThePublicApi) {
     for (const Include& include : includes_under(folder)) {
       const bool beside = include.quoted && include.target.find('/') == std::string::npos &&
                           fs::exists(kSource / include.file.parent_path() / include.target);
-      if (is_of_project(include) && !beside && !starts_with_any(include.target, prefixes)) {
+      const bool own = include.quoted && fs::exists(kSource / folder / include.target);
+      if (is_of_project(include) && !beside && !own && !starts_with_any(include.target, prefixes)) {
         complain(include, "which is neither public nor of " + folder);
       }
     }
