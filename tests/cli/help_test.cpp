@@ -32,6 +32,8 @@ TEST(Help, ExamplesRun) {
   folder.write("cell.off", off(cube(9, 0, 0)));
   folder.write("bracket.stl", stl(cube(0, 0, 0)));
   folder.write("plate.stl", stl(cube(0, 0, 0)));
+  folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
+  impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});
   std::size_t count = 0;
   for (const auto& page : kPages) {
     const Ended help = impinge(folder, page);
@@ -43,7 +45,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 14U);
+  EXPECT_EQ(count, 15U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 
@@ -73,7 +75,8 @@ TEST(Help, ListsEveryOption) {
   const std::string clash = impinge(folder, {"clash", "--help"}).out;
   for (const char* option :
        {"--tolerance auto|0|D", "--clearance C", "--depth", "--regions", "--fail-on LIST", "--json FILE|-", "--limit N",
-        "--ignore A B", "--within-products", "--scale FILE=S", "--threads N", "--max-file BYTES", "--quiet", "--help"})
+        "--config FILE", "--previous FILE", "--group-by WHAT", "--ignore A B", "--within-products", "--scale FILE=S",
+        "--threads N", "--max-file BYTES", "--quiet", "--help"})
     EXPECT_NE(clash.find("  " + std::string(option) + " "), std::string::npos) << option;
 }
 
