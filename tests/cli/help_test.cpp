@@ -45,7 +45,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 15U);
+  EXPECT_EQ(count, 16U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 

@@ -85,11 +85,14 @@ TEST_F(NamedTests, ListWhatTheirModesName) {
 }
 
 TEST_F(NamedTests, HaveTolerancesOfTheirOwn) {
-  // The walls of pipe and beam are above 0.8, a quarter of which is 0.2; the tip is 0.125 deep in the pipe.
-  folder.write("c/tip.off", "OFF\n4 4 0\n10 1 1.875\n9 0 4\n11 0 4\n10 2 4\n3 0 2 1\n3 0 3 2\n3 0 1 3\n3 1 2 3\n");
+  // A cube of edge 2, 1/8 deep in the pipe. A quarter of its wall is 1/6, and the pipe's is more.
+  folder.write(
+      "c/tip.off",
+      "OFF\n8 12 0\n8 0 1.875\n10 0 1.875\n8 2 1.875\n10 2 1.875\n8 0 3.875\n10 0 3.875\n8 2 3.875\n10 2 3.875\n"
+      "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n");
   const Tests found = tests(R"({"files":["tip.off"],"tests":[{"name":"exact","a":"tip","b":"pipe1","tolerance":0},
-                 {"name":"loose","a":"tip","b":"pipe1","tolerance":0.1875},
-                 {"name":"loose too","a":"tip","b":"pipe1","tolerance":0.1875,"mode":"contact"}]})");
+                 {"name":"loose","a":"tip","b":"pipe1","tolerance":0.15},
+                 {"name":"loose too","a":"tip","b":"pipe1","tolerance":0.15,"mode":"contact"}]})");
   EXPECT_EQ(found,
             (Tests{{"exact", {"pipe1 tip penetrating!"}}, {"loose", {}}, {"loose too", {"pipe1 tip touching!"}}}));
 }
