@@ -10,6 +10,7 @@
 #include <string>
 
 #include "triage/configuration.hpp"
+#include "triage/grouping.hpp"
 #include "triage/matching.hpp"
 
 namespace impinge::cli {
@@ -123,6 +124,20 @@ TEST(Matching, OfAHundredThousandRegionsEndsSoon) {
   std::vector<double> many(100'000, 0.0);
   const std::vector<int> numbers = matched(many, {0, 0}, 0);
   EXPECT_EQ(numbers, (std::vector<int>{0, 1}));
+}
+
+TEST(Types, AreCalledWhatTheirNamesHaveInCommon) {
+  EXPECT_EQ(common_name({"bolt M8_1", "bolt M8_12", "bolt M8_2"}), "bolt M8");
+  EXPECT_EQ(common_name({"P-001 pipe", "P-002 pipe", "P-012 pipe"}), "P*pipe");
+  EXPECT_EQ(common_name({"nut"}), "nut");
+  EXPECT_EQ(common_name({"nut 1"}), "nut 1");
+  EXPECT_EQ(common_name({"nut", "nut"}), "nut");
+  EXPECT_EQ(common_name({"nut", "bolt"}), "*t");
+  EXPECT_EQ(common_name({"ab", "cd"}), "ab");
+  EXPECT_EQ(common_name({"aa", "aaa"}), "aa");
+  EXPECT_EQ(common_name({"1", "2"}), "1");
+  EXPECT_EQ(common_name({"", "2"}), "");
+  EXPECT_EQ(common_name({}), "");
 }
 
 }  // namespace
