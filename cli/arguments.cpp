@@ -23,6 +23,7 @@ struct Parser {
   CLI::App app{"impinge", "impinge"};
   CLI::App* check = nullptr;
   CLI::App* clash = nullptr;
+  CLI::App* motion = nullptr;
   CLI::App* view = nullptr;
   CLI::App* info = nullptr;
   CLI::App* devices = nullptr;
@@ -54,6 +55,7 @@ std::string help_page(const Parser& parser) {
   if (command == nullptr) return general_help(width);
   if (command == parser.check) return check_help(options_of(*command), width);
   if (command == parser.clash) return clash_help(options_of(*command), width);
+  if (command == parser.motion) return motion_help(options_of(*command), width);
   if (command == parser.view) return view_help(options_of(*command), width);
   if (command == parser.info) return info_help(options_of(*command), width);
   return devices_help(width);
@@ -140,12 +142,14 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   parser.app.allow_extras();
   parser.check = parser.app.add_subcommand("check")->allow_extras();
   parser.clash = parser.app.add_subcommand("clash")->allow_extras();
+  parser.motion = parser.app.add_subcommand("motion")->allow_extras();
   parser.view = parser.app.add_subcommand("view")->allow_extras();
   parser.info = parser.app.add_subcommand("info")->allow_extras();
   parser.devices = parser.app.add_subcommand("devices")->allow_extras();
   parser.devices->set_help_flag("--help,-h", "this page");
   add_check(*parser.check, raw);
   add_clash(*parser.clash, raw);
+  add_motion(*parser.motion, raw);
   add_view(*parser.view, raw);
   add_info(*parser.info, raw);
 
@@ -168,9 +172,10 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   }
   if (const auto extra = extras(parser); !extra.empty()) return unexpected(parser, extra.front());
   if (parser.app.get_subcommands().size() > 1)
-    return bad("check, clash, view, info and devices cannot be asked for at once");
+    return bad("check, clash, motion, view, info and devices cannot be asked for at once");
   if (parser.check->parsed()) return take_check(std::move(raw));
   if (parser.clash->parsed()) return take_clash(std::move(raw));
+  if (parser.motion->parsed()) return take_motion(std::move(raw));
   if (parser.view->parsed()) return take_view(std::move(raw));
   if (parser.info->parsed()) return take_info(std::move(raw));
   if (parser.devices->parsed()) return Command(DevicesArguments{});

@@ -54,7 +54,16 @@ struct PageArguments {
   std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
 };
 
-struct ClashArguments : SceneArguments, PageArguments {
+/// Files for other tools, and what these take coordinates and dates for.
+struct ExportArguments {
+  std::optional<std::string> csv, bcf, gltf;  ///< "-" is standard output
+  double metres = 1;                          ///< that a unit of the files' coordinates has
+  std::optional<bool> y_up;                   ///< or Z; nothing: by the first file's format
+  std::string date;                           ///< of the BCF's topics, "2024-05-31T16:30:00Z"
+  std::uint64_t topics = 1'000;               ///< of the BCF, at most
+};
+
+struct ClashArguments : SceneArguments, PageArguments, ExportArguments {
   std::optional<double> tolerance;  ///< nothing: auto
   double clearance = 0;
   bool depth = false;
@@ -67,6 +76,14 @@ struct ClashArguments : SceneArguments, PageArguments {
 };
 
 struct ViewArguments : SceneArguments, PageArguments {};
+
+struct MotionArguments : SceneArguments, PageArguments {
+  std::uint32_t frames = 120;            ///< steps
+  std::optional<std::string> animation;  ///< its name or number; nothing: the first
+  std::optional<double> tolerance;       ///< nothing: auto
+  bool depth = false;
+  FailOn fail_on{.penetration = true, .inside = true};
+};
 
 struct InfoArguments {
   std::vector<std::string> files;
@@ -81,7 +98,8 @@ struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, InfoArguments, DevicesArguments, Notice>;
+using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, MotionArguments, InfoArguments,
+                             DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

@@ -13,6 +13,7 @@
 #include "clash_table.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
+#include "report/exports.hpp"
 #include "report/identity.hpp"
 #include "report/page.hpp"
 #include "review.hpp"
@@ -114,6 +115,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   Documents documents(inputs);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
+  if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
   const Result<Review> review =
@@ -128,6 +130,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     return write_page(sink, *page, title_of(arguments.files), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
+  if (auto written = write_exports(documents, *review, arguments, stop); !written) return written.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();
   }

@@ -52,6 +52,41 @@ void add_page_triangles(CLI::App& command, Raw& raw) {
       ->type_name("N");
 }
 
+void add_exports(CLI::App& command, Raw& raw) {
+  command
+      .add_option("--csv", raw.csv,
+                  "write a table for spreadsheets, a row for each pair; includes --depth and --regions")
+      ->type_name("FILE|-");
+  command
+      .add_option("--bcf", raw.bcf,
+                  "write BCF 2.1 for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
+                  "--depth and --regions")
+      ->type_name("FILE");
+  command
+      .add_option("--gltf", raw.gltf,
+                  "write the regions of contact as binary glTF, lines and points for other viewers; includes --depth "
+                  "and --regions")
+      ->type_name("FILE");
+  command
+      .add_option("--unit", raw.unit,
+                  "the unit of the files' coordinates, for BCF and glTF, which have metres: m, cm, mm, in or ft "
+                  "(default: m)")
+      ->type_name("UNIT");
+  command
+      .add_option(
+          "--up", raw.up,
+          "which of the files' axes is up, for BCF and glTF: y or z (default: z for OBJ, OFF, PLY, STL and 3MF, "
+          "y for the others)")
+      ->type_name("y|z");
+  command
+      .add_option("--date", raw.date,
+                  "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: SOURCE_DATE_EPOCH, or the "
+                  "start of 1970)")
+      ->type_name("DATE");
+  command.add_option("--bcf-topics", raw.topics, "the worst N pairs at most become topics of the BCF (default: 1000)")
+      ->type_name("N");
+}
+
 void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
 }
@@ -139,12 +174,41 @@ void add_clash(CLI::App& command, Raw& raw) {
                   "a row for each part, each two types of part (instances of one mesh) or each test, and what clashes "
                   "there: part, type, test or none (default: none)")
       ->type_name("WHAT");
+  add_exports(command, raw);
   command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
       ->type_name("N");
   add_ignore(command, raw);
   command.add_flag("--within-products", to.within_products,
                    "test the parts of one IFC product against each other as well");
   add_scale(command, raw);
+  add_threads(command, raw);
+  add_max_file(command, raw);
+  add_quiet(command, to.quiet);
+}
+
+void add_motion(CLI::App& command, Raw& raw) {
+  MotionArguments& to = raw.motion;
+  add_files(command, to.files);
+  command
+      .add_option("--frames", raw.frames,
+                  "look at N steps of equal length; what is over within one of them may be missed (default: 120)")
+      ->type_name("N");
+  command
+      .add_option("--animation", raw.animation,
+                  "which of the file's animations, by name or number (default: the first)")
+      ->type_name("NAME|N");
+  command.add_option("--tolerance", raw.tolerance, "as with impinge clash (default: auto)")->type_name("auto|0|D");
+  command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
+  command
+      .add_option("--fail-on", raw.fail_on,
+                  "what is a clash: contact, penetration, inside, or several with commas between them; may be given "
+                  "again (default: penetration,inside)")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  add_json(command, raw, "times");
+  command.add_option("--html", raw.html, "write a page to look at, with the motion on a timeline")->type_name("FILE");
+  add_page_triangles(command, raw);
+  add_ignore(command, raw);
   add_threads(command, raw);
   add_max_file(command, raw);
   add_quiet(command, to.quiet);

@@ -16,15 +16,18 @@ struct Raw {
   CheckArguments check;
   ClashArguments clash;
   ViewArguments view;
+  MotionArguments motion;
   InfoArguments info;
-  std::string json, html, page_triangles, limit, threads, max_file, device_share, tolerance, clearance, config,
-      previous, group_by;
+  std::string frames, animation;
+  std::string json, html, csv, bcf, gltf, unit, up, date, topics, page_triangles, config, previous, group_by, limit,
+      threads, max_file, device_share, tolerance, clearance;
   std::vector<std::string> ignored, scales, fail_on;
 };
 
 /// Declare a command's options, which write into `raw` as the command line is parsed.
 void add_check(CLI::App& command, Raw& raw);
 void add_clash(CLI::App& command, Raw& raw);
+void add_motion(CLI::App& command, Raw& raw);
 void add_view(CLI::App& command, Raw& raw);
 void add_info(CLI::App& command, Raw& raw);
 

@@ -78,6 +78,7 @@ std::string general_help(std::size_t width) {
       .section("Usage:", {{"impinge check FILE...", "which objects touch, and in how many triangles"},
                           {"impinge clash FILE...",
                            "what the parts are to each other: penetrating, inside, touching, or too near"},
+                          {"impinge motion FILE", "when the parts of an animated file clash"},
                           {"impinge view FILE...", "a page to look at them: the assembly in 3D and its parts"},
                           {"impinge info FILE...", "what the files hold: objects, triangles, open surfaces, warnings"},
                           {"impinge devices", "the GPUs that --backend gpu and hybrid can use"},
@@ -150,10 +151,32 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
                   "The named tests of a configuration; fail only on what is new since last week's report."},
                  {"impinge clash engine.obj fixture.stl --html report.html",
                   "A page for the design review: open it in a browser; it needs nothing else."},
+                 {"impinge clash bracket.stl plate.stl --bcf clashes.bcf --csv clashes.csv --unit mm",
+                  "The same for a BIM tool and a spreadsheet; the files' coordinates are millimetres."},
                  {"impinge clash bracket.stl plate.stl --tolerance 0.01 --regions --json clashes.json",
                   "What overlaps by 0.01 counts as touching; every region of contact as JSON."}})
       .section("Exit codes:", {{"0", "nothing that --fail-on names"},
                                {"1", "something that --fail-on names"},
+                               {"2", "an error or an interruption; a sentence on standard error says what and where"}})
+      .text();
+}
+
+std::string motion_help(const std::vector<HelpEntry>& options, std::size_t width) {
+  return Page(width)
+      .paragraph("impinge motion FILE [options]")
+      .paragraph(
+          "Runs an animation of the file (glTF, or another format with moving nodes) and says of each two parts when "
+          "they "
+          "begin and cease to clash. It looks at steps of equal length, and halves the time between two of them on "
+          "which "
+          "the answers differ until it is known to a millionth of a step. What begins and ends within one step is not "
+          "seen: --frames makes steps shorter.")
+      .section("Options:", options)
+      .examples({{"impinge motion robot.glb", "When does what clash?"},
+                 {"impinge motion robot.glb --frames 2000 --depth", "In finer steps, and how deep it goes."},
+                 {"impinge motion robot.glb --html motion.html", "A page on which the motion can be played."}})
+      .section("Exit codes:", {{"0", "nothing clashes"},
+                               {"1", "something does"},
                                {"2", "an error or an interruption; a sentence on standard error says what and where"}})
       .text();
 }

@@ -19,6 +19,7 @@ std::string general_help(std::size_t width);
 /// `options` are those that the command line knows, so that the page lists no other and forgets none.
 std::string check_help(const std::vector<HelpEntry>& options, std::size_t width);
 std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width);
+std::string motion_help(const std::vector<HelpEntry>& options, std::size_t width);
 std::string view_help(const std::vector<HelpEntry>& options, std::size_t width);
 std::string info_help(const std::vector<HelpEntry>& options, std::size_t width);
 

@@ -11,6 +11,7 @@
 #include "devices.hpp"
 #include "info.hpp"
 #include "interrupt.hpp"
+#include "motion/motion.hpp"
 #include "sink.hpp"
 #include "view.hpp"
 
@@ -54,6 +55,11 @@ int run(int argc, char** argv) {
     const Result<bool> fails = clash(*arguments, interrupt.token());
     if (!fails.has_value()) return failed(fails.error());
     return *fails ? kSomething : kNothing;
+  }
+  if (const auto* arguments = std::get_if<MotionArguments>(&*command)) {
+    const Result<bool> clashes = motion(*arguments, interrupt.token());
+    if (!clashes.has_value()) return failed(clashes.error());
+    return *clashes ? kSomething : kNothing;
   }
   if (const auto* arguments = std::get_if<ViewArguments>(&*command)) {
     const Result<void> written = view(*arguments, interrupt.token());

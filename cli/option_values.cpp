@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "numbers.hpp"
+#include "report/date.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -84,6 +85,50 @@ Result<void> take_page(const Raw& raw, PageArguments& to) {
   return {};
 }
 
+Result<void> take_unit(const std::string& text, ExportArguments& to) {
+  constexpr std::pair<std::string_view, double> kUnits[] = {
+      {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
+  if (text.empty()) return {};
+  for (const auto& [name, metres] : kUnits)
+    if (text == name) return to.metres = metres, Result<void>();
+  return bad(fmt::format("--unit is m, cm, mm, in or ft, not '{}'", text));
+}
+
+Result<void> take_date(const std::string& text, ExportArguments& to) {
+  if (text.empty()) {
+    const Result<std::string> date = usual_date();
+    if (!date) return date.error();
+    to.date = *date;
+    return {};
+  }
+  const std::optional<std::string> date = parse_date(text);
+  if (!date) return bad(fmt::format("--date takes now, or a date such as 2024-05-31, not '{}'", text));
+  to.date = *date;
+  return {};
+}
+
+Result<void> take_exports(const Raw& raw, ExportArguments& to) {
+  if (!raw.csv.empty()) to.csv = raw.csv;
+  if (!raw.bcf.empty()) to.bcf = raw.bcf;
+  if (!raw.gltf.empty()) to.gltf = raw.gltf;
+  if (!to.bcf && !raw.date.empty()) return bad("--date is for the topics of --bcf FILE");
+  if (!to.bcf && !raw.topics.empty()) return bad("--bcf-topics is for the topics of --bcf FILE");
+  if (!to.bcf && !to.gltf && !(raw.unit.empty() && raw.up.empty()))
+    return bad(fmt::format("{} is for --bcf FILE and --gltf FILE; nothing else depends on it",
+                           raw.unit.empty() ? "--up" : "--unit"));
+  if (auto taken = take_unit(raw.unit, to); !taken) return taken;
+  if (!raw.up.empty() && raw.up != "y" && raw.up != "z") return bad(fmt::format("--up is y or z, not '{}'", raw.up));
+  if (!raw.up.empty()) to.y_up = raw.up == "y";
+  constexpr std::uint64_t kMostTopics = 20'000;  // a zip archive counts its members in 16 bits
+  if (!raw.topics.empty()) {
+    const auto topics = parse_whole(raw.topics);
+    if (!topics || *topics > kMostTopics)
+      return bad(fmt::format("--bcf-topics takes a whole number from 0 to {}, not '{}'", kMostTopics, raw.topics));
+    to.topics = *topics;
+  }
+  return to.bcf ? take_date(raw.date, to) : Result<void>();
+}
+
 /// What `check` and `clash` both take; `--threads` has been taken.
 Result<void> take_scene(const Raw& raw, SceneArguments& to) {
   if (!raw.json.empty()) to.json = raw.json;
@@ -93,13 +138,16 @@ Result<void> take_scene(const Raw& raw, SceneArguments& to) {
   return take_max_file(raw.max_file, to.max_file_bytes);
 }
 
+Result<void> take_tolerance(const std::string& text, std::optional<double>& to) {
+  if (text.empty() || text == "auto") return {};
+  to = parse_length(text);
+  if (to) return {};
+  return bad(
+      fmt::format("--tolerance takes auto, or a length from 0 up in the files' unit such as 0.01, not '{}'", text));
+}
+
 Result<void> take_lengths(const Raw& raw, ClashArguments& to) {
-  if (!raw.tolerance.empty() && raw.tolerance != "auto") {
-    to.tolerance = parse_length(raw.tolerance);
-    if (!to.tolerance)
-      return bad(fmt::format("--tolerance takes auto, or a length from 0 up in the files' unit such as 0.01, not '{}'",
-                             raw.tolerance));
-  }
+  if (auto taken = take_tolerance(raw.tolerance, to.tolerance); !taken) return taken;
   if (raw.clearance.empty()) return {};
   const auto clearance = parse_length(raw.clearance);
   if (!clearance)
@@ -127,9 +175,9 @@ Result<void> take_triage(const Raw& raw, ClashArguments& to) {
   return {};
 }
 
-Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments& to) {
-  if (lists.empty() && !to.config) return {};
-  to.fail_on = {};
+/// The words of `--fail-on`, of which none is set if none is given.
+Result<void> take_words(const std::vector<std::string>& lists, FailOn& to) {
+  to = {};
   for (const std::string& list : lists) {
     std::string_view left = list;
     for (bool more = true; more;) {
@@ -137,11 +185,11 @@ Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments&
       const std::string_view word = left.substr(0, comma);
       more = comma != std::string_view::npos;
       if (more) left.remove_prefix(comma + 1);
-      bool* const named = word == "contact"       ? &to.fail_on.contact
-                          : word == "penetration" ? &to.fail_on.penetration
-                          : word == "inside"      ? &to.fail_on.inside
-                          : word == "clearance"   ? &to.fail_on.clearance
-                          : word == "new"         ? &to.fail_on.fresh
+      bool* const named = word == "contact"       ? &to.contact
+                          : word == "penetration" ? &to.penetration
+                          : word == "inside"      ? &to.inside
+                          : word == "clearance"   ? &to.clearance
+                          : word == "new"         ? &to.fresh
                                                   : nullptr;
       if (named == nullptr)
         return bad(
@@ -151,6 +199,12 @@ Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments&
       *named = true;
     }
   }
+  return {};
+}
+
+Result<void> take_fail_on(const std::vector<std::string>& lists, ClashArguments& to) {
+  if (lists.empty() && !to.config) return {};
+  if (auto taken = take_words(lists, to.fail_on); !taken) return taken;
   const bool names_verdicts = to.fail_on.contact || to.fail_on.penetration || to.fail_on.inside || to.fail_on.clearance;
   if (to.config && names_verdicts)
     return bad("with --config, the mode of each test says what fails, and --fail-on takes new alone");
@@ -179,10 +233,36 @@ Result<Command> take_clash(Raw raw) {
   if (auto taken = take_triage(raw, to); !taken) return taken.error();
   if (auto taken = take_fail_on(raw.fail_on, to); !taken) return taken.error();
   if (auto taken = take_page(raw, to); !taken) return taken.error();
-  if (to.html) to.depth = to.regions = true;  // what the page shows of a clash
+  if (auto taken = take_exports(raw, to); !taken) return taken.error();
+  // What these tell of a clash.
+  if (to.html || to.csv || to.bcf || to.gltf) to.depth = to.regions = true;
   if (to.previous) to.regions = true;
   if (auto taken = take_limit(raw.limit, to.limit); !taken) return taken.error();
   if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
+  if (auto taken = take_scene(raw, to); !taken) return taken.error();
+  return Command(std::move(to));
+}
+
+Result<Command> take_motion(Raw raw) {
+  constexpr std::uint64_t kMostFrames = 1'000'000;
+  MotionArguments& to = raw.motion;
+  if (to.files.size() > 1) return bad("impinge motion takes one file; what stands still beside it belongs into it");
+  if (auto taken = take_tolerance(raw.tolerance, to.tolerance); !taken) return taken.error();
+  if (!raw.fail_on.empty()) {
+    if (auto taken = take_words(raw.fail_on, to.fail_on); !taken) return taken.error();
+    if (to.fail_on.clearance || to.fail_on.fresh)
+      return bad("--fail-on of impinge motion takes contact, penetration or inside");
+  }
+  if (!raw.frames.empty()) {
+    const auto frames = parse_whole(raw.frames);
+    if (!frames || *frames == 0 || *frames > kMostFrames)
+      return bad(fmt::format("--frames takes a whole number from 1 to {}, not '{}'", kMostFrames, raw.frames));
+    to.frames = static_cast<std::uint32_t>(*frames);
+  }
+  if (!raw.animation.empty()) to.animation = raw.animation;
+  if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
+  if (auto taken = take_page(raw, to); !taken) return taken.error();
+  if (to.html) to.depth = true;  // what the page shows of a clash
   if (auto taken = take_scene(raw, to); !taken) return taken.error();
   return Command(std::move(to));
 }

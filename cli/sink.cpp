@@ -47,8 +47,14 @@ bool begins_json(std::string_view head) {
 }
 bool begins_page(std::string_view head) { return head.starts_with("<!doctype html>"); }
 bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
-bool begins_bcf(std::string_view head) { return head.starts_with("PK\3\4"); }
-bool begins_gltf(std::string_view head) { return head.starts_with("glTF"); }
+/// Other zip archives and other models are somebody's own.
+bool begins_bcf(std::string_view head) {
+  constexpr std::size_t kHeader = 30;
+  return head.starts_with("PK\3\4") && head.size() > kHeader && head.substr(kHeader).starts_with("bcf.version");
+}
+bool begins_gltf(std::string_view head) {
+  return head.starts_with("glTF") && head.find("{\"asset\":{\"generator\":\"impinge\"") != std::string_view::npos;
+}
 
 /// The mode that a file made by `open(2)` would get.
 mode_t usual_mode() {

@@ -34,6 +34,12 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
     meshes.push_back(std::move(*mesh));
     raw = {};
   }
+  for (const ImportedNode& node : imported.nodes) {
+    const bool is_root = node.parent == kNoNode;
+    model.nodes.push_back({is_root ? std::nullopt : std::optional(node.parent), affine_of(node.local), node.scale,
+                           node.rotation, node.translation});
+  }
+  model.animations = std::move(imported.animations);
   PrecisionCheck precision;
   for (ImportedObject& object : imported.objects) {
     const Mesh& mesh = meshes[object.mesh];
@@ -43,16 +49,18 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
                                          "' has a last row other than 0 0 0 1; export it without perspective"));
     }
     if (object.path.empty()) object.path = name;
+    const std::optional<std::uint32_t> node = object.node == kNoNode ? std::nullopt : std::optional(object.node);
     const Affine map = affine_of(object.world);
     const Pose pose{map.m, map.t};
     precision.add(name, mesh, map);
     if (scene::validate(pose)) {
-      model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose});
+      model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose, node});
       continue;
     }
     Result<Mesh> baked = mesh.transformed(map);
     if (!baked) return file_error(source, sentence("object '", name, "': ", baked.error().message));
-    model.objects.push_back({name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}});
+    model.objects.push_back(
+        {name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node, true});
   }
   if (model.objects.empty()) {
     return file_error(source, "the file holds no triangles; export the part as a mesh with faces");

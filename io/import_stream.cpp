@@ -10,8 +10,14 @@
 namespace impinge::io {
 namespace {
 
-constexpr std::string_view kMagic = "impinge1";
+constexpr std::string_view kMagic = "impinge2";
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
+
+/// Numbers of a key.
+std::uint64_t width_of(const Track& track) {
+  const std::uint64_t one = track.property == Track::Property::rotation ? 4 : 3;
+  return track.between == Track::Between::cubic ? 3 * one : one;
+}
 
 class Decoder {
  public:
@@ -28,11 +34,30 @@ class Decoder {
         if (!text(out_.error)) return incomplete();
         return std::move(out_);
       }
-      if (!(letter == 'M' ? mesh() : letter == 'O' ? object() : letter == 'W' && warning())) return incomplete();
+      if (!record(letter)) return incomplete();
     }
   }
 
  private:
+  bool record(char letter) {
+    switch (letter) {
+      case 'M':
+        return mesh();
+      case 'O':
+        return object();
+      case 'N':
+        return node();
+      case 'A':
+        return animation();
+      case 'T':
+        return track();
+      case 'W':
+        return warning();
+      default:
+        return false;
+    }
+  }
+
   static Error incomplete() { return {Code::bad_file, "what it wrote is incomplete"}; }
 
   template <class T>
@@ -70,7 +95,35 @@ class Decoder {
   bool object() {
     ImportedObject& object = out_.objects.emplace_back();
     if (!text(object.name) || !text(object.path) || !text(object.product) || !number(object.mesh)) return false;
-    return number(object.world) && object.mesh < out_.meshes.size();
+    if (!number(object.node) || !number(object.world) || object.mesh >= out_.meshes.size()) return false;
+    return object.node == kNoNode || object.node < out_.nodes.size();
+  }
+
+  bool node() {
+    ImportedNode node{};
+    if (!number(node.parent) || !number(node.local) || !number(node.scale) || !number(node.rotation)) return false;
+    if (!number(node.translation) || (node.parent != kNoNode && node.parent >= out_.nodes.size())) return false;
+    out_.nodes.push_back(node);
+    return true;
+  }
+
+  bool animation() {
+    Animation& animation = out_.animations.emplace_back();
+    return text(animation.name) && number(animation.seconds);
+  }
+
+  bool track() {
+    if (out_.animations.empty()) return false;
+    Track& track = out_.animations.back().tracks.emplace_back();
+    std::uint32_t property = 0, between = 0;
+    std::uint64_t keys = 0;
+    if (!number(track.node) || !number(property) || !number(between) || !number(keys)) return false;
+    if (track.node >= out_.nodes.size() || property > 2 || between > 2) return false;
+    track.property = static_cast<Track::Property>(property);
+    track.between = static_cast<Track::Between>(between);
+    const std::uint64_t width = width_of(track);
+    if (keys == 0 || keys > rest_.size() / ((1 + width) * sizeof(double))) return false;
+    return numbers(track.times, keys) && numbers(track.values, keys * width);
   }
 
   bool warning() { return text(out_.warnings.emplace_back()); }
@@ -125,13 +178,38 @@ void ImportWriter::mesh(std::span<const double> xyz, std::span<const std::uint32
 }
 
 void ImportWriter::object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
-                          const std::array<double, 16>& world) {
+                          std::uint32_t node, const std::array<double, 16>& world) {
   number('O');
   text(name);
   text(path);
   text(product);
   number(mesh);
+  number(node);
   number(world);
+}
+
+void ImportWriter::node(const ImportedNode& node) {
+  number('N');
+  number(node.parent);
+  number(node.local);
+  number(node.scale);
+  number(node.rotation);
+  number(node.translation);
+}
+
+void ImportWriter::animation(const Animation& animation) {
+  number('A');
+  text(animation.name);
+  number(animation.seconds);
+  for (const Track& track : animation.tracks) {
+    number('T');
+    number(track.node);
+    number(std::uint32_t{static_cast<std::uint8_t>(track.property)});
+    number(std::uint32_t{static_cast<std::uint8_t>(track.between)});
+    number(std::uint64_t{track.times.size()});
+    bytes(track.times.data(), track.times.size() * sizeof(double));
+    bytes(track.values.data(), track.values.size() * sizeof(double));
+  }
 }
 
 void ImportWriter::warning(std::string_view message) {

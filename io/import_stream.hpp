@@ -9,21 +9,28 @@
 #include <string_view>
 #include <vector>
 
+#include "impinge/io.hpp"
 #include "impinge/result.hpp"
 
 /// What impinge-import writes and its parent reads, over a pipe on one machine: a magic word, then records. A record is
 /// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
 /// text is its length (32 bits) and its bytes.
 ///
-///     "impinge1"
+///     "impinge2"
 ///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
-///     'O' object   name, path, product: texts; mesh (32), 16 doubles: the world matrix, row-major
+///     'O' object   name, path, product: texts; mesh, node (32 each), 16 doubles: the world matrix, row-major
+///     'N' node     parent (32), 16 doubles: its matrix to its parent; 3 doubles: scale, 4: rotation, 3: translation
+///     'A' anim     name; double: seconds
+///     'T' track    of the last 'A': node, property, between (32 each), keys (64), a double a key, and the values
 ///     'W' warning  text
 ///     'E' error    text; nothing follows
 ///     'Z' end      nothing follows; a stream without it or an error is incomplete
 ///
-/// Meshes are numbered in the order in which they come, each before the objects that show it.
+/// Meshes and nodes are numbered in the order in which they come, each before those that speak of it; kNoNode is none.
+/// Only files with animations have nodes.
 namespace impinge::io {
+
+inline constexpr std::uint32_t kNoNode = 0xFFFFFFFF;
 
 struct ImportedMesh {
   std::vector<double> xyz;
@@ -31,12 +38,21 @@ struct ImportedMesh {
 };
 struct ImportedObject {
   std::string name, path, product;
-  std::uint32_t mesh;
+  std::uint32_t mesh, node;
   std::array<double, 16> world;
+};
+struct ImportedNode {
+  std::uint32_t parent;
+  std::array<double, 16> local;
+  std::array<double, 3> scale;
+  std::array<double, 4> rotation;
+  std::array<double, 3> translation;
 };
 struct Imported {
   std::vector<ImportedMesh> meshes;
   std::vector<ImportedObject> objects;
+  std::vector<ImportedNode> nodes;
+  std::vector<Animation> animations;
   std::vector<std::string> warnings;
   std::string error;  ///< not empty: the importer's own reason why there is no answer
 };
@@ -47,7 +63,9 @@ class ImportWriter {
   explicit ImportWriter(int descriptor);
   void mesh(std::span<const double> xyz, std::span<const std::uint32_t> triangles);
   void object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
-              const std::array<double, 16>& world);
+              std::uint32_t node, const std::array<double, 16>& world);
+  void node(const ImportedNode& node);
+  void animation(const Animation& animation);
   void warning(std::string_view text);
   void error(std::string_view text);
   /// Ends the stream; false if anything could not be written.

@@ -15,8 +15,9 @@
 #include "clash/judge.hpp"
 #include "clash/known_part.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/regions.hpp"
+#include "clash/region_side.hpp"
 #include "clash/self_crossings.hpp"
+#include "clash/self_passings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
 #include "domain_error.hpp"
@@ -36,6 +37,21 @@ namespace {
 struct Placed {
   const Mesh* mesh;  ///< null: nothing is here
   Pose pose;
+};
+
+/// What is done and what is to be done, if somebody wants to know.
+class Steps {
+ public:
+  explicit Steps(Progress* progress) : progress_(progress) {}
+  void begin(std::uint64_t total) const {
+    if (progress_ != nullptr) progress_->done = 0, progress_->total = total;
+  }
+  void step() const {
+    if (progress_ != nullptr) progress_->done.fetch_add(1, std::memory_order_relaxed);
+  }
+
+ private:
+  Progress* progress_;
 };
 
 solid::Body body_of(const Mesh& mesh, const Pose& pose) {
@@ -68,18 +84,24 @@ double tolerance_of(const ClashOptions& options, double largest) {
 
 /// The pairs of a placed mesh's own triangles that keep it from being a solid.
 Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
-  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
-                                {.kinds = kCrossing | kCoplanar, .threads = threads, .stop = options.stop});
-  if (!contacts) return contacts.error();
   const solid::Body body = body_of(*placed.mesh, placed.pose);
+  const solid::Topology topology = solid::examine(body);
+  const std::uint8_t kinds = topology.closed ? kAllKinds : kCrossing | kCoplanar;
+  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
+                                {.kinds = kinds, .threads = threads, .stop = options.stop});
+  if (!contacts) return contacts.error();
   const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
-  std::vector<TrianglePair> defects;
+  std::vector<TrianglePair> defects, others;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
+    if (options.stop.stop_requested()) return cancelled();
     const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a < pair.b &&
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
-      defects.push_back(pair);
+    if (pair.a >= pair.b) continue;
+    const bool is_defect =
+        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance);
+    if (is_defect) defects.push_back(pair);
+    if (!is_defect && contacts->kinds[i] != Kind::coplanar) others.push_back(pair);
   }
+  if (defects.empty() && topology.closed) return clash::self_passings(body, topology, others, tolerance);
   return defects;
 }
 
@@ -114,11 +136,16 @@ Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vecto
   constexpr std::size_t kLarge = 1 << 16;
   const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
   std::vector<Result<std::vector<TrianglePair>>> found(placed.size(), std::vector<TrianglePair>());
+  const auto look_through = [&](std::size_t i, int threads) {
+    if (options.stop.stop_requested()) return;
+    found[i] = find_defects(placed[i], options, threads);
+    Steps(options.progress).step();
+  };
   run_each(on_threads(options.threads), placed.size(), [&](std::size_t i) {
-    if (!is_large(i) && !options.stop.stop_requested()) found[i] = find_defects(placed[i], options, 1);
+    if (!is_large(i)) look_through(i, 1);
   });
   for (std::size_t i = 0; i < placed.size(); ++i)
-    if (is_large(i)) found[i] = find_defects(placed[i], options, options.threads);
+    if (is_large(i)) look_through(i, options.threads);
   if (options.stop.stop_requested()) return cancelled();
   std::vector<std::vector<TrianglePair>> defects;
   for (auto& some : found) {
@@ -137,8 +164,8 @@ struct SeenPart {
   [[nodiscard]] const solid::Part& part() const { return whole ? *whole : known.linked.part; }
 };
 
-SeenPart see(const Placed& placed, const std::vector<TrianglePair>& defects) {
-  SeenPart seen{clash::know(body_of(*placed.mesh, placed.pose), defects), {}, {}};
+SeenPart see(const Placed& placed, solid::Body&& body, const std::vector<TrianglePair>& defects) {
+  SeenPart seen{clash::know(std::move(body), defects), {}, {}};
   const solid::Part& part = seen.known.linked.part;
   const auto is_inner = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
   if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_inner)) return seen;
@@ -156,46 +183,44 @@ SeenPart see(const Placed& placed, const std::vector<TrianglePair>& defects) {
   return seen;
 }
 
-Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, const ClashOptions& options) {
-  if (auto valid = check_domain(objects); !valid) return valid.error();
-  const Checks checks = list_checks(objects, options);
+/// Where nothing is placed there is an empty one.
+std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threads) {
+  std::vector<solid::Body> bodies(objects.size());
+  run_each(on_threads(threads), objects.size(), [&](std::size_t i) {
+    if (objects[i].mesh != nullptr) bodies[i] = body_of(*objects[i].mesh, objects[i].pose);
+  });
+  return bodies;
+}
+
+/// `bodies` are the objects', of which the parts are made.
+Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, std::vector<solid::Body> bodies,
+                                      const Checks& checks, const ClashOptions& options) {
   const auto defects = find_all_defects(checks.placed, options);
   if (!defects) return defects.error();
   std::vector<SeenPart> parts(objects.size());
   run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
-    if (objects[i].mesh != nullptr && !options.stop.stop_requested())
-      parts[i] = see(objects[i], (*defects)[checks.of_object[i]]);
+    if (options.stop.stop_requested()) return;
+    if (objects[i].mesh != nullptr) parts[i] = see(objects[i], std::move(bodies[i]), (*defects)[checks.of_object[i]]);
+    Steps(options.progress).step();
   });
   if (options.stop.stop_requested()) return cancelled();
   return parts;
 }
 
-/// A part as regions of contact see it.
-struct RegionSide {
-  clash::Side side;
-  std::vector<std::uint8_t> inward;
-
-  explicit RegionSide(const solid::Part& part)
-      : side{part.body, part.topology.position, part.topology.positions, {}, {}} {
-    if (!part.solid) return;
-    side.holds = [&part](const Vec3& p) { return solid::winding_number(part.body.placed, p).value_or(0) != 0; };
-    for (const std::uint32_t shell : part.topology.shell)
-      inward.push_back(shell != solid::Topology::kNoShell && part.sides[shell].front && !part.sides[shell].back);
-    side.inward = inward;
-  }
-};
-
-std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b,
-                                 const std::vector<exact::Contact>& contacts, const ClashOptions& options) {
-  const RegionSide side_a(a), side_b(b);
-  auto regions = clash::regions_of(side_a.side, side_b.side, contacts, {}, options.stop);
+std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const clash::Judgement& judgement,
+                                 const std::stop_token& stop) {
+  const clash::RegionSide side_a(a), side_b(b);
+  const double tolerance = judgement.tolerance;
+  const auto contacts = tolerance > 0 ? clash::contacts_within(a.body, b.body, tolerance, stop) : judgement.contacts;
+  auto regions = clash::regions_of(side_a.side(), side_b.side(), contacts, tolerance, {}, stop);
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 
 OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::DepthGoal& goal) {
   const solid::Part &part_a = a.known.linked.part, &part_b = b.known.linked.part;
   if (part_a.solid && part_b.solid)
-    return clash::depths_of(part_a, part_b, clash::contacts_of(part_a.body, part_b.body), goal);
+    return clash::depths_of(part_a, part_b,
+                            clash::find_encounter(part_a.body, part_b.body, {.stop = goal.stop}).contacts, goal);
   return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
 }
 
@@ -207,52 +232,57 @@ class PairCase {
   Clash judge(const ClashTerms& terms) {
     Clash clash;
     clash.test = terms.test;
-    const Verdicts& found = verdicts(terms.tolerance);
-    clash.verdict = found.judgement.verdict, clash.inner = found.judgement.inner;
-    clash.note = found.judgement.note, clash.tolerance = found.judgement.tolerance;
+    Found& found = find(terms.tolerance);
+    const clash::Judgement& judgement = found.judgement;
+    clash.verdict = judgement.verdict, clash.inner = judgement.inner;
+    clash.note = judgement.note, clash.tolerance = judgement.tolerance;
     if (clash.verdict > terms.last) return clash;
-    for (const exact::Contact& contact : found.judgement.contacts)
-      ++clash.contacts[static_cast<std::size_t>(contact.kind)];
-    if (terms.clearance > 0 && !found.judgement.touch) clash.nearest = nearest(terms.clearance);
+    clash.contacts = judgement.counts;
+    if (terms.clearance > 0 && !judgement.touch) clash.nearest = nearest(terms.clearance);
     const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
     if (options_.depth && overlap && a_.known.facts.solid && b_.known.facts.solid) {
       if (!depth_) depth_ = find_depths(a_, b_, clash::DepthGoal{.stop = options_.stop});
       clash.overlap_depth = depth_;
     }
     if (options_.regions && clash.verdict != Verdict::apart) {
-      if (!regions_) regions_ = find_regions(a_.part(), b_.part(), found.judgement.contacts, options_);
-      clash.regions = *regions_;
+      if (!found.regions) found.regions = find_regions(a_.part(), b_.part(), judgement, options_.stop);
+      clash.regions = *found.regions;
     }
     return clash;
   }
 
  private:
-  struct Verdicts {
+  struct Found {
     std::optional<double> tolerance;
     clash::Judgement judgement;
+    std::optional<std::vector<Region>> regions;
   };
 
   /// There are as many as there are tolerances: few.
-  const Verdicts& verdicts(const std::optional<double>& tolerance) {
-    for (const Verdicts& known : verdicts_)
+  Found& find(const std::optional<double>& tolerance) {
+    for (Found& known : found_)
       if (known.tolerance == tolerance) return known;
-    Verdicts& found =
-        verdicts_.emplace_back(tolerance, clash::judge_pair(a_.known, b_.known, tolerance, options_.stop));
-    if (a_.whole || b_.whole) found.judgement.contacts = clash::contacts_of(a_.part().body, b_.part().body);
+    Found& found = found_.emplace_back(
+        Found{tolerance, clash::judge_pair(a_.known, b_.known, {tolerance, options_.regions, options_.stop}), {}});
+    if (a_.whole || b_.whole) {
+      clash::Encounter met =
+          clash::find_encounter(a_.part().body, b_.part().body, {0, options_.regions, options_.stop});
+      found.judgement.counts = met.counts, found.judgement.contacts = std::move(met.contacts);
+    }
     return found;
   }
 
   [[nodiscard]] std::optional<Nearest> nearest(double clearance) const {
-    const auto near = measure::nearest_pair(a_.part().body.placed, b_.part().body.placed, clearance);
+    const auto near =
+        measure::nearest_pair(a_.part().body.placed, b_.part().body.placed, clearance, 0, {.stop = options_.stop});
     if (!near || near->distance >= clearance) return std::nullopt;
     return Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
   }
 
   const SeenPart &a_, &b_;
   const ClashOptions& options_;
-  std::vector<Verdicts> verdicts_;
+  std::vector<Found> found_;
   std::optional<OverlapDepth> depth_;
-  std::optional<std::vector<Region>> regions_;
 };
 
 bool is_listed(const Clash& clash, const ClashTerms& terms) {
@@ -260,19 +290,20 @@ bool is_listed(const Clash& clash, const ClashTerms& terms) {
 }
 
 /// Pairs whose boxes come as near as the options ask for, sorted.
-std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<SeenPart>& parts,
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<solid::Body>& bodies,
                                            const ClashOptions& options) {
   double largest = 0;
-  for (const SeenPart& part : parts) largest = std::max(largest, clash::largest_coordinate(part.part().body.box));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(bodies[i].box));
   // Each box grows by half of the reach, and by what rounding may take from that.
   const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
   const double reach = std::max(nearest, options.clearance);
   const double half = reach / 2 + 0x1p-50 * (largest + reach);
-  std::vector<Box> boxes(parts.size());
-  std::vector<std::uint32_t> groups(parts.size(), 0);
+  std::vector<Box> boxes(bodies.size());
+  std::vector<std::uint32_t> groups(bodies.size(), 0);
   std::vector<broad::BoxTree::Entry> entries;
-  for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    const Box& box = parts[i].part().body.box;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    const Box& box = bodies[i].box;
     if (scene.meshes[i] == nullptr || is_empty(box)) continue;
     boxes[i] = {box.lo - Vec3{half, half, half}, box.hi + Vec3{half, half, half}};
     groups[i] = scene.objects[i].group;
@@ -328,7 +359,7 @@ Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidate
       if (is_listed(clash, each)) clashes[i].push_back(std::move(clash));
     }
     if (!terms.empty()) with_terms.fetch_add(1, std::memory_order_relaxed);
-    if (options.progress != nullptr) options.progress->done.fetch_add(1, std::memory_order_relaxed);
+    Steps(options.progress).step();
   });
   if (options.stop.stop_requested()) return cancelled();
   if (too_far)
@@ -348,13 +379,18 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   std::vector<Placed> objects;
   for (std::size_t i = 0; i < scene.slots.size(); ++i)
     objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
-  const auto parts = see_all(objects, options);
+  if (auto valid = check_domain(objects); !valid) return valid.error();
+  std::vector<solid::Body> bodies = bodies_of(objects, options.threads);
+  const Checks checks = list_checks(objects, options);
+  const std::vector<std::uint64_t> candidates = find_candidates(scene, bodies, options);
+  result.candidates = candidates.size();
+  const Steps steps(options.progress);
+  steps.begin(checks.placed.size() + objects.size() + candidates.size());
+  const auto parts = see_all(objects, std::move(bodies), checks, options);
   if (!parts) return parts.error();
   for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
   clock.charge(result.parts_seconds);
 
-  const std::vector<std::uint64_t> candidates = find_candidates(scene, *parts, options);
-  if (options.progress != nullptr) options.progress->done = 0, options.progress->total = candidates.size();
   auto pairs = judge_all(candidates, *parts, options, result.candidates);
   if (!pairs) return pairs.error();
   result.pairs = *std::move(pairs);
@@ -366,7 +402,8 @@ Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, con
   if (auto valid = validate(options); !valid) return valid.error();
   for (const Placed& object : objects)
     if (auto valid = scene::validate(object.pose); !valid) return valid.error();
-  return see_all(objects, options);
+  if (auto valid = check_domain(objects); !valid) return valid.error();
+  return see_all(objects, bodies_of(objects, options.threads), list_checks(objects, options), options);
 }
 
 }  // namespace

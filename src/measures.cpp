@@ -12,6 +12,7 @@
 #include "mesh_state.hpp"
 #include "on_threads.hpp"
 #include "scene/validate_pose.hpp"
+#include "workspace_state.hpp"
 
 namespace impinge {
 namespace {
@@ -22,6 +23,7 @@ struct Placed {
   const Pose& pose;
   const char* name;  ///< for whoever reads what is wrong with it
 
+  [[nodiscard]] std::string title() const { return std::string("the ") + name + " mesh"; }
   [[nodiscard]] hierarchy::PlacedTree tree() const {
     const MeshState& state = mesh.state();
     return {&state.data, &state.wide_tree, pose};
@@ -29,11 +31,11 @@ struct Placed {
 };
 
 Result<void> validate(const Placed& placed) {
-  const std::string name = std::string("the ") + placed.name + " mesh";
   if (auto valid = scene::validate(placed.pose); !valid)
-    return Error{valid.error().code, name + ": " + valid.error().message};
-  if (placed.mesh.triangle_count() == 0) return Error{Code::bad_mesh, name + " has no triangles, and no distance"};
-  if (!in_exact_domain(placed.pose, placed.mesh.state().data)) return out_of_domain(name);
+    return Error{valid.error().code, placed.title() + ": " + valid.error().message};
+  if (placed.mesh.triangle_count() == 0)
+    return Error{Code::bad_mesh, placed.title() + " has no triangles, and no distance"};
+  if (!in_exact_domain(placed.pose, placed.mesh.state().data)) return out_of_domain(placed.title());
   return {};
 }
 
@@ -46,10 +48,17 @@ Result<void> validate(const Placed& a, const Placed& b, const MeasureOptions& op
   return {};
 }
 
-Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Placed& b, double within, double enough,
-                                                    const MeasureOptions& options) {
+/// What of it is of interest.
+struct Reach {
+  double within, enough;
+};
+
+Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Placed& b, const Reach& reach,
+                                                    const MeasureOptions& options, Workspace* workspace) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
-  auto found = measure::nearest_pair(a.tree(), b.tree(), within, enough, {on_threads(options.threads), options.stop});
+  const QueryMemory memory(workspace);
+  auto found = measure::nearest_pair(a.tree(), b.tree(), reach.within, reach.enough,
+                                     {on_threads(options.threads), options.stop, &memory->nearest});
   if (options.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
   return found;
 }
@@ -57,10 +66,11 @@ Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Place
 }  // namespace
 
 Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
-                         const MeasureOptions& options) {
+                         const MeasureOptions& options, Workspace* workspace) {
   return guarded([&]() -> Result<Nearest> {
     constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
-    const auto found = nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, kAnyDistance, 0, options);
+    const auto found =
+        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {kAnyDistance, 0}, options, workspace);
     if (!found) return found.error();
     const measure::NearestPair& pair = **found;
     return Nearest{pair.distance, pair.error, pair.a, pair.b, pair.triangle_a, pair.triangle_b};
@@ -68,10 +78,11 @@ Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
 }
 
 Result<bool> closer_than(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b, double limit,
-                         const MeasureOptions& options) {
+                         const MeasureOptions& options, Workspace* workspace) {
   return guarded([&]() -> Result<bool> {
     if (!(limit >= 0)) return Error{Code::bad_option, "a limit of distance is a number that is not negative"};
-    const auto found = nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, limit, limit, options);
+    const auto found =
+        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {limit, limit}, options, workspace);
     if (!found) return found.error();
     return *found && (*found)->distance < limit;
   });

@@ -13,7 +13,7 @@ constexpr std::uint64_t kBoxTestsPerSlice = 8192;
 // A batch is closed when it has so many tests: it stays in cache, and memory stays bounded with large leaves.
 constexpr std::size_t kTestsPerBatch = 16384;
 
-hierarchy::PlacedTree placed_tree(const Query& query, std::uint32_t object) {
+hierarchy::PlacedObbTree placed_tree(const Query& query, std::uint32_t object) {
   const scene::PlacedObject& placed = query.view.objects[object];
   return {query.meshes[object]->tree, *placed.mesh, placed.pose};
 }

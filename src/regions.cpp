@@ -2,62 +2,76 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/regions.hpp"
 
-#include "clash/regions.hpp"
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "clash/local_frame.hpp"
+#include "clash/region_side.hpp"
+#include "clash/slab.hpp"
 #include "core/guarded.hpp"
 #include "impinge/collide.hpp"
 #include "mesh_state.hpp"
 #include "on_threads.hpp"
-#include "solid/locate.hpp"
-#include "solid/topology.hpp"
+#include "solid/part.hpp"
 
 namespace impinge {
 namespace {
 
-/// Six times the signed volume, about a corner of the box; in a unit of the box's size, so that nothing overflows.
-double signed_volume(const solid::Body& body) {
-  const double size = max_component(body.box.hi - body.box.lo);
-  const double scale = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-  double volume = 0;
-  for (std::uint32_t i = 0; i < body.size(); ++i) {
-    Triangle t = body.triangle(i);
-    for (Vec3& p : t) p = scale * (p - body.box.lo);
-    volume += dot(t[0], cross(t[1], t[2]));
-  }
-  return volume;
+/// Whether the mesh crosses itself is not asked: whatever is closed encloses something.
+solid::Part part_of(const Mesh& mesh, const Pose& pose) {
+  solid::Body body = solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
+  solid::Topology topology = solid::examine(body);
+  const bool closed = topology.closed;
+  return solid::make_part(std::move(body), std::move(topology), closed);
 }
 
-/// A placed mesh as regions of contact need it.
-struct PlacedSide {
-  solid::Body body;
-  solid::Topology topology;
-  std::vector<std::uint8_t> inward;
+/// What the options' tolerance comes to.
+Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const RegionOptions& options) {
+  const double tolerance = options.tolerance;
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    return Error{Code::bad_option, "tolerance is " + std::to_string(tolerance) + "; choose a length, 0 or more"};
+  if (tolerance == 0 || a.size() == 0 || b.size() == 0) return 0.0;
+  for (const solid::Body* body : {&a, &b})
+    if (tolerance > norm(body->box.hi - body->box.lo) / 4)
+      return Error{Code::bad_option, "tolerance is " + std::to_string(tolerance) +
+                                         ", more than a quarter of one mesh's size; choose a smaller one"};
+  const double scale = std::max(clash::largest_coordinate(a.box), clash::largest_coordinate(b.box));
+  return tolerance < clash::kLeastTolerance * scale ? 0 : tolerance;
+}
 
-  PlacedSide(const Mesh& mesh, const Pose& pose)
-      : body(solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose})), topology(solid::examine(body)) {
-    if (topology.closed && signed_volume(body) < 0) inward.assign(body.size(), 1);
-  }
-  [[nodiscard]] clash::Side side() const {
-    clash::Side side{body, topology.position, topology.positions, {}, inward};
-    if (topology.closed)
-      side.holds = [this](const Vec3& point) { return solid::winding_number(body.placed, point).value_or(0) != 0; };
-    return side;
-  }
-};
+std::vector<exact::Contact> contacts_of(const Contacts& found) {
+  std::vector<exact::Contact> contacts;
+  contacts.reserve(found.triangles.size());
+  for (std::size_t i = 0; i < found.triangles.size(); ++i)
+    contacts.push_back({found.triangles[i].a, found.triangles[i].b, found.kinds[i]});
+  return contacts;
+}
 
 }  // namespace
 
 Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
-                                            const Pose& pose_b, const MeasureOptions& options) {
+                                            const Pose& pose_b, const RegionOptions& options) {
   return guarded([&]() -> Result<std::vector<Region>> {
-    const auto found = collide(mesh_a, pose_a, mesh_b, pose_b, {.threads = options.threads, .stop = options.stop});
+    const auto find = [&](Options::Find what) {
+      return collide(mesh_a, pose_a, mesh_b, pose_b, {.find = what, .threads = options.threads, .stop = options.stop});
+    };
+    // With a tolerance pairs are looked for otherwise, and this refuses what is not to be asked about.
+    const bool is_exact = options.tolerance == 0;
+    auto found = find(is_exact ? Options::Find::all : Options::Find::first);
     if (!found) return found.error();
-    if (found->triangles.empty()) return std::vector<Region>{};
-    std::vector<exact::Contact> contacts;
-    contacts.reserve(found->triangles.size());
-    for (std::size_t i = 0; i < found->triangles.size(); ++i)
-      contacts.push_back({found->triangles[i].a, found->triangles[i].b, found->kinds[i]});
-    const PlacedSide a(mesh_a, pose_a), b(mesh_b, pose_b);
-    auto regions = clash::regions_of(a.side(), b.side(), contacts, on_threads(options.threads), options.stop);
+    if (is_exact && found->triangles.empty()) return std::vector<Region>{};
+    const solid::Part part_a = part_of(mesh_a, pose_a), part_b = part_of(mesh_b, pose_b);
+    const auto tolerance = tolerance_for(part_a.body, part_b.body, options);
+    if (!tolerance) return tolerance.error();
+    if (!is_exact && *tolerance == 0) found = find(Options::Find::all);
+    if (!found) return found.error();
+    const auto contacts = *tolerance > 0 ? clash::contacts_within(part_a.body, part_b.body, *tolerance, options.stop)
+                                         : contacts_of(*found);
+    found = Contacts{};
+    const clash::RegionSide a(part_a), b(part_b);
+    auto regions =
+        clash::regions_of(a.side(), b.side(), contacts, *tolerance, on_threads(options.threads), options.stop);
     if (!regions) return Error{Code::cancelled, "the caller's stop token asked for it"};
     return std::move(*regions);
   });

@@ -10,7 +10,7 @@ namespace impinge {
 namespace {
 
 /// A thread's own memory is kept from query to query if it has not grown beyond this.
-constexpr std::size_t kMostContactsKept = 1 << 16;
+constexpr std::size_t kMostContactsKept = 1 << 16, kMostPairsKept = 1 << 16;
 
 struct ThreadMemory {
   Workspace workspace;
@@ -87,7 +87,8 @@ QueryMemory::QueryMemory(Workspace* workspace) {
 QueryMemory::~QueryMemory() {
   if (!is_threads_own_) return;
   thread_memory().is_taken = false;
-  if (state_->assembly.keys.capacity() > kMostContactsKept) thread_memory().workspace = Workspace();
+  if (state_->assembly.keys.capacity() > kMostContactsKept || state_->nearest.pairs_kept() > kMostPairsKept)
+    thread_memory().workspace = Workspace();
 }
 
 }  // namespace impinge

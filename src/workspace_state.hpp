@@ -12,6 +12,7 @@
 #include "fast_stages.hpp"
 #include "gpu/opened.hpp"
 #include "impinge/workspace.hpp"
+#include "measure/pair_queue.hpp"
 #include "plain_stages.hpp"
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
@@ -67,6 +68,7 @@ struct Workspace::State {
   std::vector<const results::Collector*> collectors;
   results::AssembleScratch assembly;
   Contacts spare;
+  measure::PairMemory nearest;
   bool asks_device = false;             ///< in the query at hand
   std::shared_ptr<gpu::Opened> device;  ///< then; null: not opened yet
   results::Collector device_found;

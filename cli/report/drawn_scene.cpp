@@ -71,7 +71,6 @@ void simplify(DrawnMesh& mesh, std::size_t triangles) {
                                                   mesh.xyz.data(), mesh.xyz.size() / 3, kStride));
 }
 
-/// The pose of a mesh that was moved so that `middle` became its origin.
 Pose about(const Point& middle, Pose pose) {
   const Point at = world_vertex(pose, middle);
   pose.t = {at.x, at.y, at.z};
@@ -79,6 +78,11 @@ Pose about(const Point& middle, Pose pose) {
 }
 
 }  // namespace
+
+Affine about(const Point& middle, const Affine& map) {
+  const Pose moved = about(middle, Pose{map.m, map.t});
+  return {moved.R, moved.t};
+}
 
 Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop) {
   constexpr std::uint64_t kFewest = 48;  // what a mesh keeps in any case: a box with holes
@@ -88,7 +92,6 @@ Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, 
                            ? static_cast<double>(most_triangles) / static_cast<double>(scene.triangles)
                            : 1.0;
   std::unordered_map<const Point*, std::uint32_t> known;
-  std::vector<Point> middles;
   for (const io::Object& object : assembly.objects) {
     if (stop.stop_requested()) return interrupted();
     if (object.mesh.triangle_count() == 0) {
@@ -98,13 +101,13 @@ Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, 
     const auto [place, is_new] =
         known.try_emplace(object.mesh.vertices().data(), static_cast<std::uint32_t>(scene.meshes.size()));
     if (is_new) {
-      middles.push_back(middle_of(object.mesh));
-      DrawnMesh mesh = drawn(object.mesh, middles.back());
+      scene.middles.push_back(middle_of(object.mesh));
+      DrawnMesh mesh = drawn(object.mesh, scene.middles.back());
       const auto kept = static_cast<std::uint64_t>(share * static_cast<double>(object.mesh.triangle_count()));
       if (share < 1 && object.mesh.triangle_count() > kFewest) simplify(mesh, std::max(kept, kFewest));
       scene.meshes.push_back(std::move(mesh));
     }
-    scene.objects.push_back({place->second, about(middles[place->second], object.pose)});
+    scene.objects.push_back({place->second, about(scene.middles[place->second], object.pose)});
     scene.shown += scene.meshes[place->second].triangles.size() / 3;
   }
   return scene;

@@ -26,10 +26,14 @@ struct DrawnObject {
 
 struct DrawnScene {
   std::vector<DrawnMesh> meshes;     ///< each once, however many objects show it
+  std::vector<Point> middles;        ///< of the meshes: what was their origin is at -middle
   std::vector<DrawnObject> objects;  ///< those of the assembly
   std::uint64_t triangles = 0;       ///< of all objects as they are
   std::uint64_t shown = 0;           ///< and as they are drawn: fewer if meshes were simplified
 };
+
+/// The map of a mesh that was moved so that `middle` became its origin.
+Affine about(const Point& middle, const Affine& map);
 
 /// With about `most_triangles` over all objects, where that takes simplifying. Errors: `cancelled`.
 Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop);

@@ -99,7 +99,8 @@ std::string title_of(const std::vector<std::string>& files) {
 }
 
 Result<void> write_page(Sink& sink, const std::string& page_template, const std::string& title, const DrawnScene& scene,
-                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop) {
+                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
+                        const std::function<Result<void>(Sink&)>& write_motion) {
   const std::size_t mark = page_template.find(kMark);
   sink.write(std::string_view(page_template).substr(0, mark));
   sink.write("<script type=\"application/json\" id=\"report\">\n");
@@ -114,6 +115,13 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const std:
   sink.write("\n</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
   written = write_geometry(sink, scene, stop);
   sink.write("\n</script>");
+  if (written && write_motion) {
+    sink.write("\n<script type=\"application/json\" id=\"motion\">\n");
+    sink.in_page(true);
+    written = write_motion(sink);
+    sink.in_page(false);
+    sink.write("\n</script>");
+  }
   sink.write(std::string_view(page_template).substr(mark + kMark.size()));
   return written;
 }

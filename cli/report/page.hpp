@@ -19,8 +19,9 @@ std::string title_of(const std::vector<std::string>& files);
 
 /// Writes a page that needs nothing else: the template, with the report and what is drawn in its middle
 /// (page/README.md describes them). `write_report` writes the report's JSON. Errors: those of `write_report`;
-/// `cancelled`.
+/// `cancelled`. `write_motion`, if there is one, writes what the timeline plays.
 Result<void> write_page(Sink& sink, const std::string& page_template, const std::string& title, const DrawnScene& scene,
-                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop);
+                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
+                        const std::function<Result<void>(Sink&)>& write_motion = {});
 
 }  // namespace impinge::cli

@@ -63,7 +63,7 @@ struct ClashOptions {
   /// counts as a solid, and `clearance` how near parts must be to be asked about: no less than each tolerance and
   /// clearance of the terms.
   std::function<void(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms)> terms{};
-  Progress* progress = nullptr;
+  Progress* progress = nullptr;  ///< of `find_clashes`: counts meshes looked through, parts and pairs
   std::stop_token stop{};
 };
 
@@ -104,11 +104,12 @@ struct Clashes {
 };
 
 /// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored
-/// pairs are left out. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative or not finite, or
-/// terms that reach farther than the options).
+/// pairs are left out. It takes no workspace: the queries within use their threads' own memory again and again, and
+/// what else is made goes into the answer. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative
+/// or not finite, or terms that reach farther than the options).
 Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {});
 
-/// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors: likewise.
+/// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors and memory: likewise.
 Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                     const ClashOptions& options = {});
 

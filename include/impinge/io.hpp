@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -19,17 +21,54 @@ namespace impinge::io {
 
 /// A mesh node of a file: all its triangles together.
 struct Object {
-  std::string name;     ///< one that a person finds again, unique in the file
-  std::string path;     ///< the given names from the root to the node, '/' between them
-  std::string product;  ///< the IFC product that it is part of; empty elsewhere
-  Mesh mesh;            ///< nodes that show the same mesh share it
-  Pose pose;            ///< identity where the node's transform was baked into the mesh
+  std::string name;                     ///< one that a person finds again, unique in the file
+  std::string path;                     ///< the given names from the root to the node, '/' between them
+  std::string product;                  ///< the IFC product that it is part of; empty elsewhere
+  Mesh mesh;                            ///< nodes that show the same mesh share it
+  Pose pose;                            ///< identity where the node's transform was baked into the mesh
+  std::optional<std::uint32_t> node{};  ///< of the model's nodes, where the file has animations
+  bool is_baked = false;                ///< the mesh is that of the node, mapped by where the node is at rest
+};
+
+/// A node of an animated file.
+struct Node {
+  std::optional<std::uint32_t> parent;  ///< an earlier one; nothing: a root
+  Affine local;                         ///< to its parent, at rest
+  /// The same in parts, of a node that an animation moves: first scaled, then turned by the unit quaternion x y z w,
+  /// then moved.
+  std::array<double, 3> scale{1, 1, 1};
+  std::array<double, 4> rotation{0, 0, 0, 1};
+  std::array<double, 3> translation{};
+};
+
+/// How one part of a node's transform changes with time (glTF 2.0, section 3.11 and appendix C).
+struct Track {
+  enum class Property : std::uint8_t { translation, rotation, scale };
+  enum class Between : std::uint8_t { step, linear, cubic };
+  std::uint32_t node = 0;
+  Property property = Property::translation;
+  Between between = Between::linear;
+  std::vector<double> times;  ///< seconds, ascending
+  /// 3 of each key, or the 4 of a quaternion; with `cubic` its tangent from before, itself and its tangent to after.
+  std::vector<double> values;
+};
+
+struct Animation {
+  std::string name;
+  double seconds = 0;  ///< its last key's time
+  std::vector<Track> tracks;
 };
 
 struct Model {
   std::vector<Object> objects;        ///< in the file's order
   std::vector<std::string> warnings;  ///< sentences: lost precision, turned axes, changed units
+  std::vector<Node> nodes;            ///< of a file with animations, parents first
+  std::vector<Animation> animations;
 };
+
+/// Where each of the model's nodes is in the world at a time of an animation; before its first key and after its last
+/// one, as there.
+std::vector<Affine> nodes_at(const Model& model, const Animation& animation, double seconds);
 
 struct ReadOptions {
   std::uint64_t max_file_bytes = 2'000'000'000;  ///< larger files are refused unread

@@ -8,6 +8,7 @@
 
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
+#include "impinge/workspace.hpp"
 
 /// How near, how deep, inside or out. All lengths are in the caller's unit.
 namespace impinge {
@@ -33,15 +34,16 @@ struct Nearest {
 /// The distance between two placed meshes as sets of triangles: 0 where triangles touch; what closed meshes enclose
 /// does not count. Branch and bound over both trees (Larsen, Gottschalk, Lin and Manocha, "Fast Proximity Queries
 /// with Swept Sphere Volumes", 1999, with boxes).
+/// A steady series of calls on one thread allocates nothing; memory is the workspace's, or else the thread's own.
 /// Errors: `bad_pose`, `out_of_range`, `bad_mesh` (one without triangles), `bad_option`, `cancelled`.
 Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
-                         const MeasureOptions& options = {});
+                         const MeasureOptions& options = {}, Workspace* workspace = nullptr);
 
 /// Whether some points of the two are nearer to each other than `limit`: exact at 0 (never), and elsewhere wherever the
 /// distance is not within its error of the limit. Much faster than the distance itself.
-/// Errors: as `distance`; `bad_option` also for a limit that is negative or not a number.
+/// Errors and memory: as `distance`; `bad_option` also for a limit that is negative or not a number.
 Result<bool> closer_than(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b, double limit,
-                         const MeasureOptions& options = {});
+                         const MeasureOptions& options = {}, Workspace* workspace = nullptr);
 
 enum class Location : std::uint8_t { outside, inside, boundary };
 
@@ -58,8 +60,9 @@ struct OverlapDepth {
 };
 
 /// Each interval holds the true depth for certain; its width is at most `precision` times the depth, unless that is
-/// below what rounding leaves, or would take more than some 260,000 points to find out. Errors: as `locate`;
-/// `bad_option` (precision not in (0, 1]), `cancelled`.
+/// below 2^-42 of the largest |world coordinate|, or would take more than some 130,000 points, and four more for each
+/// pair of triangles that touch, to find out. It takes no workspace: what a part is has to be found out anew for each
+/// call, beside which memory is nothing. Errors: as `locate`; `bad_option` (precision not in (0, 1]), `cancelled`.
 Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                                    double precision = 0.01, const MeasureOptions& options = {});
 

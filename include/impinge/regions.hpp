@@ -4,14 +4,23 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "impinge/contacts.hpp"
-#include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
 
 namespace impinge {
+
+struct RegionOptions {
+  /// 0: exactly. Above 0, what comes within it is in contact, so that flush faces are where they were meant to be:
+  /// world vertices are rounded, and after a rotation flush faces cross by an ulp or are apart by one. Choose one far
+  /// below the size of triangles and the thickness of walls; 2^-20 of the largest |coordinate| serves.
+  double tolerance = 0;
+  int threads = 0;  ///< at most so many; 0: all there are
+  std::stop_token stop{};
+};
 
 /// One connected region of contact between two placed meshes. What a pair of triangles shares is a point, a segment or
 /// (if they are coplanar) a convex polygon. Which corners that has is decided exactly, and each coordinate of a corner
@@ -47,8 +56,21 @@ struct Region {
 /// a part of one surface that lies inside the other mesh leads from one to the other: a bolt through a plate is one
 /// region. Only closed meshes have an inside. (That part is told by points which are rounded: where it is narrower than
 /// rounding, regions may stay apart.) The same for every number of threads.
-/// Errors: as `collide`.
+///
+/// With a tolerance t, pairs of triangles count that are no farther than t apart, and what they share is taken within
+/// t:
+///   - Flush triangles share the polygon over which they lie, half-way between them. They are flush if their planes are
+///     no more than 25 degrees apart, and they no more than t wherever one lies over the other. So a region has the
+///     area, outline, centroid and normal of the flush faces: points are off by t at most, the area by t times the
+///     length of its outlines.
+///   - An edge that is within t wherever it lies over a triangle, for more than 4 t, is a line; what crosses or touches
+///     otherwise is as it is exactly; and what is only near shares the point between the nearest points.
+///   - Points that gaps and rounding have parted, by little more than t at most, become one of them; and what comes
+///     within t belongs together.
+/// A tolerance below 2^-36 of the largest |coordinate| is below what rounding leaves, and taken as 0.
+/// Errors: as `collide`; `bad_option` (tolerance negative, not finite, or above a quarter of the diagonal of either
+/// box).
 Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
-                                            const Pose& pose_b, const MeasureOptions& options = {});
+                                            const Pose& pose_b, const RegionOptions& options = {});
 
 }  // namespace impinge

@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
-#include "io/little_endian.hpp"
+#include "io/importer/gltf_json.hpp"
 #include "io/text.hpp"
 
 namespace impinge::importer {
@@ -21,7 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kGlbHeader = 20;  // with the first chunk's length and type
 /// assimp decodes it. Without a decoder the compressed triangles are missing, which `lost_triangles` tells.
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 constexpr std::int64_t kFloat = 5126;
@@ -29,61 +26,6 @@ constexpr std::int64_t kFloat = 5126;
 constexpr std::size_t kMostVisits = 10'000'000;
 /// assimp counts in 32 bits.
 constexpr std::uint64_t kMostElements = 0xFFFFFFFF;
-
-/// The member of an object, or null.
-const json& member(const json& object, const char* name) {
-  static const json kNull;
-  if (!object.is_object()) return kNull;
-  const auto place = object.find(name);
-  return place == object.end() ? kNull : *place;
-}
-
-/// The element that a reference names, or null: glTF 2 numbers a list, glTF 1 names the members of an object.
-const json& element(const json& list, const json& reference) {
-  static const json kNull;
-  if (list.is_object() && reference.is_string()) return member(list, reference.get_ref<const std::string&>().c_str());
-  if (!list.is_array() || !reference.is_number_unsigned()) return kNull;
-  const auto index = reference.get<std::uint64_t>();
-  return index < list.size() ? list[index] : kNull;
-}
-
-std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
-
-std::int64_t integer_of(const json& value, std::int64_t missing) {
-  return value.is_number_integer() ? value.get<std::int64_t>() : missing;
-}
-
-/// The JSON text of a file; leaves a problem if there is none.
-std::string json_text(const char* file, std::string& problem) {
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  const std::streamoff end = in.tellg();
-  if (!in || end < 0) return problem = "the file cannot be read", std::string();
-  auto length = static_cast<std::size_t>(end);
-  in.seekg(0);
-  std::array<char, kGlbHeader> header{};
-  in.read(header.data(), header.size());
-  const bool is_binary = in.gcount() >= 4 && std::string_view(header.data(), 4) == "glTF";
-  if (is_binary) {
-    if (length < kGlbHeader) return problem = "the file ends in the GLB header; it is cut short", std::string();
-    const auto chunk = io::load_little<std::uint32_t>(header.data() + 12);
-    if (chunk > length - kGlbHeader) {
-      problem = io::sentence("the JSON chunk of ", chunk, " bytes is longer than the rest of the file, ",
-                             length - kGlbHeader, " bytes; it is cut short");
-      return {};
-    }
-    length = chunk;
-  }
-  std::string text(length, '\0');
-  in.clear();
-  in.seekg(is_binary ? std::streamoff{kGlbHeader} : 0);
-  in.read(text.data(), static_cast<std::streamsize>(length));
-  text.resize(std::min(static_cast<std::size_t>(in.gcount()), text.find('\0')));  // some pad a chunk with NULs
-  text.erase(0, text.size() - io::without_byte_order_mark(text).size());
-  // assimp takes any bytes in names, the parser only UTF-8; no name is looked at here.
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; }, '?');
-  return text;
-}
 
 class Checker {
  public:
@@ -201,8 +143,7 @@ class Checker {
 }  // namespace
 
 std::optional<GltfCheck> check_gltf(const char* file) {
-  const std::string ending = io::lower_case(std::filesystem::path(file).extension().string());
-  if (ending != ".gltf" && ending != ".glb" && ending != ".vrm") return std::nullopt;
+  if (!is_gltf_name(file)) return std::nullopt;
   std::string problem;
   const std::string text = json_text(file, problem);
   if (!problem.empty()) return GltfCheck{problem, 0};

@@ -15,6 +15,7 @@
 
 #include "io/importer/axes.hpp"
 #include "io/importer/gltf_check.hpp"
+#include "io/importer/motion.hpp"
 #include "io/importer/scene_names.hpp"
 #include "io/text.hpp"
 
@@ -98,7 +99,7 @@ class MeshWriter {
   std::vector<std::uint32_t> triangles_;
 };
 
-void write_objects(const aiScene& scene, io::ImportWriter& writer) {
+void write_objects(const aiScene& scene, const Movement& movement, io::ImportWriter& writer) {
   struct Visit {
     const aiNode* node;
     Matrix parent;
@@ -116,7 +117,9 @@ void write_objects(const aiScene& scene, io::ImportWriter& writer) {
     const Matrix world = is_root ? local : product(visit.parent, local);
     if (const std::uint32_t mesh = meshes.write(node); mesh != MeshWriter::kNone) {
       const NodeNames called = names.of(node);
-      writer.object(called.name, called.path, called.product, mesh, world);
+      const auto number = movement.numbers.find(&node);
+      const std::uint32_t numbered = number == movement.numbers.end() ? io::kNoNode : number->second;
+      writer.object(called.name, called.path, called.product, mesh, numbered, world);
     }
     for (unsigned i = node.mNumChildren; i-- > 0;) stack.push_back({node.mChildren[i], world});
   }
@@ -149,7 +152,11 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
                                 " triangles are missing; triangulate the mesh where the file is made."));
   }
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
-  write_objects(*scene, writer);
+  const Movement movement = read_movement(file, *scene);
+  for (const io::ImportedNode& node : movement.nodes) writer.node(node);
+  for (const io::Animation& animation : movement.animations) writer.animation(animation);
+  for (const std::string& warning : movement.warnings) writer.warning(warning);
+  write_objects(*scene, movement, writer);
   return {};
 }
 

@@ -3,8 +3,12 @@
 #include "clash/depth.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <queue>
+#include <vector>
 
 #include "clash/local_frame.hpp"
 #include "clash/polygon.hpp"
@@ -21,101 +25,202 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// A part of a triangle, and the most that any of its points is deep.
 struct Piece {
   Polygon polygon;
-  double most;
-  std::uint32_t nearest;  ///< the other body's triangle that is nearest to the middle
+  double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
+  std::vector<std::uint32_t> near;  ///< the other body's triangles that may come near; none: it is all on one side
+  bool is_inside = false;           ///< the middle; not looked up where it does not matter
+  double most = 0, radius = 0;
+  std::uint32_t nearest = 0;  ///< the other body's triangle that is nearest to the middle
   friend bool operator<(const Piece& p, const Piece& q) { return p.most < q.most; }
 };
 
+Vec3 unit(const Vec3& v) {
+  const double length = norm(v);
+  return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
+}
+
+double longest_edge(const Triangle& t) { return std::max({norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2])}); }
+
+/// Whether a plane across `n` shows that they are farther apart than `gap`.
+bool are_apart_along(const Vec3& n, const Polygon& polygon, const Triangle& t, double gap) {
+  const double most = std::max({0.0, dot(n, t[1] - t[0]), dot(n, t[2] - t[0])}) + gap * norm(n);
+  return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& v) { return dot(n, v - t[0]) > most; });
+}
+
+/// Most are told apart by the triangle's own plane or sides.
+bool are_near(const Polygon& polygon, const Triangle& t, double gap) {
+  const Vec3 up = cross(unit(t[1] - t[0]), unit(t[2] - t[0]));
+  if (are_apart_along(up, polygon, t, gap) || are_apart_along(-1.0 * up, polygon, t, gap)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (are_apart_along(cross(unit(t[(i + 1) % 3] - t[i]), up), polygon, t, gap)) return false;
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    if (!(measure::triangle_distance({polygon[0], polygon[i - 1], polygon[i]}, t, gap).lower > gap)) return true;
+  return false;
+}
+
+/// The side of a flat body that stands off a triangle by `margin` over which a polygon reaches farthest, and which cuts
+/// it; sharp corners are cut off, as those of a slab are. With its top and bottom only if asked for.
+std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle& t, double margin, bool with_top) {
+  std::optional<HalfSpace> best;
+  double most_over = 1.125 * margin;
+  const auto offer = [&](const Vec3& point, const Vec3& outward) {
+    double least = kFar, most = -kFar;
+    for (const Vec3& vertex : polygon) {
+      const double over = dot(outward, vertex - point);
+      least = std::min(least, over), most = std::max(most, over);
+    }
+    if (!(least < 0.9375 * margin && most > most_over)) return;
+    most_over = most, best = HalfSpace{outward, dot(outward, point) + margin};
+  };
+  const std::array<Vec3, 3> along{unit(t[1] - t[0]), unit(t[2] - t[1]), unit(t[0] - t[2])};
+  const Vec3 up = unit(cross(along[0], along[1]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &in = along[(i + 2) % 3], &out = along[i];
+    offer(t[i], unit(cross(out, up)));
+    if (dot(in, out) < -0.87) offer(t[i], unit(in - out));
+  }
+  if (with_top) offer(t[0], up), offer(t[0], -1.0 * up);
+  return best;
+}
+
 /// Branch and bound: the piece that may be deepest is cut in two until it is known well enough.
+///
+/// Let W be the largest coordinate and w = 2^-45 W. Pieces that were cut so often that their points may have moved by
+/// more than w are cut no further. Triangles of the other body that are farther than 5 w from a triangle, or than 3.5 w
+/// from a piece of it, are more than 2.5 w from the true piece, whose points are within w of the computed ones: neither
+/// they nor the way to its computed middle meet them. Where that goes for all of them, the piece is on one side.
+///
+/// A piece that comes near a triangle is cut along the sides of a flat body that stands off by 4 w: what is in the body
+/// is some w deep at most, which is nothing, and the rest is clear of that triangle. So what lies outside but touches,
+/// beside a flush face or on top of it, is told after a few cuts. Halving it would go on down to that depth, all along.
 class Search {
  public:
   Search(const solid::Body& inner, const solid::Body& outer, const DepthGoal& goal)
       : inner_(inner),
         outer_(outer),
         goal_(goal),
-        floor_(0x1p-48 * std::max(largest_coordinate(inner.box), largest_coordinate(outer.box))) {}
+        largest_(std::max(largest_coordinate(inner.box), largest_coordinate(outer.box))) {}
 
   Interval run() {
     const Box common = intersection(inner_.box, outer_.box);
     if (is_empty(common)) return {};
-    for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t)
-      if (overlap(box_of(inner_.triangle(t)), common)) look_at(Polygon(inner_.triangle(t)));
-    const std::uint64_t last = points_ + goal_.most_points;
-    while (!open_.empty() && !is_good(open_.top().most) && points_ < last && !goal_.stop.stop_requested()) {
-      const Piece piece = open_.top();
+    std::vector<TrianglePair> near;
+    const auto take = [&](const TrianglePair& pair) { return near.push_back(pair), true; };
+    measure::near_pairs(inner_.placed, outer_.placed, 5 * most_drift_, take, goal_.stop);
+    std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
+    auto pair = near.begin();
+    for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t) {
+      Piece piece{Polygon(inner_.triangle(t)), 0, {}};
+      for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
+      if (overlap(box_of(inner_.triangle(t)), common)) look_at(std::move(piece));
+    }
+    const std::uint64_t last = effort_ + goal_.most_points + 4 * near.size();
+    while (!open_.empty() && !is_good(open_.top().most) && effort_ < last && !goal_.stop.stop_requested()) {
+      Piece piece = open_.top();
       open_.pop();
-      const Cut parts = part(piece);
-      for (const Polygon* one : {&parts.within, &parts.beyond})
-        if (one->size() > 0) look_at(*one);
+      divide(piece);
     }
     return {least_, std::max({least_, laid_aside_, open_.empty() ? 0 : open_.top().most})};
   }
 
  private:
-  [[nodiscard]] bool is_good(double most) const { return most * (1 - goal_.precision) <= least_ || most <= floor_; }
+  [[nodiscard]] bool is_good(double most) const { return most * (1 - goal_.precision) <= least_ || most <= nothing_; }
 
   // Depth is 0 outside, and no two points' depths differ by more than their distance: with the middle in the depth d,
   // no point of a piece of radius r is deeper than d + r, and with it farther than r outside none is inside at all. Nor
-  // is any farther from the boundary than the farthest vertex is from any one triangle of it, which is convex. What
-  // rounding moves a piece's vertices by is below the floor.
-  void look_at(const Polygon& polygon) {
-    ++points_;
-    const Vec3 middle = polygon.middle();
-    double radius = 0;
-    for (const Vec3& vertex : polygon) radius = std::max(radius, norm(vertex - middle));
-    radius = radius * (1 + 0x1p-40) + floor_;
+  // is any farther from the boundary than the farthest vertex is from any one triangle of it, which is convex.
+  void look_at(Piece piece) {
+    ++effort_;
+    const Vec3 middle = piece.polygon.middle();
+    const auto find_side = [&] { return solid::winding_number(outer_.placed, middle).value_or(0) != 0; };
+    const bool is_clear = piece.near.empty();
+    if (is_clear && !piece.is_inside) {
+      piece.is_inside = find_side();
+      if (!piece.is_inside) return;
+    }
     const auto nearest = measure::nearest_point(outer_.placed, middle, kFar);
     if (!nearest) return;
-    const bool is_inside = solid::winding_number(outer_.placed, middle).value_or(0) != 0;
-    if (!is_inside && nearest->distance - nearest->error > radius) return;
-    if (is_inside) least_ = std::max(least_, nearest->distance - nearest->error - floor_);
+    const double slack = piece.drift + floor_;
+    piece.nearest = nearest->triangle;
+    piece.most = farthest_from(outer_.triangle(nearest->triangle), piece.polygon) + slack;
+    for (const Vec3& vertex : piece.polygon) piece.radius = std::max(piece.radius, norm(vertex - middle));
+    const double least = nearest->distance - nearest->error - slack;
+    if (!is_good(piece.most) || least > least_) {
+      if (!is_clear) piece.is_inside = find_side();
+      const double reach = piece.radius * (1 + 0x1p-40) + nearest->error + slack;
+      if (!piece.is_inside && nearest->distance > reach) return;
+      if (piece.is_inside) least_ = std::max(least_, least);
+      piece.most = std::min(piece.most, (piece.is_inside ? 1 : -1) * nearest->distance + reach);
+    }
+    if (is_good(piece.most) || piece.drift > most_drift_) {
+      laid_aside_ = std::max(laid_aside_, piece.most);
+    } else {
+      open_.push(std::move(piece));
+    }
+  }
+
+  static double farthest_from(const Triangle& triangle, const Polygon& polygon) {
     double farthest = 0;
-    const Triangle boundary = outer_.triangle(nearest->triangle);
     for (const Vec3& vertex : polygon) {
-      const auto found = measure::point_distance(vertex, boundary, kFar);
+      const auto found = measure::point_distance(vertex, triangle, kFar);
       farthest = std::max(farthest, found.distance + found.margin);
     }
-    const double by_middle = (is_inside ? nearest->distance : -nearest->distance) + nearest->error + radius;
-    const double most = std::min(by_middle, farthest * (1 + 0x1p-40) + floor_);
-    if (is_good(most)) {
-      laid_aside_ = std::max(laid_aside_, most);
-    } else {
-      open_.push({polygon, most, nearest->triangle});
+    return farthest;
+  }
+
+  void divide(Piece& piece) {
+    while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
+      piece.near.pop_back();
+    const bool is_clear = piece.near.empty();
+    if (is_clear && !piece.is_inside) return;
+    // A new vertex is rounded once, after a multiple of a difference of two that are no farther apart than 2 radii.
+    const double drift = piece.drift + 0x1p-53 * (1.75 * largest_ + 4 * piece.radius);
+    const Cut parts = part(piece);
+    for (const Polygon* one : {&parts.within, &parts.beyond}) {
+      if (one->size() == 0) continue;
+      effort_ += piece.near.size() / kBoxesAPoint;
+      look_at({*one, drift, near_among(piece.near, *one), is_clear});
     }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> near_among(const std::vector<std::uint32_t>& all,
+                                                      const Polygon& polygon) const {
+    Box box{polygon[0], polygon[0]};
+    for (const Vec3& point : polygon) box = {min(box.lo, point), max(box.hi, point)};
+    const Vec3 reach{near_, near_, near_};
+    box = {box.lo - reach, box.hi + reach};
+    std::vector<std::uint32_t> near;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(near),
+                 [&](std::uint32_t t) { return overlap(box_of(outer_.triangle(t)), box); });
+    return near;
   }
 
   /// Along the border of the triangle that is nearest, where the piece reaches over it: what lies over one triangle is
-  /// as far from it as its vertices are, and flush faces come apart at once. Elsewhere in halves.
+  /// as far from it as its vertices are. Or out of a triangle that it comes near. Where these are small, in halves.
   [[nodiscard]] Cut part(const Piece& piece) const {
-    const Triangle t = outer_.triangle(piece.nearest);
-    const Vec3 first = unit(t[1] - t[0]), up = cross(first, unit(t[2] - t[0]));
-    double most_over = 2 * floor_;
-    HalfSpace border{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 outward = unit(cross(t[(i + 1) % 3] - t[i], up));
-      double least = kFar, greatest = -kFar;
-      for (const Vec3& vertex : piece.polygon) {
-        const double over = dot(outward, vertex - t[i]);
-        least = std::min(least, over), greatest = std::max(greatest, over);
-      }
-      if (least < -2 * floor_ && greatest > most_over) most_over = greatest, border = {outward, dot(outward, t[i])};
+    if (piece.polygon.is_full()) return halve(piece.polygon);
+    const bool is_clear = piece.near.empty();
+    for (const std::uint32_t t : {piece.nearest, is_clear ? piece.nearest : piece.near.back()}) {
+      const Triangle triangle = outer_.triangle(t);
+      if (piece.radius > 2 * longest_edge(triangle)) continue;
+      if (const auto side = farthest_crossed(piece.polygon, triangle, beside_, !is_clear))
+        return cut(piece.polygon, *side);
     }
-    if (most_over > 2 * floor_ && !piece.polygon.is_full()) return cut(piece.polygon, border);
     return halve(piece.polygon);
   }
 
-  static Vec3 unit(const Vec3& v) {
-    const double length = norm(v);
-    return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
-  }
+  static constexpr std::size_t kBoxesAPoint = 256;  ///< are looked at in no more time
 
   const solid::Body &inner_, &outer_;
   const DepthGoal& goal_;
-  double floor_;           ///< what rounding leaves of a length
-  double least_ = 0;       ///< some point is so deep
-  double laid_aside_ = 0;  ///< none of the pieces that were laid aside is deeper
+  double largest_;
+  double most_drift_ = 0x1p-45 * largest_;  ///< w above
+  double near_ = 3.5 * most_drift_, beside_ = 4 * most_drift_;
+  double nothing_ = 8 * most_drift_;   ///< no depth is found out more closely
+  double floor_ = 0x1p-48 * largest_;  ///< what rounding leaves of a length
+  double least_ = 0;                   ///< some point is so deep
+  double laid_aside_ = 0;              ///< none of the pieces that were laid aside is deeper
   std::priority_queue<Piece> open_;
-  std::uint64_t points_ = 0;
+  std::uint64_t effort_ = 0;  ///< in points looked at
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "clash/local_frame.hpp"
 #include "clash/passing.hpp"
@@ -21,23 +20,6 @@ using solid::Cells;
 using solid::kOutside;
 using solid::kSameSide;
 
-std::vector<TrianglePair> near_pairs(const solid::Body& a, const solid::Body& b, double within) {
-  std::vector<TrianglePair> near;
-  measure::near_pairs(a.placed, b.placed, within, near);
-  std::sort(near.begin(), near.end(),
-            [](const TrianglePair& p, const TrianglePair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
-  return near;
-}
-
-std::vector<exact::Contact> touching_of(const solid::Body& a, const solid::Body& b,
-                                        const std::vector<TrianglePair>& near) {
-  std::vector<exact::Contact> contacts;
-  for (const TrianglePair& pair : near)
-    if (const auto kind = exact::classify(a.triangle(pair.a), b.triangle(pair.b)))
-      contacts.push_back({pair.a, pair.b, *kind});
-  return contacts;
-}
-
 /// Whether the normals of two proper triangles in one plane point the same way.
 bool have_one_normal(const Triangle& a, const Triangle& b) {
   const exact::Projection& p = exact::kProjections[static_cast<std::size_t>(exact::find_projection(a[0], a[1], a[2]))];
@@ -47,33 +29,33 @@ bool have_one_normal(const Triangle& a, const Triangle& b) {
 /// One pair of parts on its way to a verdict.
 class Case {
  public:
-  Case(const KnownPart& a, const KnownPart& b, const std::stop_token& stop)
+  Case(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal)
       : known_a_(a),
         known_b_(b),
         a_(a.linked),
         b_(b.linked),
-        stop_(stop),
+        goal_(goal),
         kinds_{a.linked.part.solid, b.linked.part.solid},
         thinnest_(thinnest(a, b)) {}
 
-  Judgement judge(std::optional<double> tolerance) {
-    if (!is_empty(a_.part.body.box) && !is_empty(b_.part.body.box)) decide(tolerance);
-    if (!near_.empty()) judgement_.contacts = std::move(contacts());
+  Judgement judge() {
+    if (!is_empty(a_.part.body.box) && !is_empty(b_.part.body.box)) decide();
+    judgement_.counts = met_.counts, judgement_.contacts = std::move(met_.contacts);
     return std::move(judgement_);
   }
 
  private:
-  void decide(std::optional<double> tolerance) {
+  void decide() {
     Judgement& j = judgement_;
     const double largest = std::max(largest_coordinate(a_.part.body.box), largest_coordinate(b_.part.body.box));
-    j.tolerance = tolerance.value_or(0x1p-20 * largest);
+    j.tolerance = goal_.tolerance.value_or(0x1p-20 * largest);
     const bool is_asked = j.tolerance > 0;
     if (j.tolerance > thinnest_ / 4) j.tolerance = 0;
-    near_ = near_pairs(a_.part.body, b_.part.body, j.tolerance);
-    if (j.tolerance > 0 && judge_nearly()) return;
+    met_ = find_encounter(a_.part.body, b_.part.body, {j.tolerance, goal_.all_contacts, goal_.stop});
+    if (goal_.stop.stop_requested() || (j.tolerance > 0 && judge_nearly()) || goal_.stop.stop_requested()) return;
     j.tolerance = 0;
-    conclude(find_exactly(), !contacts().empty());
-    if (is_asked && !near_.empty()) j.note = Note::tolerance_not_applied;
+    conclude(find_exactly(), !met_.contacts.empty());
+    if (is_asked && !met_.near.empty()) j.note = Note::tolerance_not_applied;
   }
 
   /// A surface has no wall; there its extent stands for it.
@@ -85,14 +67,8 @@ class Case {
     return std::min(thickness(a), thickness(b));
   }
 
-  /// Of the near pairs, those that share a point: looked for when first asked.
-  std::vector<exact::Contact>& contacts() {
-    if (!contacts_) contacts_ = touching_of(a_.part.body, b_.part.body, near_);
-    return *contacts_;
-  }
-
   [[nodiscard]] solid::Enough enough() const {
-    return [this](const Cells& cells) { return is_settled(cells, kinds_) || stop_.stop_requested(); };
+    return [this](const Cells& cells) { return is_settled(cells, kinds_) || goal_.stop.stop_requested(); };
   }
 
   void conclude(const Finding& finding, bool touch) {
@@ -100,26 +76,26 @@ class Case {
   }
 
   Finding find_exactly() {
-    const Cells cells = solid::cells_of(a_.part, b_.part, contacts(), enough());
-    const bool crosses = std::any_of(contacts().begin(), contacts().end(), is_crossing);
-    return verdict_of(cells, kinds_, !contacts().empty(), crosses);
+    const Cells cells = solid::cells_of(a_.part, b_.part, met_.contacts, enough());
+    const bool pass = !kinds_.a_is_solid && !kinds_.b_is_solid && pass_exactly(a_.part, b_.part, met_.contacts);
+    return verdict_of(cells, kinds_, !met_.contacts.empty(), pass);
   }
   bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
   /// False where floating point cannot tell.
   bool judge_nearly() {
-    const auto found = near_cells(a_, b_, judgement_.tolerance, near_, enough());
+    const auto found = near_cells(a_, b_, {judgement_.tolerance, met_, enough(), goal_.stop});
     if (!found) return false;
     Cells cells = *found;
     if (kinds_.a_is_solid && kinds_.b_is_solid) {
-      if (!near_.empty() && !is_settled(cells, kinds_)) look_deep(cells);
+      if (!met_.near.empty() && !is_settled(cells, kinds_)) look_deep(cells);
     } else if (!kinds_.a_is_solid && !kinds_.b_is_solid && ((cells.a | cells.b) & kOutside) == 0) {
       cells.a |= kSameSide, cells.b |= kSameSide;
     }
     const bool pass =
-        !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, near_, contacts());
-    conclude(verdict_of(cells, kinds_, !near_.empty(), pass), !near_.empty());
-    if (!near_.empty()) judgement_.note = note();
+        !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, met_, goal_.stop);
+    conclude(verdict_of(cells, kinds_, !met_.near.empty(), pass), !met_.near.empty());
+    if (!met_.near.empty()) judgement_.note = note();
     return true;
   }
 
@@ -136,14 +112,14 @@ class Case {
     const Verdict verdict = judgement_.verdict;
     if (verdict == Verdict::penetrating || verdict == Verdict::crossing) return Note::none;
     if (verdict == Verdict::duplicate) return is_exact(verdict) ? Note::none : Note::equal_within_tolerance;
-    if (contacts().empty()) return verdict == Verdict::touching ? Note::gap_within_tolerance : Note::none;
-    const bool overlap = std::any_of(contacts().begin(), contacts().end(), [&](const exact::Contact& contact) {
-      return is_crossing(contact) || (verdict == Verdict::touching && has_interiors_on_one_side(contact));
-    });
-    return overlap ? Note::overlap_within_tolerance : Note::none;
+    if (met_.contacts.empty()) return verdict == Verdict::touching ? Note::gap_within_tolerance : Note::none;
+    const auto& contacts = met_.contacts;
+    const auto overlap = [&](const exact::Contact& contact) { return has_interiors_on_one_side(contact); };
+    const bool do_overlap = verdict == Verdict::touching && std::any_of(contacts.begin(), contacts.end(), overlap);
+    return some_cross() || do_overlap ? Note::overlap_within_tolerance : Note::none;
   }
 
-  static bool is_crossing(const exact::Contact& contact) { return contact.kind == Kind::crossing; }
+  [[nodiscard]] bool some_cross() const { return met_.counts[static_cast<std::size_t>(Kind::crossing)] > 0; }
 
   [[nodiscard]] bool has_interiors_on_one_side(const exact::Contact& contact) const {
     if (contact.kind != Kind::coplanar || !kinds_.a_is_solid || !kinds_.b_is_solid) return false;
@@ -166,7 +142,7 @@ class Case {
     for (const DeepPoint& deep : one.deep_points) {
       if (spread.inside && spread.outside) break;
       if (deep.depth <= judgement_.tolerance ||
-          measure::nearest_point(other.body.placed, deep.point, judgement_.tolerance, judgement_.tolerance))
+          measure::nearest_point(other.body.placed, deep.point, judgement_.tolerance, judgement_.tolerance, goal_.stop))
         continue;
       const bool is_inside = solid::winding_number(other.body.placed, deep.point).value_or(0) != 0;
       (is_inside ? spread.inside : spread.outside) = true;
@@ -176,23 +152,15 @@ class Case {
 
   const KnownPart &known_a_, &known_b_;
   const LinkedPart &a_, &b_;
-  const std::stop_token& stop_;
+  const JudgeGoal& goal_;
   Kinds kinds_;
   double thinnest_;
-  std::vector<TrianglePair> near_;  ///< within the tolerance, sorted
-  std::optional<std::vector<exact::Contact>> contacts_;
+  Encounter met_;  ///< within the tolerance
   Judgement judgement_;
 };
 
 }  // namespace
 
-Judgement judge_pair(const KnownPart& a, const KnownPart& b, std::optional<double> tolerance,
-                     const std::stop_token& stop) {
-  return Case(a, b, stop).judge(tolerance);
-}
-
-std::vector<exact::Contact> contacts_of(const solid::Body& a, const solid::Body& b) {
-  return touching_of(a, b, near_pairs(a, b, 0));
-}
+Judgement judge_pair(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal) { return Case(a, b, goal).judge(); }
 
 }  // namespace impinge::clash

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -17,16 +19,19 @@ struct Judgement {
   Verdict verdict = Verdict::apart;
   int inner = -1;
   Note note = Note::none;
-  double tolerance = 0;                  ///< that was applied
-  bool touch = false;                    ///< they come as near as the tolerance
-  std::vector<exact::Contact> contacts;  ///< every pair of triangles that share a point, sorted
+  double tolerance = 0;                   ///< that was applied
+  bool touch = false;                     ///< they come as near as the tolerance
+  std::array<std::uint64_t, 3> counts{};  ///< of pairs of triangles that share a point, by Kind
+  std::vector<exact::Contact>
+      contacts;  ///< these pairs, sorted: all of them if that was asked for, or as an Encounter's
 };
 
-/// `tolerance`: nothing is 2^-20 of the pair's largest |world coordinate|. Worth nothing if it was asked to stop.
-Judgement judge_pair(const KnownPart& a, const KnownPart& b, std::optional<double> tolerance,
-                     const std::stop_token& stop = {});
+struct JudgeGoal {
+  std::optional<double> tolerance;  ///< nothing: 2^-20 of the pair's largest |world coordinate|
+  bool all_contacts = false;
+  std::stop_token stop{};  ///< then the judgement is worth nothing
+};
 
-/// Every pair of triangles that share a point, sorted.
-std::vector<exact::Contact> contacts_of(const solid::Body& a, const solid::Body& b);
+Judgement judge_pair(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal);
 
 }  // namespace impinge::clash

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
@@ -30,13 +31,15 @@ bool has_inner_shells(const solid::Part& part) {
 struct Setting {
   LocalFrame frame;
   double tolerance;  ///< in the world
+  const std::stop_token& stop;
 };
 
 /// One part's boundary against the other's.
 class OneSide {
  public:
-  OneSide(const LinkedPart& own, const LinkedPart& other, const Setting& setting, std::vector<TrianglePair> near)
-      : own_(own), other_(other.part), setting_(setting), near_(std::move(near)) {
+  OneSide(const LinkedPart& own, const LinkedPart& other, const Setting& setting, std::vector<TrianglePair> near,
+          const LeftOut& left_out)
+      : own_(own), other_(other.part), setting_(setting), near_(std::move(near)), left_out_(left_out) {
     for (const TrianglePair& pair : near_)
       if (near_triangles_.empty() || near_triangles_.back() != pair.a) near_triangles_.push_back(pair.a);
   }
@@ -56,6 +59,9 @@ class OneSide {
     const auto& triangles = own_.part.body.placed.mesh->triangles;
     for (std::uint32_t t = 0; unmet > 0; ++t)
       if (meet(t)) bits |= locate(own_.part.body.world[triangles[t][0]]);
+    for (std::uint32_t t = 0; has_degenerate_cells() && t < triangles.size(); ++t)
+      if (shell_of(t) == solid::Topology::kNoShell && !is_near(t))
+        bits |= locate(own_.part.body.world[triangles[t][0]]);
     return bits | look_at_rims();
   }
 
@@ -67,14 +73,8 @@ class OneSide {
     while (first < near_.size()) {
       std::size_t last = first;
       while (last < near_.size() && near_[last].a == near_[first].a) ++last;
-      if (shell_of(near_[first].a) != solid::Topology::kNoShell) {
-        slabs_.clear();
-        for (std::size_t i = first; i < last; ++i) {
-          const Triangle triangle = setting_.frame.to_local(other_.body.triangle(near_[i].b));
-          const auto slab = make_slab(triangle, setting_.frame.unit * setting_.tolerance, setting_.frame.scale);
-          if (!slab) return false;
-          slabs_.push_back({*slab, triangle});
-        }
+      if (counts(near_[first].a)) {
+        if (!make_slabs(std::span(near_).subspan(first, last - first))) return false;
         bits_ = 0, effort_ = 0;
         std::vector<std::uint32_t> all(slabs_.size());
         std::iota(all.begin(), all.end(), 0u);
@@ -88,12 +88,37 @@ class OneSide {
   }
 
  private:
-  struct NearTriangle {
+  /// Of a triangle; or of a corner, about which lie those that were left out.
+  struct NearSlab {
     Slab slab;
-    Triangle triangle;
+    std::optional<Triangle> triangle;
   };
 
+  /// Those that reach one triangle. What is left of it outside of them all meets nothing of the other part.
+  bool make_slabs(std::span<const TrianglePair> near) {
+    const double tolerance = setting_.frame.unit * setting_.tolerance;
+    slabs_.clear();
+    for (const TrianglePair& pair : near) {
+      const Triangle triangle = setting_.frame.to_local(other_.body.triangle(pair.b));
+      const auto slab = make_slab(triangle, tolerance, setting_.frame.scale);
+      if (!slab) return false;
+      slabs_.push_back({*slab, triangle});
+    }
+    const Triangle own = setting_.frame.to_local(own_.part.body.triangle(near[0].a));
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      if (left_out_.at(near[0].a, corner)) slabs_.push_back({make_corner_slab(own[corner], tolerance), std::nullopt});
+    return true;
+  }
+
   [[nodiscard]] std::uint32_t shell_of(std::uint32_t triangle) const { return own_.part.topology.shell[triangle]; }
+  /// To a solid's boundary degenerate triangles add nothing; a surface has the segments and points that they are.
+  [[nodiscard]] bool has_degenerate_cells() const { return !own_.part.solid && own_.part.topology.degenerate > 0; }
+  [[nodiscard]] bool counts(std::uint32_t triangle) const {
+    return !own_.part.solid || shell_of(triangle) != solid::Topology::kNoShell;
+  }
+  [[nodiscard]] bool is_near(std::uint32_t triangle) const {
+    return std::binary_search(near_triangles_.begin(), near_triangles_.end(), triangle);
+  }
 
   /// Of a point that is not near the other part.
   [[nodiscard]] std::uint8_t locate(const Vec3& point) const {
@@ -107,20 +132,16 @@ class OneSide {
     std::vector<std::uint32_t> rim;
     const auto& triangles = own_.part.body.placed.mesh->triangles;
     const auto& position = own_.part.topology.position;
-    const auto is_near = [&](std::uint32_t t) {
-      return std::binary_search(near_triangles_.begin(), near_triangles_.end(), t);
-    };
     for (const std::uint32_t t : near_triangles_)
       for (const std::uint32_t vertex : triangles[t]) rim.push_back(vertex);
     std::sort(rim.begin(), rim.end(), [&](std::uint32_t v, std::uint32_t w) { return position[v] < position[w]; });
     std::uint8_t bits = 0;
-    for (std::size_t i = 0; i < rim.size() && bits != (kInside | kOutside); ++i) {
+    for (std::size_t i = 0; i < rim.size() && bits != (kInside | kOutside) && !setting_.stop.stop_requested(); ++i) {
       const std::uint32_t at = position[rim[i]];
       if (i > 0 && position[rim[i - 1]] == at) continue;
       const auto fan = own_.fans.triangles.begin();
       const auto begin = fan + own_.fans.offsets[at], end = fan + own_.fans.offsets[at + 1];
-      const bool is_clear = std::any_of(
-          begin, end, [&](std::uint32_t t) { return shell_of(t) != solid::Topology::kNoShell && !is_near(t); });
+      const bool is_clear = std::any_of(begin, end, [&](std::uint32_t t) { return counts(t) && !is_near(t); });
       if (is_clear) bits |= locate(own_.part.body.world[rim[i]]);
     }
     return bits;
@@ -128,7 +149,9 @@ class OneSide {
 
   /// A triangle takes a step for each slab and piece, or for each two slabs where they lie over each other; with many
   /// more, floating point got lost.
-  [[nodiscard]] bool is_exhausted() const { return effort_ > (1 << 17) + 64 * slabs_.size() * slabs_.size(); }
+  [[nodiscard]] bool is_exhausted() const {
+    return effort_ > (1 << 17) + 64 * slabs_.size() * slabs_.size() || setting_.stop.stop_requested();
+  }
 
   /// How many slabs reached a piece some halvings ago.
   struct Before {
@@ -199,24 +222,34 @@ class OneSide {
     });
   }
 
+  /// Of the other part, within the tolerance.
+  [[nodiscard]] std::optional<measure::NearestPoint> nearest(const Vec3& point, double enough) const {
+    const Vec3 world = setting_.frame.to_world(point);
+    return measure::nearest_point(other_.body.placed, world, setting_.tolerance, enough, setting_.stop);
+  }
+
   /// A piece outside of the slabs, or what is left of it: near where all of it is near one triangle; else some point
   /// of it is farther than the tolerance from all, or halving it goes on.
   void evaluate(const Polygon& piece, const std::vector<std::uint32_t>& slabs, int depth) {
     constexpr int kDeep = 10;
     ++effort_;
     if (is_exhausted()) return;
-    for (const std::uint32_t i : slabs) {
-      if (is_near(piece, slabs_[i].triangle)) {
-        bits_ |= kNear;
-        return;
-      }
+    const bool is_near_one = std::any_of(slabs.begin(), slabs.end(), [&](std::uint32_t i) {
+      return slabs_[i].triangle && is_near(piece, *slabs_[i].triangle);
+    });
+    if (is_near_one) {
+      bits_ |= kNear;
+      return;
     }
-    const auto is_far = [&](const Vec3& point) {
-      const Vec3 world = setting_.frame.to_world(point);
-      return !measure::nearest_point(other_.body.placed, world, setting_.tolerance, setting_.tolerance);
-    };
+    // Not so near as to leave no room for the piece itself, if there is any that is nearer.
     const Vec3 middle = piece.middle();
-    const Vec3* far = is_far(middle) ? &middle : std::find_if(piece.begin(), piece.end(), is_far);
+    const auto by_middle = nearest(middle, 0.75 * setting_.tolerance);
+    if (by_middle && is_near(piece, setting_.frame.to_local(other_.body.triangle(by_middle->triangle)))) {
+      bits_ |= kNear;
+      return;
+    }
+    const auto is_far = [&](const Vec3& point) { return !nearest(point, setting_.tolerance); };
+    const Vec3* far = !by_middle ? &middle : std::find_if(piece.begin(), piece.end(), is_far);
     if (far != piece.end()) {
       bits_ |= locate(setting_.frame.to_world(*far));
       return;
@@ -235,7 +268,8 @@ class OneSide {
   const Setting& setting_;
   std::vector<TrianglePair> near_;  ///< own first, sorted
   std::vector<std::uint32_t> near_triangles_;
-  std::vector<NearTriangle> slabs_;  ///< of the triangle at work
+  const LeftOut& left_out_;
+  std::vector<NearSlab> slabs_;  ///< of the triangle at work
   std::uint8_t bits_ = 0;
   std::size_t effort_ = 0;
 };
@@ -251,20 +285,20 @@ std::vector<TrianglePair> swapped(const std::vector<TrianglePair>& near) {
 
 }  // namespace
 
-std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
-                                       const std::vector<TrianglePair>& near, const solid::Enough& enough) {
+std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, const NearSearch& search) {
   if (has_inner_shells(a.part) || has_inner_shells(b.part)) return std::nullopt;
   const LocalFrame frame = local_frame(a.part.body.box, b.part.body.box);
-  if (frame.unit * tolerance < kLeastTolerance * frame.scale) return std::nullopt;
-  const Setting setting{frame, tolerance};
+  if (frame.unit * search.tolerance < kLeastTolerance * frame.scale) return std::nullopt;
+  const Setting setting{frame, search.tolerance, search.stop};
 
+  const Encounter& met = search.encounter;
   solid::Cells cells;
-  OneSide side_a(a, b, setting, near), side_b(b, a, setting, swapped(near));
+  OneSide side_a(a, b, setting, met.near, met.of_a), side_b(b, a, setting, swapped(met.near), met.of_b);
   cells.a |= side_a.look_at_clear(), cells.b |= side_b.look_at_clear();
-  if (enough(cells)) return cells;
-  const bool told = side_a.look_at_near([&](std::uint8_t bits) {
-    return cells.a |= bits, enough(cells);
-  }) && (enough(cells) || side_b.look_at_near([&](std::uint8_t bits) { return cells.b |= bits, enough(cells); }));
+  const auto enough = [&] { return search.enough(cells); };
+  if (enough()) return cells;
+  const bool told = side_a.look_at_near([&](std::uint8_t bits) { return cells.a |= bits, enough(); }) &&
+                    (enough() || side_b.look_at_near([&](std::uint8_t bits) { return cells.b |= bits, enough(); }));
   return told ? std::optional(cells) : std::nullopt;
 }
 

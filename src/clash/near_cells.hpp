@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "impinge/contacts.hpp"
+#include "clash/encounter.hpp"
 #include "solid/cells.hpp"
 
 namespace impinge::clash {
@@ -20,9 +20,14 @@ struct LinkedPart {
 /// than that from the other's boundary; kInside and kOutside stand for points that are farther, or not certainly near.
 /// Of a part that is not solid there is no inside: all that is not near is kOutside.
 ///
-/// `near` holds at least all pairs of triangles (a, b) whose distance is at most `tolerance`, sorted by a. Stops early
-/// once `enough(cells)`. Nothing where floating point cannot tell apart what it must, or a shell is no boundary.
-std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, double tolerance,
-                                       const std::vector<TrianglePair>& near, const solid::Enough& enough);
+/// Stops early once `enough(cells)`. Nothing where floating point cannot tell apart what it must, a shell is no
+/// boundary, or it was asked to stop.
+struct NearSearch {
+  double tolerance;
+  const Encounter& encounter;  ///< of the two, within the tolerance
+  solid::Enough enough;
+  std::stop_token stop{};
+};
+std::optional<solid::Cells> near_cells(const LinkedPart& a, const LinkedPart& b, const NearSearch& search);
 
 }  // namespace impinge::clash

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
+#include <stop_token>
 
 #include "clash/near_cells.hpp"
 #include "exact/contact.hpp"
@@ -11,11 +11,17 @@
 namespace impinge::clash {
 
 /// Whether two surfaces go through each other somewhere, farther than the tolerance on all four sides. A place is a set
-/// of near pairs of two connected pieces that hang together by common triangles; two triangles of it cross, each
-/// surface is there on both sides of the other, and each comes within the other's triangles: an edge that ends on a
-/// face, or pokes through it by no more than the tolerance, does not pass. Sides are told apart as far as neighbouring
-/// triangles hand them on; a one-sided surface has none. `near` and `contacts` are as in near_cells.
-bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const std::vector<TrianglePair>& near,
-                  std::span<const exact::Contact> contacts);
+/// of near pairs that hang together by common triangles, of two sheets: triangles that hang together by common
+/// vertices. There, each sheet is on both sides of the other, where it comes within the other's triangles and is not
+/// near another of them, and the place is longer than a point is: an edge that ends on a face, or pokes through it by
+/// no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles hand them on; a
+/// one-sided surface has none. `encounter` is as in near_cells.
+bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+                  const std::stop_token& stop);
+
+/// The same, exactly: two triangles cross, or somewhere along a common line, or around a common area, each sheet is on
+/// both sides of the other. `contacts` are all pairs of triangles that share more than
+/// a corner.
+bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts);
 
 }  // namespace impinge::clash

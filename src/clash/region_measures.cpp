@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "clash/lines.hpp"
+#include "clash/split.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -60,13 +61,14 @@ void add_lengths(std::span<const Vec3> points, Mean& mean) {
 class Measures {
  public:
   Measures(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-           std::span<const std::uint32_t> members)
-      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members) {}
+           std::span<const std::uint32_t> members, double within)
+      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), within_(within) {}
 
   Region region() {
     list_triangles();
     find_box();
     for (const std::uint32_t i : members_) add(contacts_[i], parts_[i]);
+    split_lines();
     std::vector<Polyline> lines = joined(lines_without_borders());
     for (const Polyline& line : lines) add_crossing(line);
     std::vector<Polyline> outlines = joined(outline());
@@ -82,16 +84,20 @@ class Measures {
  private:
   [[nodiscard]] Vec3 local(const Vec3& p) const { return (1 / unit_) * (p - origin_); }
 
+  static void keep_each_once(std::vector<std::uint32_t>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
   void list_triangles() {
     region_.pairs = members_.size();
-    for (const std::uint32_t i : members_) {
-      region_.triangles_a.push_back(contacts_[i].a);
-      region_.triangles_b.push_back(contacts_[i].b);
+    std::vector<std::uint32_t>&of_a = region_.triangles_a, &of_b = region_.triangles_b;
+    for (const std::uint32_t i : members_) {  // in the order of a's
+      if (of_a.empty() || of_a.back() != contacts_[i].a) of_a.push_back(contacts_[i].a);
+      of_b.push_back(contacts_[i].b);
+      if (of_b.size() > 2 * b_.body.size()) keep_each_once(of_b);
     }
-    for (std::vector<std::uint32_t>* list : {&region_.triangles_a, &region_.triangles_b}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
+    keep_each_once(of_b);
   }
 
   void find_box() {
@@ -107,7 +113,8 @@ class Measures {
   void add(const exact::Contact& pair, std::span<const Corner> corners) {
     const Vec3 normal_a = outward_normal(a_, pair.a), normal_b = outward_normal(b_, pair.b);
     if (corners.size() > 2) return add_polygon(corners, 0.5 * (normal_a - normal_b));
-    for (const Corner& corner : corners) points_.push_back(corner.point);
+    for (const Corner& corner : corners)
+      if (points_.empty() || points_.back() != corner.point) points_.push_back(corner.point);
     double weight = 1;
     if (corners.size() == 2) {
       const Vec3 &p = corners[0].point, &q = corners[1].point;
@@ -167,6 +174,25 @@ class Measures {
     add_area(points, line.flow > 0 ? way : -1.0 * way);
   }
 
+  /// Where triangles end in the middle of others' edges, pieces of lines lie over each other in part. The ends of exact
+  /// ones are off by half an ulp in each coordinate: less than 2^-51 of the largest, a point and a line together.
+  void split_lines() {
+    std::vector<Vec3> ends;
+    for (const std::vector<Piece>* some : {&pieces_, &borders_})
+      for (const Piece& piece : *some) ends.insert(ends.end(), {piece.from, piece.to});
+    if (ends.size() <= 2) return;
+    const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
+    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_});
+    // Where points were moved a piece's parts may come near points from which the whole was farther.
+    const int rounds = within_ > 0 ? 8 : 1;
+    for (std::vector<Piece>* some : {&pieces_, &borders_})
+      for (int round = 0; round < rounds; ++round) {
+        const std::size_t before = some->size();
+        *some = splitter.split(std::move(*some));
+        if (some->size() == before) break;
+      }
+  }
+
   static bool before(const Piece& x, const Piece& y) {
     return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
   }
@@ -210,13 +236,16 @@ class Measures {
     const Normals& normals = of_lines_.a.weight > 0 ? of_lines_ : of_points_;
     const Vec3 direction = has_area ? direction_ : normals.direction();
     const double weight = has_area ? area_.weight : normals.a.weight;
-    region_.normal = norm(direction) > kCancelled * weight ? unit(direction) : Vec3{0, 0, 0};
+    // Areas are off by what moved along their outlines.
+    const double off = has_area ? within_ / unit_ * length_.weight : 0;
+    region_.normal = norm(direction) > kCancelled * weight + off ? unit(direction) : Vec3{0, 0, 0};
   }
 
   const Side &a_, &b_;
   std::span<const exact::Contact> contacts_;
   const SharedParts& parts_;
   std::span<const std::uint32_t> members_;
+  double within_;
   Region region_;
   Vec3 origin_{};
   double unit_ = 1;
@@ -230,8 +259,8 @@ class Measures {
 }  // namespace
 
 Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members) {
-  return Measures(a, b, contacts, parts, members).region();
+                std::span<const std::uint32_t> members, double within) {
+  return Measures(a, b, contacts, parts, members, within).region();
 }
 
 }  // namespace impinge::clash

@@ -9,8 +9,9 @@
 
 namespace impinge::clash {
 
-/// The region made of the contacts that `members` numbers.
+/// The region made of the contacts that `members` numbers. Lines are one where they are no farther apart than
+/// `within`; 0: than rounding leaves.
 Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members);
+                std::span<const std::uint32_t> members, double within = 0);
 
 }  // namespace impinge::clash

@@ -8,6 +8,8 @@
 #include "clash/grouping.hpp"
 #include "clash/region_measures.hpp"
 #include "clash/shared_parts.hpp"
+#include "clash/snapped.hpp"
+#include "measure/nearest.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -33,13 +35,29 @@ bool are_all_one(DisjointSets& groups, std::size_t contacts) {
   return true;
 }
 
+/// A point that is near the boundary is on it.
+Side within(const Side& side, double tolerance) {
+  Side result = side;
+  if (tolerance > 0 && side.holds)
+    result.holds = [&side, tolerance](const Vec3& p) {
+      return side.holds(p) && !measure::nearest_point(side.body.placed, p, tolerance, tolerance);
+    };
+  return result;
+}
+
 }  // namespace
 
-std::optional<std::vector<Region>> regions_of(const Side& a, const Side& b, std::span<const exact::Contact> contacts,
+std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& exact_b,
+                                              std::span<const exact::Contact> contacts, double tolerance,
                                               const ForEach& for_each, const std::stop_token& stop) {
-  const SharedParts parts = shared_parts(a, b, contacts, for_each, stop);
+  const Side a = within(exact_a, tolerance), b = within(exact_b, tolerance);
+  SharedParts parts = shared_parts(a, b, contacts, tolerance, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
+  // Twice the distance over which points were moved, for lines have moved too.
+  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, tolerance) : 0;
+  if (tolerance > 0) parts = snapped(a, b, contacts, parts, tolerance);
   DisjointSets groups(contacts.size());
+  if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
   join_neighbours(a, b, contacts, parts, groups);
   for (const bool first : {true, false}) {
     if (stop.stop_requested()) return std::nullopt;
@@ -49,7 +67,7 @@ std::optional<std::vector<Region>> regions_of(const Side& a, const Side& b, std:
   const auto members = members_of(groups, contacts.size());
   std::vector<Region> regions(members.size());
   run_each(for_each, members.size(), [&](std::size_t i) {
-    if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i]);
+    if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i], within_line);
   });
   if (stop.stop_requested()) return std::nullopt;
   // Groups are in the order of their first pairs, which decide between equals.
@@ -57,6 +75,19 @@ std::optional<std::vector<Region>> regions_of(const Side& a, const Side& b, std:
     return std::tie(x.area, x.length, x.pairs) > std::tie(y.area, y.length, y.pairs);
   });
   return regions;
+}
+
+std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                            const std::stop_token& stop) {
+  std::vector<exact::Contact> contacts;
+  const auto take = [&](const TrianglePair& pair) {
+    contacts.push_back({pair.a, pair.b, Kind::touching});
+    return true;
+  };
+  measure::near_pairs(a.placed, b.placed, tolerance, take, stop);
+  std::sort(contacts.begin(), contacts.end(),
+            [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  return contacts;
 }
 
 }  // namespace impinge::clash

@@ -33,9 +33,14 @@ struct Side {
   }
 };
 
-/// The regions of contact (impinge/regions.hpp). `contacts` are all pairs of triangles that share a point, sorted by a
-/// and then b. Nothing if stopped.
+/// The regions of contact (impinge/regions.hpp). `contacts` are all pairs of triangles that share a point or, with a
+/// tolerance, all within it; sorted by a and then b. Nothing if stopped.
 std::optional<std::vector<Region>> regions_of(const Side& a, const Side& b, std::span<const exact::Contact> contacts,
-                                              const ForEach& for_each = {}, const std::stop_token& stop = {});
+                                              double tolerance, const ForEach& for_each = {},
+                                              const std::stop_token& stop = {});
+
+/// The pairs within a tolerance above 0, as regions want them: the kinds are not told. Not all if stopped.
+std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                            const std::stop_token& stop = {});
 
 }  // namespace impinge::clash

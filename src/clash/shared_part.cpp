@@ -135,7 +135,49 @@ class Sharing {
   SharedPart part_;
 };
 
+/// The ways from a corner of a triangle to the two others.
+using Ways = std::array<Vec3, 2>;
+
+Ways ways_from(const Triangle& t, std::size_t corner) {
+  return {t[(corner + 1) % 3] - t[corner], t[(corner + 2) % 3] - t[corner]};
+}
+
+// Each way is off by a part 2^-53 of each coordinate, which products and sums add a few to; what underflows is far
+// below the second bound, for `d` has coordinates up to 4.
+bool is_certain(double sum, double of_sizes) { return sum > 0x1p-48 * of_sizes && sum > 0x1p-900; }
+
+bool is_ahead(const Ways& ways, const Vec3& d) {
+  return is_certain(dot(ways[0], d), dot(abs(ways[0]), abs(d))) &&
+         is_certain(dot(ways[1], d), dot(abs(ways[1]), abs(d)));
+}
+
+bool has_area(const Ways& ways) {
+  const Vec3 sum = cross(ways[0], ways[1]), u = abs(ways[0]), v = abs(ways[1]);
+  return is_certain(std::abs(sum.x), u.y * v.z + u.z * v.y) || is_certain(std::abs(sum.y), u.z * v.x + u.x * v.z) ||
+         is_certain(std::abs(sum.z), u.x * v.y + u.y * v.x);
+}
+
+/// Along the bisector, about: the sum of two ways, each in a unit of its own.
+Vec3 middle_of(const Ways& ways) {
+  const auto shortened = [](const Vec3& v) { return (1 / max_component(abs(v))) * v; };
+  return shortened(ways[0]) + shortened(ways[1]);
+}
+
 }  // namespace
+
+// A plane through the corner has the one triangle before it and the other behind.
+std::optional<Corner> common_vertex(const Triangle& a, const Triangle& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a[i] != b[j]) continue;
+      const Ways of_a = ways_from(a, i), of_b = ways_from(b, j);
+      const Vec3 across = middle_of(of_a) - middle_of(of_b);
+      if (!is_ahead(of_a, across) || !is_ahead(of_b, -1.0 * across) || !has_area(of_a) || !has_area(of_b)) return {};
+      const unsigned edges = (1U << i | 1U << (i + 2) % 3) | (8U << j | 8U << (j + 2) % 3);
+      return Corner{{a[i].x + 0.0, a[i].y + 0.0, a[i].z + 0.0}, static_cast<std::uint8_t>(edges)};
+    }
+  return {};
+}
 
 SharedPart shared_part(const Triangle& a, const Triangle& b) { return Sharing(a, b).found(); }
 

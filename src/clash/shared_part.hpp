@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/vec3.hpp"
 
@@ -26,5 +27,9 @@ struct SharedPart {
 
 /// Degenerate triangles are the segment or point that they are.
 SharedPart shared_part(const Triangle& a, const Triangle& b);
+
+/// A corner that both have and that is certainly all that they share: what `shared_part` would find, in a small part of
+/// the time. Nothing where floating point is not certain.
+std::optional<Corner> common_vertex(const Triangle& a, const Triangle& b);
 
 }  // namespace impinge::clash

@@ -4,30 +4,51 @@
 
 #include <algorithm>
 
+#include "clash/near_part.hpp"
+
 namespace impinge::clash {
 
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts,
+void SharedParts::add_vertex(const Corner& corner) {
+  std::uint64_t& last = vertex_rows_[corner.edges];
+  if (last == 0 || corners_[last >> kSizeBits].point != corner.point) {
+    last = corners_.size() << kSizeBits | 1;
+    corners_.push_back(corner);
+  }
+  rows_.push_back(last);
+}
+
+void SharedParts::append(const SharedParts& others) {
+  const std::uint64_t shift = corners_.size() << kSizeBits;
+  for (const std::uint64_t row : others.rows_) rows_.push_back(row + shift);
+  corners_.insert(corners_.end(), others.corners_.begin(), others.corners_.end());
+  widen_gap(others.gap_);
+}
+
+SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
                          const ForEach& for_each, const std::stop_token& stop) {
   constexpr std::size_t kChunk = 1024;
-  struct Piece {
-    std::vector<std::uint8_t> sizes;
-    std::vector<Corner> corners;
-  };
-  std::vector<Piece> pieces((contacts.size() + kChunk - 1) / kChunk);
+  const NearSetting near{local_frame(a.body.box, b.body.box), tolerance};
+  std::vector<SharedParts> pieces((contacts.size() + kChunk - 1) / kChunk);
   run_each(for_each, pieces.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
-      const SharedPart part = shared_part(a.body.triangle(pair.a), b.body.triangle(pair.b));
-      pieces[i].sizes.push_back(part.size);
-      pieces[i].corners.insert(pieces[i].corners.end(), part.corners.begin(), part.corners.begin() + part.size);
+      const Triangle of_a = a.body.triangle(pair.a), of_b = b.body.triangle(pair.b);
+      if (tolerance > 0) {
+        const NearPart part = near_part(of_a, of_b, near);
+        pieces[i].add({part.shared.corners.data(), part.shared.size});
+        pieces[i].widen_gap(part.gap);
+      } else if (const auto vertex = common_vertex(of_a, of_b)) {
+        pieces[i].add_vertex(*vertex);
+      } else {
+        const SharedPart part = shared_part(of_a, of_b);
+        pieces[i].add({part.corners.data(), part.size});
+      }
     }
   });
   SharedParts parts;
-  parts.offsets.reserve(contacts.size() + 1);
-  parts.offsets.push_back(0);
-  for (Piece& piece : pieces) {
-    for (const std::uint8_t size : piece.sizes) parts.offsets.push_back(parts.offsets.back() + size);
-    parts.corners.insert(parts.corners.end(), piece.corners.begin(), piece.corners.end());
+  parts.reserve(contacts.size());
+  for (SharedParts& piece : pieces) {
+    parts.append(piece);
     piece = {};
   }
   return parts;

@@ -80,4 +80,18 @@ std::optional<Slab> make_slab(const Triangle& triangle, double tolerance, double
   return slab;
 }
 
+// A cube of half size t / 4: what pinching triangles share is within t / 8 of its middle, and they have a corner within
+// t / 4 of that, no farther from any point of the cube than t (1 + sqrt(3)) / 4.
+Slab make_corner_slab(const Vec3& corner, double tolerance) {
+  const double half = tolerance / 4;
+  Slab slab;
+  slab.sides = {beyond(corner, {1, 0, 0}, half), beyond(corner, {-1, 0, 0}, half), beyond(corner, {0, 1, 0}, half),
+                beyond(corner, {0, -1, 0}, half)};
+  slab.size = 4;
+  slab.top = beyond(corner, {0, 0, 1}, half), slab.bottom = beyond(corner, {0, 0, -1}, half);
+  const Vec3 reach{2 * half, 2 * half, 2 * half};
+  slab.box = {corner - reach, corner + reach};
+  return slab;
+}
+
 }  // namespace impinge::clash

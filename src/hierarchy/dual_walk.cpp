@@ -4,7 +4,7 @@
 
 namespace impinge::hierarchy {
 
-DualWalk::DualWalk(const PlacedTree& a, const PlacedTree& b, const Box& overlap)
+DualWalk::DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& overlap)
     : a_(a),
       b_(b),
       relative_(a.pose, a.mesh, b.pose, b.mesh),
@@ -20,7 +20,7 @@ void DualWalk::start(std::vector<NodePair>& stack, WalkCounts& counts) const {
 /// Children are built only in the potential region: a node that does not reach the overlap of the two objects shares no
 /// point there, so it need not be split, nor its pair walked on. Nodes that are split already are not held against it
 /// again.
-bool DualWalk::worth_splitting(const PlacedTree& placed, const Node& node, const Vec3& rounding) const {
+bool DualWalk::worth_splitting(const PlacedObbTree& placed, const Node& node, const Vec3& rounding) const {
   return ObbTree::is_split(node) || may_reach(node.box, placed.pose, rounding, overlap_);
 }
 

@@ -14,7 +14,7 @@
 namespace impinge::hierarchy {
 
 /// A tree as placed in the world.
-struct PlacedTree {
+struct PlacedObbTree {
   ObbTree& tree;
   const MeshData& mesh;
   const Pose& pose;
@@ -29,7 +29,7 @@ struct NodePair {
 class DualWalk {
  public:
   /// `overlap` holds whatever the two share.
-  DualWalk(const PlacedTree& a, const PlacedTree& b, const Box& overlap);
+  DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& overlap);
 
   /// Prepares both roots and puts them on the stack.
   void start(std::vector<NodePair>& stack, WalkCounts& counts) const;
@@ -39,9 +39,9 @@ class DualWalk {
                std::uint64_t max_box_tests, WalkCounts& counts) const;
 
  private:
-  bool worth_splitting(const PlacedTree& placed, const Node& node, const Vec3& rounding) const;
+  bool worth_splitting(const PlacedObbTree& placed, const Node& node, const Vec3& rounding) const;
 
-  PlacedTree a_, b_;
+  PlacedObbTree a_, b_;
   RelativePose relative_;
   Vec3 rounding_a_, rounding_b_;
   Box overlap_;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "core/for_each.hpp"
 #include "core/vec3.hpp"
@@ -25,9 +25,9 @@ struct NearestPoint {
 };
 
 /// The point of the body nearest to `point`. Nothing if all are farther than `within`. Where the distance is below
-/// `enough`, any point nearer than that may be given instead of the nearest.
+/// `enough`, any point nearer than that may be given instead of the nearest. A search that was stopped finds nothing.
 std::optional<NearestPoint> nearest_point(const hierarchy::PlacedTree& body, const Vec3& point, double within,
-                                          double enough = 0);
+                                          double enough = 0, const std::stop_token& stop = {});
 
 struct NearestPair {
   double distance, error;
@@ -35,19 +35,29 @@ struct NearestPair {
   std::uint32_t triangle_a, triangle_b;
 };
 
+struct PairMemory;
+
 /// How a search is run.
 struct SearchMeans {
-  ForEach for_each{};      ///< shares the making of large nodes
-  std::stop_token stop{};  ///< a search that was stopped finds nothing
+  ForEach for_each{};            ///< shares the making of large nodes
+  std::stop_token stop{};        ///< a search that was stopped finds nothing
+  PairMemory* memory = nullptr;  ///< of an earlier search, to be used again (measure/pair_queue.hpp)
 };
 
 /// The nearest points of two bodies; same rules.
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
                                         double enough = 0, const SearchMeans& means = {});
 
-/// Appends every pair of triangles whose distance is at most `within` (0: those that may share a point), and perhaps
-/// some that are farther by a few roundings. In no particular order.
-void near_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
-                std::vector<TrianglePair>& pairs);
+/// What is done with a pair of triangles that was found; false ends the search.
+using TakePair = std::function<bool(const TrianglePair&)>;
+
+/// Every pair of triangles whose distance is at most `within` (0: those that may share a point), and perhaps some that
+/// are farther by a few roundings, once and in no particular order. A search that was stopped does not find all.
+void near_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within, const TakePair& take,
+                const std::stop_token& stop = {});
+
+/// The same without looking at more than the triangles' boxes, so that there are more of them.
+void candidate_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
+                     const TakePair& take, const std::stop_token& stop = {});
 
 }  // namespace impinge::measure

@@ -15,13 +15,17 @@ namespace {
 
 class Search {
  public:
-  Search(const PairWalk& walk, double within, double enough)
-      : walk_(walk), enough_(enough), tolerance_(walk.are_remote() ? kRemoteTolerance : 0), limit_(within) {}
+  Search(const PairWalk& walk, double within, double enough, PairMemory& memory)
+      : walk_(walk),
+        memory_(memory),
+        enough_(enough),
+        tolerance_(walk.are_remote() ? kRemoteTolerance : 0),
+        limit_(within) {}
 
   std::optional<NearestPair> run(const std::stop_token& stop) {
-    std::vector<NodePair> open, children;
-    dive(open);
-    PairQueue queue(open, limit_);
+    std::vector<NodePair>& children = memory_.children;
+    dive(memory_.open);
+    PairQueue queue(memory_.stacks, memory_.open, limit_);
     while (!is_done()) {
       if (stop.stop_requested()) return std::nullopt;
       std::optional<NodePair> next = queue.pop();
@@ -58,7 +62,8 @@ class Search {
 
   /// Straight down to two leaves that are near, so that there is a limit to what is worth remembering.
   void dive(std::vector<NodePair>& open) {
-    std::vector<NodePair> children;
+    std::vector<NodePair>& children = memory_.children;
+    open.clear();
     NodePair next = walk_.roots();
     while (!search_or_open(next, children)) {
       if (children.empty()) break;
@@ -69,11 +74,12 @@ class Search {
   }
 
   void search_leaves(const NodePair& pair) {
-    walk_.open_leaves(pair, limit_, near_);
-    if (near_.empty()) return;
-    std::iter_swap(near_.begin(), std::min_element(near_.begin(), near_.end(),
-                                                   [](const auto& p, const auto& q) { return p.lower < q.lower; }));
-    for (const NearTriangles& candidate : near_) {
+    std::vector<NearTriangles>& near = memory_.near;
+    walk_.open_leaves(pair, limit_, near);
+    if (near.empty()) return;
+    std::iter_swap(near.begin(), std::min_element(near.begin(), near.end(),
+                                                  [](const auto& p, const auto& q) { return p.lower < q.lower; }));
+    for (const NearTriangles& candidate : near) {
       if (walk_.world_length(candidate.lower) > limit_) continue;
       test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
       if (is_done()) return;
@@ -97,12 +103,12 @@ class Search {
   }
 
   const PairWalk& walk_;
+  PairMemory& memory_;
   const double enough_, tolerance_;
   double limit_;                                            ///< what is farther is of no interest
   double least_ = std::numeric_limits<double>::infinity();  ///< nothing that was passed over is nearer
   bool found_ = false;
   NearestPair best_{};
-  std::vector<NearTriangles> near_;
 };
 
 }  // namespace
@@ -111,7 +117,9 @@ std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hi
                                         double enough, const SearchMeans& means) {
   if (a.mesh->triangles.empty() || b.mesh->triangles.empty()) return std::nullopt;
   const PairWalk walk(a, b, means.for_each);
-  std::optional<NearestPair> found = Search(walk, within, enough).run(means.stop);
+  std::optional<PairMemory> own;
+  PairMemory& memory = means.memory != nullptr ? *means.memory : own.emplace();
+  std::optional<NearestPair> found = Search(walk, within, enough, memory).run(means.stop);
   if (found && walk.is_swapped()) std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
   return found;
 }

@@ -85,7 +85,7 @@ class Search {
   Search(const PlacedTree& body, const Vec3& point, double within, double enough)
       : body_(body), point_(point), local_(body, point), enough_(enough), limit_(within) {}
 
-  std::optional<NearestPoint> run() {
+  std::optional<NearestPoint> run(const std::stop_token& stop) {
     struct Open {
       TreeRef ref;
       double lower;
@@ -93,6 +93,7 @@ class Search {
     std::uint64_t made = 0;
     std::vector<Open> open{{body_.tree->root(made), 0}};
     while (!open.empty() && !is_done()) {
+      if (stop.stop_requested()) return std::nullopt;
       const auto [ref, lower_here] = open.back();
       open.pop_back();
       if (lower_here > limit_) continue;
@@ -145,9 +146,10 @@ class Search {
 
 }  // namespace
 
-std::optional<NearestPoint> nearest_point(const PlacedTree& body, const Vec3& point, double within, double enough) {
+std::optional<NearestPoint> nearest_point(const PlacedTree& body, const Vec3& point, double within, double enough,
+                                          const std::stop_token& stop) {
   if (body.mesh->triangles.empty()) return std::nullopt;
-  return Search(body, point, within, enough).run();
+  return Search(body, point, within, enough).run(stop);
 }
 
 }  // namespace impinge::measure

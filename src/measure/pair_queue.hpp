@@ -17,9 +17,12 @@ namespace impinge::measure {
 /// other, as all are whose boxes overlap, the last that came is first, and so the deepest: not many wait at a time.
 class PairQueue {
  public:
-  /// For pairs nearer than `limit`, begun with some of them.
-  PairQueue(std::span<const NodePair> pairs, double limit) {
-    base_ = limit;
+  static constexpr std::size_t kStacks = 32;
+  using Stacks = std::array<std::vector<NodePair>, kStacks>;
+
+  /// For pairs nearer than `limit`, begun with some of them. What was in the stacks is dropped, their memory used.
+  PairQueue(Stacks& stacks, std::span<const NodePair> pairs, double limit) : stacks_(stacks), base_(limit) {
+    for (std::vector<NodePair>& stack : stacks_) stack.clear();
     for (const NodePair& pair : pairs) base_ = std::min(base_, pair.lower);
     // As parts of the whole range, so that neither a tiny one nor a huge one leaves the range of numbers.
     per_length_ = limit > base_ ? 1 / (limit - base_) : 0;
@@ -43,10 +46,22 @@ class PairQueue {
   }
 
  private:
-  static constexpr std::size_t kStacks = 32;
-  std::array<std::vector<NodePair>, kStacks> stacks_;
+  Stacks& stacks_;
   std::size_t first_ = 0;  ///< below it all are empty
   double base_, per_length_;
+};
+
+/// What a search for the nearest pair keeps for the next one.
+struct PairMemory {
+  std::vector<NodePair> open, children;
+  std::vector<NearTriangles> near;
+  PairQueue::Stacks stacks;
+
+  [[nodiscard]] std::size_t pairs_kept() const {
+    std::size_t pairs = open.capacity() + children.capacity() + near.capacity();
+    for (const std::vector<NodePair>& stack : stacks) pairs += stack.capacity();
+    return pairs;
+  }
 };
 
 }  // namespace impinge::measure

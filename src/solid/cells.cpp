@@ -11,6 +11,7 @@
 #include "core/disjoint_sets.hpp"
 #include "exact/triangle_pair.hpp"
 #include "solid/cut_triangle.hpp"
+#include "solid/degenerate_cells.hpp"
 #include "solid/locate.hpp"
 #include "solid/triangles.hpp"
 
@@ -194,6 +195,26 @@ class Located {
   std::uint8_t bits_ = 0;
 };
 
+/// The cells of a surface's triangles without an area: the segments and points that they are.
+template <class Enough>
+std::uint8_t locate_degenerate(const Part& own, const Part& other, std::span<const exact::Contact> contacts,
+                               bool own_is_first, const Enough& enough) {
+  std::uint8_t bits = 0;
+  if (own.solid || own.topology.degenerate == 0) return bits;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const exact::Contact& contact : contacts)
+    pairs.push_back(own_is_first ? std::pair(contact.a, contact.b) : std::pair(contact.b, contact.a));
+  std::sort(pairs.begin(), pairs.end());
+  auto next = pairs.begin();
+  std::vector<std::uint32_t> touching;
+  for (std::uint32_t t = 0; t < own.body.size() && !enough(bits); ++t) {
+    touching.clear();
+    for (; next != pairs.end() && next->first == t; ++next) touching.push_back(next->second);
+    if (own.topology.shell[t] == Topology::kNoShell) bits |= cells_of_degenerate(own.body.triangle(t), other, touching);
+  }
+  return bits;
+}
+
 }  // namespace
 
 // What is cheap comes first: shared areas, patches, vertices, and then pieces. A crossing pair is no proof by itself:
@@ -212,7 +233,14 @@ Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> con
   for (Located* const located : {&in_b, &in_a}) located->locate_patches(is_enough);
   for (Located* const located : {&in_b, &in_a}) located->locate_vertices(is_enough);
   for (Located* const located : {&in_b, &in_a}) located->locate_pieces(is_enough);
-  return cells();
+  Cells all = cells();
+  all.a |= locate_degenerate(a, b, contacts, true, [&](std::uint8_t bits) {
+    return enough({static_cast<std::uint8_t>(all.a | bits), all.b});
+  });
+  all.b |= locate_degenerate(b, a, contacts, false, [&](std::uint8_t bits) {
+    return enough({all.a, static_cast<std::uint8_t>(all.b | bits)});
+  });
+  return all;
 }
 
 }  // namespace impinge::solid

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "clash/split.hpp"
 #include "scenes/random.hpp"
 #include "tests/core/support.hpp"
 
@@ -78,6 +80,39 @@ TEST(Lines, UseEveryPieceOfANetOnce) {
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected);
+  }
+}
+
+/// Against trying every point: on a grid, with points on and off the pieces.
+TEST(Splitter, DividesPiecesAtAllPointsOnThem) {
+  test::Seeded seeded(3);
+  const auto coordinate = [&] { return static_cast<double>(seeded.random.integer(-4, 4)); };
+  for (int turn = 0; turn < 30; ++turn) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 150; ++i) points.push_back({coordinate(), coordinate(), turn % 2 == 0 ? 0 : coordinate()});
+    std::vector<Piece> pieces;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      pieces.push_back(piece(points[i - 1], points[i], norm(points[i] - points[i - 1])));
+    const Splitter splitter(points, {{0.5, 0.25, 0}, 8, 0x1p-40});
+    for (const Piece& whole : pieces) {
+      std::vector<Vec3> expected{whole.from, whole.to};
+      for (const Vec3& p : points) {
+        const Vec3 way = whole.to - whole.from, from = p - whole.from;
+        const double along = dot(from, way);
+        if (norm(cross(from, way)) == 0 && along > 0 && along < dot(way, way)) expected.push_back(p);
+      }
+      std::sort(expected.begin(), expected.end(), less);
+      expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+      std::vector<Piece> parts = splitter.split({whole});
+      if (whole.from == whole.to) continue;
+      std::sort(parts.begin(), parts.end(), [](const Piece& x, const Piece& y) { return less(x.from, y.from); });
+      ASSERT_EQ(parts.size() + 1, expected.size());
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(parts[i].from, expected[i]);
+        EXPECT_EQ(parts[i].to, expected[i + 1]);
+        EXPECT_NEAR(parts[i].flow, std::copysign(norm(parts[i].to - parts[i].from), whole.flow), 1e-12);
+      }
+    }
   }
 }
 

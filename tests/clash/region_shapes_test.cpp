@@ -193,6 +193,48 @@ TEST(RegionShapes, EdgesMeetInAPointOrALine) {
   EXPECT_EQ(line.lines[0].back(), (Point{1, 0, 0}));
 }
 
+/// Two faces that have an edge in common in part only: the one is divided where the other is not.
+TEST(RegionShapes, LinesAndOutlinesOfTJunctionsCountOnce) {
+  // Ridges along each other, from -2 to 3 and from 0 to 4; one side of the lower roof is divided at 0.75.
+  scenes::MeshData roof = test::prism({{-2, 1, -1}, {-2, 0, 0}, {-2, -1, -1}}, {5, 0, 0});
+  const scenes::MeshData divided{{-2, 0, 0, 0.75, 0, 0, 3, 0, 0, 0, 1, -1, -2, -1, -1, 3, -1, -1},
+                                 {0, 1, 3, 1, 2, 3, 0, 4, 5, 0, 5, 2}};
+  const scenes::MeshData above = test::prism({{0, -1, 1}, {0, 0, 0}, {0, 1, 1}}, {4, 0, 0});
+  for (const scenes::MeshData& below : {roof, divided}) {
+    const Region line = region_between(below, above);
+    EXPECT_NEAR(line.length, 3, 1e-15);
+    EXPECT_EQ(line.lines.size(), 1u);
+    expect_near(line.centroid, {1.5, 0, 0}, 1e-15);
+  }
+  // A knife's edge from (0, 0) to (3, 7) on a grid, whose lines it meets in points that are rounded.
+  const scenes::MeshData knife{{0, 0, 0, 0.75, 1.75, 0, 3, 7, 0, 5, 0, 2, -5, 5, 2}, {0, 1, 3, 1, 2, 3, 0, 2, 4}};
+  const Region cut = region_between(shifted(scenes::flat_grid(11, 11), -2, -2, 0), knife);
+  EXPECT_NEAR(cut.length, std::sqrt(58), 1e-14);
+  EXPECT_EQ(cut.lines.size(), 1u);
+  // A face of two parts, one of which is divided.
+  const scenes::MeshData sheet{{0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 2, 2, 0},
+                               {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 6, 6, 5, 7, 6, 7, 2}};
+  const Region flush = region_between(sheet, box({0, 0, 0}, {2, 2, 1}));
+  EXPECT_NEAR(flush.area, 4, 1e-14);
+  EXPECT_NEAR(flush.length, 8, 1e-14);
+  EXPECT_EQ(flush.lines.size(), 1u);
+}
+
+/// Each shell has its own sense: a plug in a closed cavity, whose normals look inwards, leaves it upwards if it lies on
+/// its floor.
+TEST(RegionShapes, ACavityHasItsOwnSense) {
+  const scenes::MeshData outer = box({0, 0, 0}, {9, 9, 9}), hollow = test::inverted(box({3, 3, 3}, {6, 6, 6}));
+  const scenes::MeshData plug = box({4, 4, 3}, {5, 5, 4});
+  // Both ways of writing the cavity mean another thing, but the outer shell means the same.
+  EXPECT_EQ(region_between(both(outer, hollow), plug).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(test::inverted(both(outer, hollow)), plug).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(plug, both(outer, hollow)).normal, (Point{0, 0, -1}));
+  // Two blocks, one of them written inside out.
+  const scenes::MeshData blocks = both(outer, test::inverted(box({20, 0, 0}, {21, 1, 1})));
+  EXPECT_EQ(region_between(blocks, box({20, 0, 1}, {21, 1, 2})).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(blocks, box({3, 3, 9}, {4, 4, 10})).normal, (Point{0, 0, 1}));
+}
+
 TEST(RegionShapes, InvertedMeshesMeanTheSame) {
   const scenes::MeshData sphere = scenes::uv_sphere(24, 18), block = box({-1, -1, -3}, {1, 1, -0.75}, 3);
   const Region expected = region_between(sphere, block);

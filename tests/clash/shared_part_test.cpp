@@ -156,6 +156,34 @@ TEST(SharedPart, OfCoplanarTrianglesIsAPolygonInOrder) {
   for (const int size : sizes) EXPECT_GT(size, 0);
 }
 
+/// What is found quickly is what the exact way finds, bit for bit, whichever corners meet, flat or not, with slivers.
+TEST(CommonVertex, IsAllThatIsShared) {
+  test::Seeded seeded(15);
+  std::size_t found = 0, only_points = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const int kind = i % 5;
+    const double size = kind == 4 ? 0x1p-300 : 1;
+    const auto coordinate = [&] { return size * seeded.random.integer(-4, 4); };
+    const auto random_point = [&] {
+      const double x = coordinate(), y = coordinate();
+      // In space; in a plane; in two planes an ulp apart; on a line.
+      const double up = kind == 1 ? 0.0 : kind == 2 ? 0x1p-52 * coordinate() : coordinate();
+      return kind == 3 ? Point{x, 3 * x, 0x1p-50 * y} : Point{x, y, 2 * x - 3 * y + up};
+    };
+    Triangle a{random_point(), random_point(), random_point()}, b{random_point(), random_point(), random_point()};
+    b[static_cast<std::size_t>(i / 5 % 3)] = a[static_cast<std::size_t>(i / 15 % 3)];
+    const auto vertex = clash::common_vertex(a, b);
+    const clash::SharedPart part = clash::shared_part(a, b);
+    only_points += part.size == 1;
+    if (!vertex) continue;
+    ++found;
+    ASSERT_EQ(part.size, 1) << i;
+    EXPECT_EQ(part.corners[0].point, vertex->point);
+    EXPECT_EQ(part.corners[0].edges, vertex->edges) << i;
+  }
+  EXPECT_GT(found, only_points / 10);
+}
+
 /// At the ends of the exact domain, where integers of 60 bits do not do.
 TEST(SharedPart, IsRoundedOnceAtTheEndsOfTheDomain) {
   const double big = 0x1p299, small = 0x1p-358;

@@ -228,6 +228,14 @@ TEST_P(Verdicts, AreTheSameFarFromTheOrigin) {
 INSTANTIATE_TEST_SUITE_P(Families, Verdicts, testing::ValuesIn(scenes::solid_families()),
                          [](const auto& family) { return family.param.name; });
 
+TEST(Points, AreJudgedExactly) {
+  for (const SolidPair& pair : scenes::point_pairs()) {
+    SCOPED_TRACE(pair.name);
+    for (const std::optional<double> tolerance : {std::optional(kExactly), kForRounding})
+      expect_verdicts(*pair.known, {mesh_of(pair.a)}, {mesh_of(pair.b)}, tolerance);
+  }
+}
+
 /// Two plates half a unit thick; the upper one from this height.
 std::optional<Clash> plates(double height, std::optional<double> tolerance) {
   return judged({mesh_of(scenes::box({0, 0, 0}, {8, 8, 0.5}))},

@@ -12,8 +12,8 @@
 namespace impinge::test {
 namespace {
 
-const std::vector<std::vector<std::string>> kPages = {
-    {"--help"}, {"check", "--help"}, {"clash", "--help"}, {"info", "--help"}, {"devices", "--help"}};
+const std::vector<std::vector<std::string>> kPages = {{"--help"},         {"check", "--help"}, {"clash", "--help"},
+                                                      {"view", "--help"}, {"info", "--help"},  {"devices", "--help"}};
 
 /// The lines that begin with the program's name between "Examples:" and the next empty line.
 std::vector<std::string> examples_of(const std::string& page) {
@@ -34,18 +34,20 @@ TEST(Help, ExamplesRun) {
   folder.write("plate.stl", stl(cube(0, 0, 0)));
   folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
   impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});
+  folder.write("page.html", "<!doctype html><!-- impinge: data -->");
+  const std::string page_program = "IMPINGE_PAGE=" + (folder.path() / "page.html").string() + " ";
   std::size_t count = 0;
   for (const auto& page : kPages) {
     const Ended help = impinge(folder, page);
     EXPECT_EQ(help.code, 0);
     for (const std::string& line : examples_of(help.out)) {
-      const Ended run = shell(folder, line);
+      const Ended run = shell(folder, page_program + line);
       EXPECT_TRUE(run.code == 0 || run.code == 1) << line << "\n" << run.err;
       EXPECT_EQ(run.err, "") << line;
       ++count;
     }
   }
-  EXPECT_EQ(count, 16U);
+  EXPECT_EQ(count, 19U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 
@@ -73,10 +75,32 @@ TEST(Help, ListsEveryOption) {
                              "--ignore A B", "--scale FILE=S", "--max-file BYTES", "--quiet", "--stats", "--help"})
     EXPECT_NE(page.find("  " + std::string(option) + " "), std::string::npos) << option;
   const std::string clash = impinge(folder, {"clash", "--help"}).out;
-  for (const char* option :
-       {"--tolerance auto|0|D", "--clearance C", "--depth", "--regions", "--fail-on LIST", "--json FILE|-", "--limit N",
-        "--config FILE", "--previous FILE", "--group-by WHAT", "--ignore A B", "--within-products", "--scale FILE=S",
-        "--threads N", "--max-file BYTES", "--quiet", "--help"})
+  for (const char* option : {"--tolerance auto|0|D",
+                             "--clearance C",
+                             "--depth",
+                             "--regions",
+                             "--fail-on LIST",
+                             "--json FILE|-",
+                             "--html FILE",
+                             "--page-triangles N",
+                             "--csv FILE|-",
+                             "--bcf FILE",
+                             "--gltf FILE",
+                             "--unit UNIT",
+                             "--up y|z",
+                             "--date DATE",
+                             "--bcf-topics N",
+                             "--limit N",
+                             "--config FILE",
+                             "--previous FILE",
+                             "--group-by WHAT",
+                             "--ignore A B",
+                             "--within-products",
+                             "--scale FILE=S",
+                             "--threads N",
+                             "--max-file BYTES",
+                             "--quiet",
+                             "--help"})
     EXPECT_NE(clash.find("  " + std::string(option) + " "), std::string::npos) << option;
 }
 

@@ -11,6 +11,7 @@
 #include "exact/pair_block.hpp"
 #include "pairs.hpp"
 #include "scenes/motion.hpp"
+#include "tests/core/trials.hpp"
 
 /// What each form of arithmetic says by itself: it may be silent, never wrong.
 namespace impinge {
@@ -216,7 +217,7 @@ TEST(Integers, HaveTheSignsOfRationals) {
   using oracle::operator-;
   Random random(8);
   std::array<int, 3> seen{};
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < test::trials(200000); ++i) {
     const auto number = [&]() -> std::int64_t {
       const std::int64_t small = random.integer(-2, 2);
       switch (random.integer(0, 5)) {
@@ -249,7 +250,7 @@ TEST(Integers, HaveTheSignsOfRationals) {
                            (exactly(a)[1] - exactly(c)[1]) * (exactly(b)[0] - exactly(c)[0]);
     ASSERT_EQ(exact::orient2d(a.x, a.y, b.x, b.y, c.x, c.y), sgn(flat));
   }
-  for (const int n : seen) EXPECT_GT(n, 10000);
+  for (const int n : seen) EXPECT_GT(n, test::trials(10000));
 }
 
 /// 60 bits fit and 61 do not, on each axis by itself.

@@ -7,6 +7,8 @@
 
 #include "measure/nearest.hpp"
 #include "mesh_state.hpp"
+#include "scenes/hard.hpp"
+#include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
 #include "tests/measure/exact_distance.hpp"
@@ -58,6 +60,34 @@ TEST(NearestPoint, IsTheExactOneOfHardScenes) {
         ASSERT_NO_FATAL_FAILURE(expect_nearest(meshes[a.mesh], a.pose, world, p));
     }
   }
+}
+
+/// On its own corners a body is at 0, wherever it stands: far from the origin these are rounded to places outside of
+/// the tree's boxes, and so is the point where it is brought into a box's frame in single precision.
+TEST(NearestPoint, OnTheBodyIsNotPassedOver) {
+  test::Seeded seeded(5);
+  for (const double away : {0.0, 1.0, 1e3, 1e6, 1e9, 1e12}) {
+    SCOPED_TRACE(away);
+    const Mesh mesh = test::mesh_of(scenes::triangle_soup(seeded.random, 200, 0.3), 2);
+    Pose pose = scenes::random_motion(seeded.random, 1);
+    pose.t[0] += away, pose.t[1] -= 0.7 * away;
+    const hierarchy::PlacedTree placed{&mesh.state().data, &mesh.state().wide_tree, pose};
+    for (const Triangle& triangle : test::world_triangles(mesh, pose)) {
+      for (const Vec3& corner : triangle) {
+        const auto found = measure::nearest_point(placed, corner, 0);
+        ASSERT_TRUE(found) << corner.x << ' ' << corner.y << ' ' << corner.z;
+        EXPECT_EQ(found->distance, 0);
+      }
+    }
+  }
+}
+
+TEST(NearestPoint, OfAStoppedSearchIsNone) {
+  const Mesh mesh = test::mesh_of(scenes::cube());
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kFar, 0,
+                                      source.get_token()));
 }
 
 TEST(NearestPoint, OfNoTriangleIsNone) {

@@ -14,6 +14,7 @@
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 #include "tests/measure/exact_distance.hpp"
 
 namespace impinge {
@@ -82,7 +83,8 @@ void expect_nearest(const Bodies& bodies, double error_limit) {
 
 void expect_near_pairs(const Bodies& bodies, double within) {
   std::vector<TrianglePair> pairs;
-  measure::near_pairs(bodies.placed(0), bodies.placed(1), within, pairs);
+  const auto take = [&](const TrianglePair& pair) { return pairs.push_back(pair), true; };
+  measure::near_pairs(bodies.placed(0), bodies.placed(1), within, take);
   std::vector<char> has(bodies.world(0).size() * bodies.world(1).size());
   const mpq_class limit = mpq_class(within) * mpq_class(within);
   const mpq_class wide = mpq_class(within) + mpq_class(0x1p-33 * extent(bodies));
@@ -168,7 +170,7 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
 
 TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::trials(300); ++i) {
     const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
     const scenes::PlacedScene scene = apart(
         scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),

@@ -22,6 +22,7 @@ using measure::PairQueue;
 NodePair pair_at(double lower, std::uint16_t name) { return {lower, {}, {}, NodePair::kSelf, NodePair::kSelf, name}; }
 
 TEST(PairQueue, GivesBackEachPairOnceAndTheNearerAboutFirst) {
+  PairQueue::Stacks stacks;
   test::Seeded seeded(11);
   for (const double limit : {1.0, 0x1p-1000, 0x1p300, 0.0, std::numeric_limits<double>::infinity()}) {
     const double range = std::isfinite(limit) ? limit : 1;
@@ -35,7 +36,7 @@ TEST(PairQueue, GivesBackEachPairOnceAndTheNearerAboutFirst) {
     for (int i = 0; i < 20; ++i) first.push_back(fresh());
     double least = limit;
     for (const NodePair& pair : first) least = std::min(least, pair.lower);
-    PairQueue queue(first, limit);
+    PairQueue queue(stacks, first, limit);
     std::vector<double> lower;  // of those that wait; nearer ones may come at any time
     for (const NodePair& pair : first) lower.push_back(pair.lower);
     for (int i = 0; i < 3000 && !waiting.empty(); ++i) {

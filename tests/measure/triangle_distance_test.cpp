@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 #include "tests/measure/exact_distance.hpp"
 
 namespace impinge {
@@ -79,7 +80,7 @@ Triangle moved(const Triangle& t, const Vec3& by, double scale) {
 TEST(TriangleDistance, HoldsTheExactOne) {
   test::Seeded seeded(20250311);
   double worst = 0;
-  for (int i = 0; i < 12'000; ++i) {
+  for (int i = 0; i < test::trials(12'000); ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const Vec3 away = random_point(seeded.random, i % 7 == 0 ? 1e6 : i % 5 == 0 ? 30 : 0);
     const double scale = i % 11 == 0 ? 0x1p-340 : i % 13 == 0 ? 0x1p270 : 1;
@@ -93,7 +94,7 @@ TEST(TriangleDistance, HoldsTheExactOne) {
 
 TEST(TriangleDistance, IsFoundAtPointsOfTheTriangles) {
   test::Seeded seeded(7);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::trials(2000); ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const TriangleDistance d = measure::triangle_distance(a, b, kFar);
     const double slack = 16 * d.margin + 1e-15;
@@ -106,7 +107,7 @@ TEST(TriangleDistance, IsFoundAtPointsOfTheTriangles) {
 
 TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
   test::Seeded seeded(8);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::trials(3000); ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const double limit = seeded.random.uniform(0, 1);
     const TriangleDistance d = measure::triangle_distance(a, b, limit, random_point(seeded.random, 1));
@@ -121,7 +122,7 @@ TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
 TEST(PointDistance, HoldsTheExactOne) {
   test::Seeded seeded(9);
   double worst = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < test::trials(6000); ++i) {
     const Triangle t = random_triangle(seeded.random, i);
     Vec3 p = random_point(seeded.random, 1);
     if (i % 4 == 0) p = 0.25 * t[0] + 0.25 * t[1] + 0.5 * t[2];
@@ -140,7 +141,7 @@ TEST(PointDistance, HoldsTheExactOne) {
 TEST(CommonPoint, IsOnBoth) {
   test::Seeded seeded(10);
   int meeting = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < test::trials(6000); ++i) {
     const Triangle a = random_triangle(seeded.random, i % 2 * 5), b = random_triangle(seeded.random, i / 2 % 2 * 5);
     if (oracle::square_distance(a, b) != 0) continue;
     ++meeting;
@@ -150,7 +151,7 @@ TEST(CommonPoint, IsOnBoth) {
     EXPECT_TRUE(oracle::is_within(oracle::square_distance({q, q, q}, b), 0, 1e-14));
     ASSERT_FALSE(HasFailure()) << "case " << i;
   }
-  EXPECT_GT(meeting, 100);
+  EXPECT_GT(meeting, test::trials(100));
 }
 
 }  // namespace

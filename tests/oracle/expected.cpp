@@ -22,9 +22,11 @@
 
 #include "impinge/collide.hpp"
 #include "impinge/scene.hpp"
+#include "kept_verdicts.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scene_file.hpp"
 #include "tests/core/instruction_sets.hpp"
+#include "tests/core/trials.hpp"
 
 extern char** environ;
 
@@ -199,14 +201,26 @@ Set by_rationals(const scenes::PlacedScene& scene) {
 }
 
 scenes::Judgement judgement(const scenes::SolidPair& pair, bool by_tetrahedra) {
-  const Set set = of_scene(scenes::pair_scene(pair.a, pair.b),
-                           by_tetrahedra ? Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, "--tetrahedra", ".tetrahedra"}
-                                         : Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, nullptr, ".verdict"});
+  const Oracle oracle = by_tetrahedra ? Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, "--tetrahedra", ".tetrahedra"}
+                                      : Oracle{IMPINGE_VERDICT_ORACLE_PROGRAM, nullptr, ".verdict"};
+  const scenes::PlacedScene scene = scenes::pair_scene(pair.a, pair.b);
+  const std::string key = name_of(scenes::scene_bytes(scene)) + oracle.extension;
+  const std::optional<scenes::Judgement> kept = kept_verdict(key);
+  if (kept && !is_computed_anew(key)) {
+    return *kept;
+  }
+  const Set set = of_scene(scene, oracle);
   if (set.size() != 1) {
     ADD_FAILURE() << "No verdict on " << pair.name;
     return {};
   }
-  return {static_cast<Verdict>(set[0][2]), static_cast<int>(set[0][3]) - 1};
+  const scenes::Judgement computed{static_cast<Verdict>(set[0][2]), static_cast<int>(set[0][3]) - 1};
+  if (kept) {
+    EXPECT_EQ(*kept, computed) << "The verdict on " << pair.name << " that is kept in " << IMPINGE_KEPT_VERDICTS
+                               << " is not the oracle's. To write them anew: scripts/keep_verdicts.sh";
+  }
+  write_down(key, pair.name, computed);
+  return computed;
 }
 
 Set of_model(const std::filesystem::path& model) {
@@ -355,7 +369,7 @@ void expect_same(const Set& expected, const Set& found) {
 }
 
 void expect_finds(const Set& expected, const scenes::PlacedScene& scene) {
-  const std::size_t count = scene.objects.size() < 1000 ? 4 : 1;
+  const std::size_t count = scene.objects.size() < 1000 ? test::trials(4) : 1;
   {
     SCOPED_TRACE("by Scene");
     expect_same(expected, by_scene(scene));

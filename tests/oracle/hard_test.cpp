@@ -13,6 +13,7 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -199,7 +200,7 @@ TEST_P(Hard, GapsOfOneUlp) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Hard, testing::Range<std::uint64_t>(1, 4));
+INSTANTIATE_TEST_SUITE_P(Seeds, Hard, testing::Range<std::uint64_t>(1, 1 + test::trials<std::uint64_t>(3)));
 
 TEST(Crowd, ManyObjectsWithGroups) {
   Random random(7);

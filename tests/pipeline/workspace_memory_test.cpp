@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "impinge/measures.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
@@ -107,6 +108,23 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
       workspace.recycle(std::move(found));
     });
     EXPECT_GT(contacts, 100u);
+  }
+}
+
+/// With a workspace of one's own, and with the thread's.
+TEST(SteadySeries, OfDistancesAllocatesNothing) {
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), ball = test::mesh_of(scenes::uv_sphere(24, 24));
+  const std::vector<Pose> poses = poses_along({.t = {-4, 0.3, 0.1}}, 40, 0.2);
+  Workspace own;
+  for (Workspace* const workspace : {&own, static_cast<Workspace*>(nullptr)}) {
+    int touching = 0, closer = 0;
+    expect_steady(40, [&](int i) {
+      const Pose& pose = poses[static_cast<std::size_t>(i)];
+      touching += distance(knot, {}, ball, pose, {.threads = 1}, workspace).value().distance == 0;
+      closer += closer_than(knot, {}, ball, pose, 0.5, {.threads = 1}, workspace).value();
+    });
+    EXPECT_GT(touching, 0);
+    EXPECT_GT(closer, touching);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "schedule/parallel.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 #include "tests/pipeline/crowd.hpp"
 
 namespace impinge {
@@ -94,7 +95,7 @@ std::vector<Question> all_questions() {
 
 TEST(Workspace, ServesAnySeriesOfQuestions) {
   const std::vector<Question> questions = all_questions();
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::trials(3u); ++seed) {
     test::Seeded seeded(seed);
     std::array<Workspace, 2> workspaces;
     for (int i = 0; i < 300; ++i) {
@@ -148,7 +149,7 @@ TEST(Workspace, LeavesItsAnswersToThemselves) {
 TEST(Workspace, RemembersNoMesh) {
   Workspace workspace;
   test::Seeded seeded(4);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::trials(200); ++i) {
     const auto soup = [&] { return scenes::integer_soup(seeded.random, 12, 2); };
     const scenes::PlacedScene scene = scenes::pair_scene(soup(), soup());
     const Options options{.threads = 1, .backend = i % 3 == 0 ? "scalar" : "simd"};

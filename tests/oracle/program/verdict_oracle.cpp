@@ -76,7 +76,41 @@ bool is_closed(const Surface& surface) {
   return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
-/// The surface in pieces that hang together by edges.
+/// A triangle's use of an edge.
+struct Use {
+  std::size_t triangle;
+  std::size_t corner;  ///< where the edge begins
+};
+
+/// Which uses of an edge go straight on in which others: those of two coplanar triangles on either side of the edge
+/// that look the same way. Nothing unless each use has one.
+std::optional<std::vector<std::array<Use, 2>>> straight_on(const Surface& s, std::vector<Use> uses) {
+  std::vector<std::array<Use, 2>> pairs;
+  while (!uses.empty()) {
+    const Use use = uses.back();
+    uses.pop_back();
+    const Corners& t = s.triangles[use.triangle];
+    const Point &p = s.points[t[use.corner]], &q = s.points[t[(use.corner + 1) % 3]];
+    const Point& apex = s.points[t[(use.corner + 2) % 3]];
+    const auto goes_on = [&](const Use& other) {
+      const Corners& u = s.triangles[other.triangle];
+      const Point& beyond = s.points[u[(other.corner + 2) % 3]];
+      return u[other.corner] != t[use.corner] && !CGAL::collinear(p, q, apex) && !CGAL::collinear(p, q, beyond) &&
+             CGAL::orientation(p, q, apex, beyond) == CGAL::COPLANAR &&
+             CGAL::coplanar_orientation(p, q, apex, beyond) == CGAL::NEGATIVE;
+    };
+    const auto found = std::find_if(uses.begin(), uses.end(), goes_on);
+    if (found == uses.end()) {
+      return std::nullopt;
+    }
+    pairs.push_back({use, *found});
+    uses.erase(found);
+  }
+  return pairs;
+}
+
+/// The surface in pieces that hang together by edges. Where more than two triangles use an edge and all go straight on
+/// there, pieces pass through each other: each is closed, and what they wind around adds up.
 std::vector<Surface> shells_of(const Surface& surface) {
   std::vector<std::size_t> leader(surface.triangles.size());
   std::iota(leader.begin(), leader.end(), std::size_t{0});
@@ -86,12 +120,24 @@ std::vector<Surface> shells_of(const Surface& surface) {
     }
     return i;
   };
-  std::map<Edge, std::size_t> user;
+  std::map<Edge, std::vector<Use>> edges;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       Edge edge = edge_of(surface.triangles[i], k);
       std::sort(edge.begin(), edge.end());
-      leader[find(i)] = find(user.try_emplace(edge, i).first->second);
+      edges[edge].push_back({i, k});
+    }
+  }
+  for (const auto& [edge, uses] : edges) {
+    const auto pairs = uses.size() > 2 ? straight_on(surface, uses) : std::nullopt;
+    if (pairs) {
+      for (const auto& [one, two] : *pairs) {
+        leader[find(one.triangle)] = find(two.triangle);
+      }
+    } else {
+      for (const Use& use : uses) {
+        leader[find(use.triangle)] = find(uses[0].triangle);
+      }
     }
   }
   std::map<std::size_t, Surface> shells;

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "motion/mover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace impinge::cli {
+namespace {
+
+/// For each node the nearest one up the tree, itself included, that the animation moves, and 1; 0 if there is none.
+std::vector<std::uint32_t> movers_of(const io::Model& model, const io::Animation& animation) {
+  std::vector<std::uint32_t> movers(model.nodes.size(), 0);
+  for (const io::Track& track : animation.tracks) movers[track.node] = track.node + 1;
+  for (std::size_t i = 0; i < movers.size(); ++i)
+    if (movers[i] == 0 && model.nodes[i].parent) movers[i] = movers[*model.nodes[i].parent];
+  return movers;
+}
+
+/// Whether a mesh may be posed by this instead of being mapped: the bounds of `Pose`.
+bool is_rigid(const Affine& map) {
+  constexpr double kMostOff = 1e-6;
+  const auto& m = map.m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+      if (!(std::fabs(product - (i == j ? 1 : 0)) <= kMostOff)) return false;
+    }
+  }
+  const double determinant =
+      m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  return determinant > 0 && std::all_of(map.t.begin(), map.t.end(), [](double t) { return std::isfinite(t); });
+}
+
+Affine product(const Affine& a, const Affine& b) {
+  Affine out;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double* const r = &a.m[3 * row];
+    for (std::size_t column = 0; column < 3; ++column)
+      out.m[3 * row + column] = (r[0] * b.m[column] + r[1] * b.m[3 + column]) + r[2] * b.m[6 + column];
+    out.t[row] = ((r[0] * b.t[0] + r[1] * b.t[1]) + r[2] * b.t[2]) + a.t[row];
+  }
+  return out;
+}
+
+/// By the adjugate; its entries are not finite where there is no inverse.
+Affine inverse(const Affine& map) {
+  const auto& m = map.m;
+  Affine out;
+  const auto cofactor = [&](std::size_t row, std::size_t column) {
+    const std::size_t r1 = (row + 1) % 3, r2 = (row + 2) % 3, c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+    return m[3 * r1 + c1] * m[3 * r2 + c2] - m[3 * r1 + c2] * m[3 * r2 + c1];
+  };
+  const double determinant = m[0] * cofactor(0, 0) + m[1] * cofactor(0, 1) + m[2] * cofactor(0, 2);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) out.m[3 * row + column] = cofactor(column, row) / determinant;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double* const r = &out.m[3 * row];
+    out.t[row] = -((r[0] * map.t[0] + r[1] * map.t[1]) + r[2] * map.t[2]);
+  }
+  return out;
+}
+
+}  // namespace
+
+Mover::Mover(const io::Model& model, const io::Animation& animation) : model_(model), animation_(animation) {
+  const std::vector<std::uint32_t> movers = movers_of(model, animation);
+  for (const io::Object& object : model.objects) bodies_.push_back(object.node ? movers[*object.node] : 0);
+  rest_ = io::nodes_at(model, {}, 0);
+}
+
+Result<std::vector<Posed>> Mover::at(double seconds) const {
+  const std::vector<Affine> worlds = io::nodes_at(model_, animation_, seconds);
+  std::vector<Posed> posed;
+  posed.reserve(model_.objects.size());
+  for (std::size_t i = 0; i < model_.objects.size(); ++i) {
+    const io::Object& object = model_.objects[i];
+    posed.push_back({object.mesh, object.pose, {object.pose.R, object.pose.t}});
+    if (bodies_[i] == 0) continue;
+    // A mesh that was mapped by where its node is at rest is first brought back from there.
+    const Affine& world = worlds[*object.node];
+    const Affine map = object.is_baked ? product(world, inverse(rest_[*object.node])) : world;
+    if (is_rigid(map)) {
+      posed.back() = {object.mesh, {map.m, map.t}, map};
+      continue;
+    }
+    Result<Mesh> mapped = object.mesh.transformed(map);
+    if (!mapped)
+      return Error{mapped.error().code,
+                   fmt::format("object '{}' at {} s: {}", object.name, seconds, mapped.error().message)};
+    posed.back() = {std::move(*mapped), Pose{}, map};
+  }
+  return posed;
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/camera.hpp"
+#include "report/conventions.hpp"
+#include "review.hpp"
+
+/// The XML of BCF 2.1, with its elements in the order of the published schemas: version.xsd, markup.xsd, visinfo.xsd.
+namespace impinge::cli {
+
+std::string version_document();
+
+/// The topic of a pair, which is the rank-th.
+std::string markup_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank);
+
+/// Where it is seen from, both parts, and as many of the lines as a viewer can take.
+std::string viewpoint_of(const Review& review, std::size_t pair, const View& view,
+                         const std::vector<std::vector<Point>>& lines, const Conventions& conventions);
+
+/// A text within an element or an attribute; what XML 1.0 cannot hold is spelled out.
+std::string xml_text(std::string_view text);
+
+/// The GlobalId of the IFC product that an object is part of, "" for none.
+std::string_view ifc_guid(const io::Object& object);
+
+}  // namespace impinge::cli

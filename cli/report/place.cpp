@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/place.hpp"
+
+namespace impinge::cli {
+namespace {
+
+Bounds shared(const Bounds& a, const Bounds& b) {
+  Bounds both;
+  both.lo = {std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)};
+  both.hi = {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)};
+  return both;
+}
+
+}  // namespace
+
+Bounds bounds_of(const io::Object& object) {
+  Bounds bounds;
+  const auto vertices = object.mesh.vertices();
+  for (const auto& triangle : object.mesh.triangles())
+    for (const std::uint32_t corner : triangle) bounds.add(world_vertex(object.pose, vertices[corner]));
+  return bounds;
+}
+
+Place place_of(const Review& review, std::size_t pair) {
+  const Clash& clash = review.clashes.pairs[pair];
+  Place place;
+  for (const Region& region : clash.regions) {
+    place.box.add(region.box[0]);
+    place.box.add(region.box[1]);
+  }
+  if (!clash.regions.empty()) {
+    place.at = clash.regions.front().centroid;
+    return place;
+  }
+  if (clash.nearest && clash.verdict == Verdict::apart) {
+    place.box.add(clash.nearest->a);
+    place.box.add(clash.nearest->b);
+  } else {
+    const auto bounds = [&](std::size_t side) { return bounds_of(review.assembly.objects[clash.objects[side]]); };
+    place.box = clash.inner >= 0 ? bounds(static_cast<std::size_t>(clash.inner)) : shared(bounds(0), bounds(1));
+  }
+  // Boxes of parts that a tolerance calls touching may have a gap between them.
+  if (place.box.is_empty()) std::swap(place.box.lo, place.box.hi);
+  place.at = middle(place.box.lo, place.box.hi);
+  return place;
+}
+
+}  // namespace impinge::cli

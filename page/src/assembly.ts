@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The parts in 3D: one batch with a draw for each part, and one of lines for all edges. Poses and looks lie in textures.
+//
+// World coordinates may be huge. All that is kept of them is in doubles; what goes to the device is taken relative to `origin`,
+// which follows the camera when it comes so near to something far from it that single precision would show.
+import {
+  BatchedMesh,
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  DoubleSide,
+  FloatType,
+  LineSegments,
+  Matrix4,
+  NearestFilter,
+  NormalBlending,
+  RGBAFormat,
+  ShaderMaterial,
+  UnsignedByteType,
+  Vector3,
+  Vector4,
+} from 'three';
+import type { Rgb } from './colours';
+import type { SceneBlock, Vec3 } from './data';
+import { Breather, type RawMesh } from './geometry';
+import { drawnMesh, type DrawnMesh } from './mesh';
+import type { Obstacle } from './sight';
+import { edgeFragment, edgeVertex, partFragment, partVertex, pickFragment } from './shaders';
+import { add, type Box, cornersOf, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unite } from './vector';
+
+/** How a part looks: alpha 1 is solid, between 0 and 1 it fades, 0 hides it. */
+export type Look = [...Rgb, number];
+
+const kMostEdgeEnds = 6_000_000;
+
+function texture(count: number, data: Float32Array | Uint8Array, width: number): DataTexture {
+  const type = data instanceof Float32Array ? FloatType : UnsignedByteType;
+  const made = new DataTexture(data, width, Math.ceil(count / width), RGBAFormat, type);
+  made.minFilter = made.magFilter = NearestFilter;
+  made.needsUpdate = true;
+  return made;
+}
+
+const side = (texels: number, multiple: number) =>
+  Math.max(multiple, Math.ceil(Math.sqrt(texels) / multiple) * multiple);
+
+export class Assembly {
+  readonly parts: BatchedMesh;
+  readonly edges: LineSegments | null;
+  /** Of each part, in world coordinates and without explosion. */
+  readonly boxes: Box[];
+  readonly bounds: Box;
+  readonly uniforms;
+  origin: Vec3;
+  hasGhosts = false;
+
+  private readonly instanceOf: Int32Array;
+  private readonly partOf: number[] = [];
+  private readonly poseData: Float32Array;
+  private readonly lookData: Uint8Array;
+  private readonly poseTexture: DataTexture;
+  private readonly lookTexture: DataTexture;
+  private readonly materials: { solid: ShaderMaterial; ghost: ShaderMaterial; pick: ShaderMaterial };
+  explosion = { factor: 0, centre: [0, 0, 0] as Vec3 };
+
+  private constructor(
+    private readonly scene: SceneBlock,
+    private readonly meshes: (DrawnMesh | null)[],
+  ) {
+    this.instanceOf = new Int32Array(scene.objects.length).fill(-1);
+    scene.objects.forEach((object, id) => {
+      if (object.mesh < 0 || !meshes[object.mesh]) return;
+      this.instanceOf[id] = this.partOf.length;
+      this.partOf.push(id);
+    });
+    this.boxes = scene.objects.map((object) => worldBox(object.pose, meshes[object.mesh] ?? null));
+    this.bounds = unite(this.boxes);
+    this.origin = middleOf(this.bounds);
+
+    const count = Math.max(1, this.partOf.length);
+    const poseWidth = side(3 * count, 3);
+    const lookWidth = side(count, 1);
+    this.poseData = new Float32Array(4 * poseWidth * Math.ceil((3 * count) / poseWidth));
+    this.lookData = new Uint8Array(4 * lookWidth * Math.ceil(count / lookWidth)).fill(255);
+    this.poseTexture = texture(3 * count, this.poseData, poseWidth);
+    this.lookTexture = texture(count, this.lookData, lookWidth);
+    this.uniforms = {
+      poses: { value: this.poseTexture },
+      looks: { value: this.lookTexture },
+      section: { value: new Vector4() },
+      backdrop: { value: new Vector3() },
+      ink: { value: new Vector3(0.07, 0.08, 0.1) },
+      strength: { value: 0.45 },
+      isParallel: { value: 0 },
+    };
+    this.materials = this.makeMaterials();
+    this.parts = this.makeBatch(meshes);
+    this.edges = this.makeEdges(meshes);
+    this.place();
+  }
+
+  /** Makes all that is drawn, in steps between which the page stays responsive. */
+  static async create(scene: SceneBlock, raw: RawMesh[], onProgress: (triangles: number) => void): Promise<Assembly> {
+    const uses = new Array<number>(raw.length).fill(0);
+    for (const object of scene.objects) if (object.mesh >= 0) ++uses[object.mesh];
+    const drawn = raw.reduce((sum, mesh, i) => sum + uses[i] * mesh.corners.length, 0) / 3;
+    const withEdges = drawn < 4_000_000;
+    const breather = new Breather();
+    const meshes: (DrawnMesh | null)[] = [];
+    let done = 0;
+    for (const [i, mesh] of raw.entries()) {
+      meshes.push(uses[i] && mesh.corners.length ? drawnMesh(mesh, withEdges) : null);
+      done += mesh.corners.length / 3;
+      onProgress(done);
+      await breather.breathe();
+    }
+    return new Assembly(scene, meshes);
+  }
+
+  private makeMaterials() {
+    const common = {
+      uniforms: this.uniforms,
+      vertexShader: partVertex,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    };
+    return {
+      solid: new ShaderMaterial({ ...common, fragmentShader: partFragment }),
+      ghost: new ShaderMaterial({
+        ...common,
+        fragmentShader: partFragment,
+        defines: { GHOST: '' },
+        transparent: true,
+        forceSinglePass: true,
+        depthWrite: false,
+        blending: NormalBlending,
+      }),
+      pick: new ShaderMaterial({ ...common, fragmentShader: pickFragment }),
+    };
+  }
+
+  private makeBatch(meshes: (DrawnMesh | null)[]): BatchedMesh {
+    let [vertices, corners] = [1, 3];
+    for (const mesh of meshes) {
+      vertices += mesh ? mesh.positions.length / 3 : 0;
+      corners += mesh?.corners.length ?? 0;
+    }
+    const batch = new BatchedMesh(Math.max(1, this.partOf.length), vertices, corners, this.materials.solid);
+    const geometries = meshes.map((mesh) => {
+      if (!mesh) return -1;
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+      geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 4, true));
+      geometry.setIndex(new BufferAttribute(mesh.corners, 1));
+      return batch.addGeometry(geometry);
+    });
+    for (const id of this.partOf) batch.addInstance(geometries[this.scene.objects[id].mesh]);
+    batch.sortObjects = false;
+    batch.frustumCulled = false;
+    batch.matrixAutoUpdate = false;
+    return batch;
+  }
+
+  private makeEdges(meshes: (DrawnMesh | null)[]): LineSegments | null {
+    const size = this.partOf.reduce((sum, id) => sum + meshes[this.scene.objects[id].mesh]!.edges.length, 0);
+    if (size === 0 || size / 3 > kMostEdgeEnds) return null;
+    const positions = new Float32Array(size);
+    const parts = new Float32Array(size / 3);
+    let at = 0;
+    this.partOf.forEach((id, instance) => {
+      const { edges } = meshes[this.scene.objects[id].mesh]!;
+      positions.set(edges, at);
+      parts.fill(instance, at / 3, (at + edges.length) / 3);
+      at += edges.length;
+    });
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('part', new BufferAttribute(parts, 1));
+    const material = new ShaderMaterial({
+      uniforms: this.uniforms,
+      vertexShader: edgeVertex,
+      fragmentShader: edgeFragment,
+      transparent: true,
+      depthWrite: false,
+    });
+    const lines = new LineSegments(geometry, material);
+    lines.frustumCulled = false;
+    return lines;
+  }
+
+  /** Which of the passes the batch is drawn in next. */
+  set pass(pass: 'solid' | 'ghost' | 'pick') {
+    this.parts.material = this.materials[pass];
+  }
+
+  hasMesh(id: number): boolean {
+    return this.instanceOf[id] >= 0;
+  }
+
+  partOfInstance(instance: number): number {
+    return this.partOf[instance] ?? -1;
+  }
+
+  /** What of a part can hide something, null if it has no triangles. */
+  obstacle(id: number): Obstacle | null {
+    const { mesh, pose } = this.scene.objects[id];
+    const drawn = this.meshes[mesh];
+    return drawn ? { positions: drawn.positions, corners: drawn.corners, pose } : null;
+  }
+
+  setLooks(lookOf: (id: number) => Look): void {
+    this.hasGhosts = false;
+    this.partOf.forEach((id, instance) => {
+      const look = lookOf(id);
+      for (let k = 0; k < 4; ++k) this.lookData[4 * instance + k] = Math.round(255 * look[k]);
+      const alpha = this.lookData[4 * instance + 3];
+      if (alpha > 0 && alpha < 255) this.hasGhosts = true;
+      this.parts.setVisibleAt(instance, alpha > 0);
+    });
+    this.lookTexture.needsUpdate = true;
+  }
+
+  /** What lies beyond the plane (normal, offset; in world coordinates) is cut away. */
+  setSection(plane: { normal: Vec3; offset: number } | null): void {
+    if (!plane) this.uniforms.section.value.set(0, 0, 0, 0);
+    else {
+      const [x, y, z] = plane.normal;
+      this.uniforms.section.value.set(x, y, z, plane.offset - dot(plane.normal, this.origin));
+    }
+  }
+
+  setExplosion(factor: number, centre: Vec3): void {
+    this.explosion = { factor, centre };
+    this.place();
+  }
+
+  setOrigin(origin: Vec3): void {
+    this.origin = origin;
+    this.place();
+  }
+
+  /** How far the explosion moves a part. */
+  shiftOf(id: number): Vec3 {
+    const { factor, centre } = this.explosion;
+    return factor === 0 ? [0, 0, 0] : scale(sub(middleOf(this.boxes[id]), centre), factor);
+  }
+
+  private place(): void {
+    const matrix = new Matrix4();
+    this.partOf.forEach((id, instance) => {
+      const { pose } = this.scene.objects[id];
+      const [tx, ty, tz] = add(sub([pose[3], pose[7], pose[11]], this.origin), this.shiftOf(id));
+      // prettier-ignore
+      matrix.set(
+        pose[0], pose[1], pose[2], tx,
+        pose[4], pose[5], pose[6], ty,
+        pose[8], pose[9], pose[10], tz,
+        0, 0, 0, 1,
+      );
+      for (let k = 0; k < 12; ++k) this.poseData[12 * instance + k] = matrix.elements[(k % 4) * 4 + (k >> 2)];
+      this.parts.setMatrixAt(instance, matrix);
+    });
+    this.poseTexture.needsUpdate = true;
+  }
+}
+
+function worldBox(pose: number[], mesh: DrawnMesh | null): Box {
+  const box = emptyBox();
+  const local = mesh ?? box;
+  if (isEmpty(local)) return box;
+  for (const [x, y, z] of cornersOf(local)) {
+    grow(box, [
+      pose[0] * x + pose[1] * y + pose[2] * z + pose[3],
+      pose[4] * x + pose[5] * y + pose[6] * z + pose[7],
+      pose[8] * x + pose[9] * y + pose[10] * z + pose[11],
+    ]);
+  }
+  return box;
+}

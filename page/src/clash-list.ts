@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The list of clashes.
+import { type Clash, filterClashes, type Group, groupClashes, sortClashes, verbOf } from './clashes';
+import { kVerdicts } from './data';
+import { byId, el, nameOf, numberOf } from './dom';
+import { counted, nameText, plural, rounded } from './format';
+import type { Store } from './store';
+import { VirtualRows } from './virtual-rows';
+
+export interface PartWords {
+  title: (id: number) => string;
+  typeOf: (id: number) => { key: number; title: string };
+}
+
+type Row = { clash: Clash } | { group: Group };
+
+const kListed = byId('clash-list');
+
+export class ClashList {
+  /** What passes the filter, in order. */
+  visible: Clash[] = [];
+  private rowsShown: Row[] = [];
+  private readonly closed = new Set<string>();
+  private readonly rows: VirtualRows;
+
+  constructor(
+    private readonly clashes: Clash[],
+    private readonly words: PartWords,
+    private readonly store: Store,
+  ) {
+    this.rows = new VirtualRows(kListed, 'row', {
+      count: 0,
+      fill: (row, i) => this.fill(row, i),
+      onChoose: (i) => this.choose(i),
+      onKey: (i, event) => this.key(i, event),
+    });
+    store.listen((_, changed) => {
+      if (changed.has('filter') || changed.has('sort') || changed.has('group')) this.update();
+      else if (changed.has('clash')) this.reveal();
+    });
+    this.update();
+  }
+
+  private get total(): number {
+    return this.clashes.filter((clash) => clash.pair).length;
+  }
+
+  private update(): void {
+    const { filter, sort, group, clash } = this.store.state;
+    this.visible = sortClashes(filterClashes(this.clashes, filter), sort);
+    if (group === 'none') {
+      this.rowsShown = this.visible.map((one) => ({ clash: one }));
+    } else {
+      this.rowsShown = [];
+      for (const one of groupClashes(this.visible, group, this.words.title, this.words.typeOf)) {
+        this.rowsShown.push({ group: one });
+        if (!this.closed.has(one.key)) for (const member of one.clashes) this.rowsShown.push({ clash: member });
+      }
+    }
+    kListed.setAttribute('role', group === 'none' ? 'grid' : 'treegrid');
+    kListed.setAttribute('aria-rowcount', String(this.rowsShown.length));
+    const { total } = this;
+    byId('clashes-count').textContent =
+      this.visible.length === total ? counted(total) : `${counted(this.visible.length)} of ${counted(total)}`;
+    this.rows.source.count = this.rowsShown.length;
+    kListed.classList.toggle('empty', this.rowsShown.length === 0);
+    kListed.dataset.empty = total ? 'No clash passes the filters.' : 'No two parts clash.';
+    this.rows.current = clash ? this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash) : -1;
+    this.rows.refresh();
+  }
+
+  private reveal(): void {
+    const { clash } = this.store.state;
+    const current = this.rowsShown[this.rows.current];
+    // Under both of its parts a clash has two rows; the one that was chosen stays.
+    if (clash && !(current && 'clash' in current && current.clash === clash)) {
+      this.rows.moveTo(
+        this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash),
+        false,
+      );
+    }
+    this.rows.refresh();
+  }
+
+  /** The next clash of the list in a direction, from the chosen one. */
+  step(by: 1 | -1): void {
+    let i = this.rows.current;
+    if (i < 0) i = by > 0 ? -1 : 0;
+    for (i += by; i >= 0 && i < this.rowsShown.length; i += by) {
+      const row = this.rowsShown[i];
+      if (!('clash' in row)) continue;
+      this.rows.moveTo(i, false);
+      this.store.select(row.clash);
+      return;
+    }
+  }
+
+  private choose(index: number): void {
+    const row = this.rowsShown[index];
+    if ('group' in row) this.toggle(row.group);
+    else this.store.select(row.clash);
+  }
+
+  private toggle(group: Group, isClosed = !this.closed.has(group.key)): void {
+    const { scrollTop } = kListed;
+    if (isClosed) this.closed.add(group.key);
+    else this.closed.delete(group.key);
+    this.update();
+    kListed.scrollTop = scrollTop;
+    this.rows.moveTo(this.rowsShown.findIndex((row) => 'group' in row && row.group.key === group.key));
+  }
+
+  private key(index: number, event: KeyboardEvent): boolean {
+    const row = this.rowsShown[index];
+    if (!('group' in row)) return false;
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return false;
+    this.toggle(row.group, event.key === 'ArrowLeft');
+    return true;
+  }
+
+  private fill(row: HTMLElement, index: number): void {
+    const shown = this.rowsShown[index];
+    row.setAttribute('aria-rowindex', String(index + 1));
+    if ('group' in shown) this.fillGroup(row, shown.group);
+    else this.fillClash(row, shown.clash);
+  }
+
+  private fillGroup(row: HTMLElement, group: Group): void {
+    const isOpen = !this.closed.has(group.key);
+    row.className = 'row clash-group';
+    row.removeAttribute('aria-selected');
+    row.setAttribute('aria-level', '1');
+    row.setAttribute('aria-expanded', String(isOpen));
+    const worst = group.clashes.reduce((best, clash) => (clash.rank < best.rank ? clash : best));
+    row.replaceChildren(
+      el(
+        'span',
+        { role: 'gridcell', class: `group-title verdict ${worst.verdict}` },
+        el('span', { class: 'indent', 'aria-hidden': 'true' }, isOpen ? '▾' : '▸'),
+        el('span', { class: 'names' }, nameOf(group.title), el('small', {}, verdictsOf(group))),
+      ),
+      el(
+        'span',
+        { role: 'gridcell', class: 'badge quiet', title: plural(group.clashes.length, 'clash', 'clashes') },
+        counted(group.clashes.length),
+      ),
+    );
+  }
+
+  private fillClash(row: HTMLElement, clash: Clash): void {
+    row.className = `row clash verdict ${clash.verdict}`;
+    row.classList.toggle('is-resolved', clash.resolved !== null);
+    row.setAttribute('aria-selected', String(clash === this.store.state.clash));
+    row.removeAttribute('aria-expanded');
+    if (this.store.state.group === 'none') row.removeAttribute('aria-level');
+    else row.setAttribute('aria-level', '2');
+    const verb = verbOf(clash.verdict);
+    const about = clash.pair ?? clash.resolved!;
+    const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
+    const tags = el('span', { class: 'tags' });
+    if (clash.resolved) tags.append(el('span', { class: 'tag' }, 'resolved'));
+    if (clash.pair?.change === 'new') tags.append(el('span', { class: 'tag new' }, 'new'));
+    if (about.status) tags.append(el('span', { class: 'tag' }, nameText(about.status, 24)));
+    row.replaceChildren(
+      el('span', { role: 'gridcell', class: 'rank' }, counted(clash.rank)),
+      el('span', { role: 'gridcell', class: 'names' }, el('span', { class: 'first' }, nameOf(clash.names[0])), second),
+      el('span', { role: 'gridcell', class: 'figures' }, this.mainFigure(clash), this.sideFigure(clash, tags)),
+    );
+  }
+
+  private mainFigure(clash: Clash): HTMLElement {
+    if (!Number.isNaN(clash.depth))
+      return el('span', { class: 'main' }, el('small', {}, 'depth '), numberOf(clash.depth));
+    if (!Number.isNaN(clash.distance))
+      return el('span', { class: 'main' }, el('small', {}, 'gap '), numberOf(clash.distance));
+    return el('span', { class: 'main' }, '');
+  }
+
+  private sideFigure(clash: Clash, tags: HTMLElement): HTMLElement {
+    if (tags.childNodes.length) return tags;
+    const side = el('span', { class: 'side' });
+    const regions = clash.pair?.regions?.length ?? 0;
+    if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
+    else if (regions) side.append(el('small', {}, plural(regions, 'region')));
+    return side;
+  }
+}
+
+/** How many of each verdict. */
+function verdictsOf(group: Group): string {
+  const counts = kVerdicts.map((verdict) => group.clashes.filter((clash) => clash.verdict === verdict).length);
+  return kVerdicts
+    .map((verdict, i) => `${counted(counts[i])} ${verdict === 'apart' ? 'too near' : verdict}`)
+    .filter((_, i) => counts[i])
+    .join(', ');
+}
+
+/** One sentence, as it is read out. */
+export function sentenceOf(clash: Clash, place: string): string {
+  const [a, b] = clash.names.map((name) => nameText(name, 80));
+  const parts = [`${a} ${verbOf(clash.verdict)} ${b}`];
+  if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
+  if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
+  return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
+}

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// How the choices of the user look in 3D: which parts are solid, faded or hidden, and what is drawn over them.
+import type { Assembly, Look } from './assembly';
+import type { Clash } from './clashes';
+import { calmColour, kPartColours, type Rgb, themeColour, verdictColour, worst } from './colours';
+import type { Report, SceneBlock, Vec3, Verdict } from './data';
+import type { Stroke } from './overlay';
+import { findSight, samplesOf } from './sight';
+import type { State } from './store';
+import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, unite } from './vector';
+
+const kGhost = 0.06;
+const kGlass = 0.42;
+const kThinGlass = 0.2;
+
+export class ClashView {
+  private readonly files: string[];
+  private readonly worstOf: (Verdict | null)[];
+
+  /** The contact of the chosen clash is seen from nowhere: the larger part is drawn as of glass. */
+  private isBuried = false;
+
+  constructor(
+    private readonly report: Report,
+    private readonly scene: SceneBlock,
+    private readonly assembly: Assembly,
+  ) {
+    this.files = [...new Set(report.objects.map((part) => part.file))];
+    this.worstOf = report.objects.map(() => null);
+    for (const { a, b, verdict } of report.pairs) {
+      for (const id of [a, b]) this.worstOf[id] = this.worstOf[id] ? worst(this.worstOf[id], verdict) : verdict;
+    }
+  }
+
+  private baseColour(id: number, by: State['colourBy'], plain: Rgb): Rgb {
+    if (by === 'file') return calmColour(this.files.indexOf(this.report.objects[id].file));
+    if (by === 'type') return calmColour(this.scene.objects[id].mesh);
+    const verdict = this.worstOf[id];
+    return verdict ? verdictColour(verdict) : plain;
+  }
+
+  private largerOf(clash: Clash): [boolean, boolean] {
+    const [a, b] = [clash.first, clash.second].map((id) => (id < 0 ? 0 : radiusOf(this.assembly.boxes[id])));
+    return [a >= b, b >= a];
+  }
+
+  applyLooks(state: State): void {
+    const { clash, part, hidden, isolated, others, glass, colourBy } = state;
+    const ghost: Look = [...themeColour('--ghost'), kGhost];
+    const gone: Look = [0, 0, 0, 0];
+    const [a, b] = [themeColour(kPartColours.a), themeColour(kPartColours.b)];
+    const picked = themeColour(kPartColours.picked);
+    const plain = themeColour('--plain-part');
+    // What hides a buried contact is the larger part.
+    const [hidesA, hidesB] = this.isBuried && clash ? this.largerOf(clash) : [false, false];
+    const alphaOf = (hides: boolean) => (hides ? kThinGlass : glass ? kGlass : 1);
+    const colours = new Map<number | string | null, Rgb>();
+    const base = (id: number): Rgb => {
+      const key =
+        colourBy === 'type'
+          ? this.scene.objects[id].mesh
+          : colourBy === 'file'
+            ? this.report.objects[id].file
+            : this.worstOf[id];
+      let colour = colours.get(key);
+      if (!colour) colours.set(key, (colour = this.baseColour(id, colourBy, plain)));
+      return colour;
+    };
+    this.assembly.setLooks((id) => {
+      if (clash) {
+        if (id === clash.first) return [...a, alphaOf(hidesA)];
+        if (id === clash.second) return [...b, alphaOf(hidesB)];
+      }
+      if (hidden.has(id) || (isolated && !isolated.has(id))) return gone;
+      if (clash && others !== 'show') return others === 'fade' ? ghost : gone;
+      return [...(id === part ? picked : base(id)), 1];
+    });
+  }
+
+  /** From which direction to look at the chosen clash; the present one, if much of it is seen from there. */
+  lookFrom(state: State, present: Vec3): Vec3 {
+    const { clash, region } = state;
+    this.isBuried = false;
+    if (!clash) return present;
+    const regions = clash.pair?.regions ?? [];
+    const lines = (region >= 0 ? [regions[region]] : regions).flatMap((one) => one.lines);
+    if (!lines.length && clash.pair?.nearest) lines.push(clash.pair.nearest);
+    const parts = [clash.first, clash.second].filter((id) => id >= 0);
+    const obstacles = parts.map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
+    const gap = radiusOf(this.partsBox(clash)) * 2e-3;
+    const sight = findSight(obstacles, samplesOf(lines), present, gap);
+    this.isBuried = sight.isBuried;
+    return sight.direction;
+  }
+
+  strokes(state: State): Stroke[] {
+    const pair = state.clash?.pair;
+    if (!pair) return state.clash?.resolved?.centroid ? [this.dot(state.clash.resolved.centroid, '--contact')] : [];
+    const strokes: Stroke[] = [];
+    (pair.regions ?? []).forEach((region, i) => {
+      if (state.region >= 0 && state.region !== i) return;
+      const colour = themeColour('--contact');
+      for (const points of region.lines) strokes.push({ points, colour, width: points.length > 1 ? 1.25 : 3 });
+      if (state.boxes) strokes.push(...boxStrokes(region.box), this.dot(region.centroid, '--contact'));
+      if ((state.region === i || state.boxes) && region.normal.some((c) => c !== 0)) {
+        const size = Math.max(
+          length(sub(region.box[1], region.box[0])) / 2,
+          radiusOf(this.partsBox(state.clash!)) / 12,
+        );
+        strokes.push({
+          points: [region.centroid, add(region.centroid, scale(region.normal, size))],
+          colour: themeColour('--part-b'),
+          width: 1.75,
+        });
+      }
+    });
+    if (pair.nearest) {
+      const [p, q] = pair.nearest;
+      const isTurned = state.clash!.first !== pair.a;
+      strokes.push({ points: [p, q], colour: themeColour('--contact'), width: 1.25 });
+      strokes.push(this.dot(p, isTurned ? '--part-b' : '--part-a'), this.dot(q, isTurned ? '--part-a' : '--part-b'));
+    }
+    return strokes;
+  }
+
+  private dot(point: Vec3, colour: string): Stroke {
+    return { points: [point, point], colour: themeColour(colour), width: 3.5 };
+  }
+
+  partsBox(clash: Clash): Box {
+    return unite([clash.first, clash.second].filter((id) => id >= 0).map((id) => this.assembly.boxes[id]));
+  }
+
+  /** What the camera flies to: the contact with so much of the smaller part around it that one sees what it belongs to. */
+  focus(state: State): { middle: Vec3; radius: number } | null {
+    const { clash } = state;
+    if (!clash) return null;
+    const box = emptyBox();
+    const regions = clash.pair?.regions ?? [];
+    for (const region of state.region >= 0 ? [regions[state.region]] : regions) grow(box, ...region.box);
+    if (clash.pair?.nearest) grow(box, ...clash.pair.nearest);
+    if (clash.resolved?.centroid) grow(box, clash.resolved.centroid);
+    const whole = this.partsBox(clash);
+    const contact = radiusOf(box);
+    if (!(box.min[0] <= box.max[0]))
+      return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
+    const sizes = [clash.first, clash.second].filter((id) => id >= 0).map((id) => radiusOf(this.assembly.boxes[id]));
+    const smaller = Math.min(...sizes.filter((size) => size > 0), radiusOf(whole) || Infinity);
+    const around = state.region >= 0 ? 0.18 : 0.75;
+    return {
+      middle: middleOf(box),
+      radius: Math.max(1.5 * contact, around * (Number.isFinite(smaller) ? smaller : 1), 1e-9),
+    };
+  }
+}
+
+function boxStrokes([min, max]: [Vec3, Vec3]): Stroke[] {
+  const colour = themeColour('--box');
+  const at = (i: number): Vec3 => [(i & 1 ? max : min)[0], (i & 2 ? max : min)[1], (i & 4 ? max : min)[2]];
+  const strokes: Stroke[] = [];
+  for (let i = 0; i < 8; ++i) {
+    for (const bit of [1, 2, 4]) if (!(i & bit)) strokes.push({ points: [at(i), at(i | bit)], colour, width: 0.75 });
+  }
+  return strokes;
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The clashes of a report: ranked, filtered, sorted and grouped. Nothing here touches the page.
+import { kVerdicts, type Pair, type Report, type Resolved, type Vec3, type Verdict } from './data';
+
+export interface Clash {
+  /** From 1, in the order of the command's table. Resolved clashes follow. */
+  rank: number;
+  pair: Pair | null;
+  resolved: Resolved | null;
+  verdict: Verdict;
+  /** Ids of the parts; -1 if a resolved clash names one that is gone. With `inside` the inner part stands first. */
+  first: number;
+  second: number;
+  names: [string, string];
+  /** The greater upper end of both overlap depths, NaN if none was measured. */
+  depth: number;
+  distance: number;
+  /** Sum of the areas of all regions, NaN without regions. */
+  area: number;
+  text: string;
+}
+
+export type SortKey = 'rank' | 'depth' | 'distance' | 'area' | 'name';
+export type GroupKey = 'none' | 'part' | 'types' | 'test';
+
+export interface Filter {
+  verdicts: Set<Verdict>;
+  resolved: boolean;
+  failing: boolean;
+  text: string;
+  depthFrom: number;
+  distanceTo: number;
+  parts: Set<number> | null;
+  test: string;
+  status: string;
+  change: string;
+}
+
+export const emptyFilter = (): Filter => ({
+  verdicts: new Set(),
+  resolved: false,
+  failing: false,
+  text: '',
+  depthFrom: NaN,
+  distanceTo: NaN,
+  parts: null,
+  test: '',
+  status: '',
+  change: '',
+});
+
+export const isFiltering = (filter: Filter): boolean =>
+  filter.verdicts.size > 0 ||
+  filter.resolved ||
+  filter.failing ||
+  filter.text !== '' ||
+  !Number.isNaN(filter.depthFrom) ||
+  !Number.isNaN(filter.distanceTo) ||
+  filter.parts !== null ||
+  filter.test !== '' ||
+  filter.status !== '' ||
+  filter.change !== '';
+
+export function depthOf(pair: Pair): number {
+  const depths = [pair.overlap_depth?.a_in_b, pair.overlap_depth?.b_in_a].filter((d) => d != null);
+  return depths.length ? Math.max(...depths.map((d) => d[1])) : NaN;
+}
+
+function ofPair(report: Report, pair: Pair): Clash {
+  const isTurned = pair.inner === pair.b;
+  const first = isTurned ? pair.b : pair.a;
+  const second = isTurned ? pair.a : pair.b;
+  const [a, b] = [report.objects[first], report.objects[second]];
+  return {
+    rank: 0,
+    pair,
+    resolved: null,
+    verdict: pair.verdict,
+    first,
+    second,
+    names: [a.name, b.name],
+    depth: depthOf(pair),
+    distance: pair.distance ?? NaN,
+    area: pair.regions ? pair.regions.reduce((sum, region) => sum + region.area, 0) : NaN,
+    text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
+  };
+}
+
+function ofResolved(resolved: Resolved, idOf: Map<string, number>): Clash {
+  const id = (place: Resolved['a']) => idOf.get(`${place.file}\n${place.path}`) ?? -1;
+  const { a, b } = resolved;
+  return {
+    rank: 0,
+    pair: null,
+    resolved,
+    verdict: resolved.verdict,
+    first: id(a),
+    second: id(b),
+    names: [a.name, b.name],
+    depth: NaN,
+    distance: NaN,
+    area: NaN,
+    text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
+  };
+}
+
+/** NaN last, whatever the direction. */
+function compare(x: number, y: number, sign: number): number {
+  if (Number.isNaN(x) || Number.isNaN(y)) return Number(Number.isNaN(x)) - Number(Number.isNaN(y));
+  return sign * (x - y);
+}
+
+const verdictRank = (verdict: Verdict): number => kVerdicts.indexOf(verdict);
+
+/** All clashes in the order of the command's table: by verdict, the deepest first, then the nearest, then as in the file. */
+export function rankClashes(report: Report): Clash[] {
+  const clashes = report.pairs.map((pair) => ofPair(report, pair));
+  clashes.sort(
+    (x, y) =>
+      verdictRank(x.verdict) - verdictRank(y.verdict) ||
+      compare(x.depth, y.depth, -1) ||
+      compare(x.distance, y.distance, 1),
+  );
+  const idOf = new Map(report.objects.map((part, id) => [`${part.file}\n${part.path}`, id]));
+  for (const resolved of report.resolved ?? []) clashes.push(ofResolved(resolved, idOf));
+  clashes.forEach((clash, i) => (clash.rank = i + 1));
+  return clashes;
+}
+
+function passes(clash: Clash, filter: Filter, words: string[]): boolean {
+  const about = clash.pair ?? clash.resolved!;
+  if (clash.resolved) {
+    if (!filter.resolved) return false;
+  } else if (filter.resolved && filter.verdicts.size === 0) {
+    return false;
+  }
+  if (filter.verdicts.size && !filter.verdicts.has(clash.verdict)) return false;
+  if (filter.failing && !clash.pair?.fails) return false;
+  if (!words.every((word) => clash.text.includes(word))) return false;
+  if (!Number.isNaN(filter.depthFrom) && !(clash.depth >= filter.depthFrom)) return false;
+  if (!Number.isNaN(filter.distanceTo) && !(clash.distance <= filter.distanceTo)) return false;
+  if (filter.parts && !filter.parts.has(clash.first) && !filter.parts.has(clash.second)) return false;
+  if (filter.test && about.test !== filter.test) return false;
+  if (filter.status && about.status !== filter.status) return false;
+  return !filter.change || clash.pair?.change === filter.change;
+}
+
+export function filterClashes(clashes: Clash[], filter: Filter): Clash[] {
+  const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean);
+  return clashes.filter((clash) => passes(clash, filter, words));
+}
+
+const collator = new Intl.Collator('en', { numeric: true });
+
+export function sortClashes(clashes: Clash[], key: SortKey): Clash[] {
+  const by: Record<SortKey, (x: Clash, y: Clash) => number> = {
+    rank: () => 0,
+    depth: (x, y) => compare(x.depth, y.depth, -1),
+    distance: (x, y) => compare(x.distance, y.distance, 1),
+    area: (x, y) => compare(x.area, y.area, -1),
+    name: (x, y) => collator.compare(x.names[0], y.names[0]) || collator.compare(x.names[1], y.names[1]),
+  };
+  return [...clashes].sort((x, y) => by[key](x, y) || x.rank - y.rank);
+}
+
+export interface Group {
+  key: string;
+  title: string;
+  clashes: Clash[];
+}
+
+/** Groups in the order of their first clash. By part, a clash stands under both of its parts. */
+export function groupClashes(
+  clashes: Clash[],
+  by: GroupKey,
+  titleOfPart: (id: number) => string,
+  typeOf: (id: number) => { key: number; title: string },
+): Group[] {
+  const groups = new Map<string, Group>();
+  const put = (key: string, title: () => string, clash: Clash) => {
+    const group = groups.get(key);
+    if (group) group.clashes.push(clash);
+    else groups.set(key, { key, title: title(), clashes: [clash] });
+  };
+  for (const clash of clashes) {
+    if (by === 'test') {
+      const test = (clash.pair ?? clash.resolved!).test ?? '';
+      put(test, () => test || 'No named test', clash);
+    } else if (by === 'part') {
+      [clash.first, clash.second].forEach((id, side) => {
+        if (id < 0) put(`gone ${clash.names[side]}`, () => clash.names[side], clash);
+        else put(String(id), () => titleOfPart(id), clash);
+      });
+    } else {
+      const types = [clash.first, clash.second].map((id, side) =>
+        id < 0 ? { key: -1, title: clash.names[side] } : typeOf(id),
+      );
+      types.sort((x, y) => x.key - y.key);
+      const key = types.map((type) => (type.key < 0 ? type.title : String(type.key))).join('\n');
+      put(key, () => `${types[0].title} × ${types[1].title}`, clash);
+    }
+  }
+  return [...groups.values()];
+}
+
+/** The middle of what there is to see of a clash, if the report says where it is. */
+export function placeOf(clash: Clash): Vec3 | null {
+  if (clash.resolved) return clash.resolved.centroid ?? null;
+  const pair = clash.pair!;
+  if (pair.regions?.length) return pair.regions[0].centroid;
+  if (pair.nearest) {
+    const [p, q] = pair.nearest;
+    return [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
+  }
+  return null;
+}
+
+const kVerbs: Record<Verdict, string> = {
+  duplicate: 'is a duplicate of',
+  inside: 'lies inside',
+  penetrating: 'penetrates',
+  crossing: 'crosses',
+  touching: 'touches',
+  apart: 'is too near',
+};
+export const verbOf = (verdict: Verdict): string => kVerbs[verdict];

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The data blocks of the page as types, and their reading. README.md describes them.
+
+export type Vec3 = [number, number, number];
+export type Interval = [number, number];
+export type Verdict = 'duplicate' | 'inside' | 'penetrating' | 'crossing' | 'touching' | 'apart';
+
+/** The verdicts in the order of the table, worst first. */
+export const kVerdicts: readonly Verdict[] = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'apart'];
+
+export interface Part {
+  id: number;
+  name: string;
+  path: string;
+  product: string;
+  file: string;
+  triangles: number;
+  closed?: boolean;
+  open_edges?: number;
+  solid?: boolean;
+  first_open_edge?: [Vec3, Vec3] | null;
+  self_crossings?: number;
+  first_self_crossing?: { triangles: [number, number]; near: Vec3 } | null;
+  volume?: number | null;
+  area?: number | null;
+  wall?: number | null;
+}
+
+export interface Region {
+  pairs: number;
+  box: [Vec3, Vec3];
+  area: number;
+  length: number;
+  centroid: Vec3;
+  normal: Vec3;
+  lines: Vec3[][];
+  triangles_a?: number[];
+  triangles_b?: number[];
+  id?: string;
+  change?: string | null;
+  status?: string | null;
+  comment?: string | null;
+}
+
+export interface Pair {
+  a: number;
+  b: number;
+  crossing: number;
+  touching: number;
+  coplanar: number;
+  verdict: Verdict;
+  inner: number | null;
+  note: string | null;
+  tolerance: number | null;
+  fails: boolean;
+  overlap_depth?: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
+  distance?: number | null;
+  distance_error?: number | null;
+  nearest?: [Vec3, Vec3] | null;
+  regions?: Region[];
+  id?: string;
+  test?: string | null;
+  change?: string | null;
+  status?: string | null;
+  comment?: string | null;
+}
+
+interface Place {
+  name: string;
+  path: string;
+  file: string;
+}
+
+export interface Resolved {
+  a: Place;
+  b: Place;
+  verdict: Verdict;
+  test?: string | null;
+  centroid?: Vec3 | null;
+  status?: string | null;
+  comment?: string | null;
+}
+
+export interface Settings {
+  tolerance: 'auto' | number;
+  clearance: number;
+  depth: boolean;
+  regions: boolean;
+  fail_on: string[];
+  ignore?: unknown[];
+  within_products?: boolean;
+}
+
+export interface Report {
+  version: number;
+  settings: Settings | null;
+  objects: Part[];
+  pairs: Pair[];
+  counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
+  resolved?: Resolved[];
+  tests?: { name: string; mode?: string; tolerance?: number | string; clearance?: number }[];
+}
+
+export interface SceneBlock {
+  version: number;
+  title: string;
+  triangles: number;
+  shown: number;
+  meshes: { vertices: number; triangles: number }[];
+  objects: { mesh: number; pose: number[] }[];
+}
+
+/** What the page says instead of showing a block that it cannot read. */
+export class BlockError extends Error {}
+
+function blockText(id: string, what: string): string {
+  const element = document.getElementById(id);
+  if (!element) throw new BlockError(`This page holds no ${what}: the block “${id}” is missing.`);
+  const text = element.textContent ?? '';
+  element.remove();
+  return text;
+}
+
+function blockJson(id: string, what: string): Record<string, unknown> {
+  const text = blockText(id, what);
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new BlockError(`The ${what} cannot be read: the block “${id}” is not JSON, or was cut short.`);
+  }
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    throw new BlockError(`The ${what} cannot be read: the block “${id}” holds no object.`);
+  }
+  const version = (value as { version?: unknown }).version;
+  if (version !== 1) {
+    throw new BlockError(`The ${what} is of version ${String(version)}, and this page reads version 1.`);
+  }
+  return value as Record<string, unknown>;
+}
+
+const isIndex = (value: unknown, size: number) => Number.isInteger(value) && Number(value) >= 0 && Number(value) < size;
+
+export function readReport(): Report {
+  const report = blockJson('report', 'report') as unknown as Report;
+  if (!Array.isArray(report.objects)) throw new BlockError('The report cannot be read: it lists no parts.');
+  if (!Array.isArray(report.pairs)) throw new BlockError('The report cannot be read: it lists no pairs.');
+  const parts = report.objects.length;
+  report.pairs.forEach((pair, i) => {
+    if (!isIndex(pair.a, parts) || !isIndex(pair.b, parts) || !kVerdicts.includes(pair.verdict)) {
+      throw new BlockError(`The report cannot be read: its pair ${i} names no two parts of it, or no verdict.`);
+    }
+  });
+  report.resolved = (report.resolved ?? []).filter((r) => r.a && r.b && kVerdicts.includes(r.verdict));
+  return report;
+}
+
+export function readScene(parts: number): SceneBlock {
+  const scene = blockJson('scene', '3D scene') as unknown as SceneBlock;
+  if (!Array.isArray(scene.meshes) || !Array.isArray(scene.objects)) {
+    throw new BlockError('The 3D scene cannot be read: it lists no meshes or no objects.');
+  }
+  if (scene.objects.length !== parts) {
+    throw new BlockError(
+      `The 3D scene has ${scene.objects.length} objects, but the report has ${parts} parts: they do not belong together.`,
+    );
+  }
+  scene.objects.forEach((object, i) => {
+    const isPlaced = Array.isArray(object.pose) && object.pose.length === 12 && object.pose.every(Number.isFinite);
+    if (object.mesh !== -1 && (!isIndex(object.mesh, scene.meshes.length) || !isPlaced)) {
+      throw new BlockError(`The 3D scene cannot be read: its object ${i} has no mesh or no pose.`);
+    }
+  });
+  return scene;
+}
+
+export const readGeometryText = (): string => blockText('geometry', '3D geometry').trim();

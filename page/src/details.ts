@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The figures of the chosen clash or part.
+import { type Clash, verbOf } from './clashes';
+import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
+import { byId, button, countOf, el, nameOf, numberOf } from './dom';
+import { counted, fileName } from './format';
+import type { Store } from './store';
+
+type Value = (Node | string)[];
+
+const kRegionsAtOnce = 60;
+
+const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', numberOf(p[2])];
+const interval = ([low, high]: Interval): Value =>
+  low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)];
+
+function figures(rows: [string, Value | null][]): HTMLElement {
+  const list = el('dl');
+  for (const [term, value] of rows) {
+    if (value) list.append(el('dt', {}, term), el('dd', {}, ...value));
+  }
+  return list;
+}
+
+export interface PartActions {
+  fit: (parts: number[]) => void;
+  toggleHidden: (parts: number[]) => void;
+}
+
+export class Details {
+  private readonly body = byId('details-body');
+
+  constructor(
+    private readonly report: Report,
+    private readonly clashesOf: (part: number) => number,
+    private readonly store: Store,
+    private readonly actions: PartActions,
+  ) {
+    store.listen((_, changed) => {
+      if (changed.has('clash') || changed.has('part')) this.show();
+      else if (changed.has('region')) this.markRegion();
+      else if (changed.has('hidden') || changed.has('isolated')) this.show();
+    });
+    this.show();
+  }
+
+  private show(): void {
+    const { clash, part } = this.store.state;
+    document.body.classList.toggle('idle', !clash && part < 0);
+    if (clash) this.body.replaceChildren(...this.ofClash(clash));
+    else if (part >= 0) this.body.replaceChildren(...this.ofPart(this.report.objects[part]));
+    else this.body.replaceChildren(el('p', { class: 'hint' }, this.hint()));
+    this.body.scrollTop = 0;
+  }
+
+  private hint(): string {
+    if (!this.report.settings) return 'Choose a part, in the view or in the tree, to see its figures.';
+    return this.report.pairs.length
+      ? 'Choose a clash in the list, or a part in the view, to see its figures. J and K go through the clashes.'
+      : 'Choose a part, in the view or in the tree, to see its figures.';
+  }
+
+  private ofClash(clash: Clash): Node[] {
+    const nodes: Node[] = [
+      el(
+        'div',
+        { class: `sentence verdict ${clash.verdict}` },
+        this.partLink(clash, 0),
+        el('span', { class: 'verb' }, verbOf(clash.verdict)),
+        this.partLink(clash, 1),
+      ),
+    ];
+    const about = clash.pair ?? clash.resolved!;
+    if (clash.pair?.note) nodes.push(el('p', { class: 'note' }, `Note: ${clash.pair.note}.`));
+    nodes.push(
+      figures([
+        ['Status', about.status ? [nameOf(about.status)] : null],
+        ['Comment', about.comment ? [nameOf(about.comment, 2000)] : null],
+        ['Change', clash.pair?.change ? [clash.pair.change] : clash.resolved ? ['resolved'] : null],
+        ['Test', about.test ? [nameOf(about.test)] : null],
+      ]),
+    );
+    if (clash.pair)
+      nodes.push(this.measures(clash, clash.pair), this.facts(clash, clash.pair), ...this.regions(clash.pair));
+    return nodes;
+  }
+
+  private partLink(clash: Clash, side: 0 | 1): HTMLElement {
+    const id = side === 0 ? clash.first : clash.second;
+    const letter = el('span', { class: `letter side-${'ab'[side]}` }, 'AB'[side]);
+    const name = clash.names[side];
+    if (id < 0) return el('span', { class: 'part-link' }, letter, nameOf(name, 2000));
+    const link = button('', () => this.store.set({ clash: null, part: id }), {
+      class: 'link',
+      title: 'Show this part',
+    });
+    link.append(nameOf(name, 2000));
+    const part = this.report.objects[id];
+    const where = el(
+      'small',
+      {},
+      nameOf(part.path === part.name ? fileName(part.file) : `${fileName(part.file)} / ${part.path}`, 300),
+    );
+    return el('div', { class: 'part-link' }, letter, el('div', {}, link, where));
+  }
+
+  /** What was measured, large. `a` and `b` of the report are turned where the inner part stands first. */
+  private measures(clash: Clash, pair: Pair): HTMLElement {
+    const isTurned = clash.first !== pair.a;
+    const depths = pair.overlap_depth;
+    const [first, second] = isTurned ? [depths?.b_in_a, depths?.a_in_b] : [depths?.a_in_b, depths?.b_in_a];
+    const rows: [string, Value | null][] = [
+      ['Depth of A in B', first ? interval(first) : null],
+      ['Depth of B in A', second ? interval(second) : null],
+      ['Distance', pair.distance != null ? [numberOf(pair.distance), ' ± ', numberOf(pair.distance_error)] : null],
+      ['Area of contact', clash.area > 0 ? [numberOf(clash.area)] : null],
+    ];
+    const list = figures(rows);
+    list.classList.add('measures');
+    return list;
+  }
+
+  private facts(clash: Clash, pair: Pair): HTMLElement {
+    const solid = (id: number): string => (this.report.objects[id].solid ? 'a solid' : 'a surface');
+    const wall = (id: number): Value | null => {
+      const value = this.report.objects[id].wall;
+      return value == null ? null : [numberOf(value)];
+    };
+    const nearest = pair.nearest && (clash.first === pair.a ? pair.nearest : [pair.nearest[1], pair.nearest[0]]);
+    return figures([
+      ['Verdict', [pair.verdict, pair.fails ? ', fails' : ', does not fail']],
+      [
+        'Triangle pairs',
+        [
+          countOf(pair.crossing),
+          ' crossing, ',
+          countOf(pair.touching),
+          ' touching, ',
+          countOf(pair.coplanar),
+          ' coplanar',
+        ],
+      ],
+      ['Nearest point of A', nearest ? point(nearest[0]) : null],
+      ['Nearest point of B', nearest ? point(nearest[1]) : null],
+      ['Tolerance applied', pair.tolerance == null ? null : [numberOf(pair.tolerance)]],
+      ['Kind', [`A is ${solid(clash.first)}, B is ${solid(clash.second)}`]],
+      ['Wall of A', wall(clash.first)],
+      ['Wall of B', wall(clash.second)],
+      ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
+      ['Id', pair.id ? [nameOf(pair.id)] : null],
+    ]);
+  }
+
+  private regions(pair: Pair): Node[] {
+    const regions = pair.regions ?? [];
+    if (!regions.length) return [];
+    const head = el(
+      'h3',
+      {},
+      regions.length === 1 ? 'One region of contact' : `${counted(regions.length)} regions of contact`,
+    );
+    const list = el('div', { class: 'regions', role: 'group', 'aria-label': 'Regions of contact' });
+    const add = (from: number, to: number) => {
+      for (let i = from; i < Math.min(to, regions.length); ++i) list.append(this.region(regions[i], i));
+    };
+    add(0, kRegionsAtOnce);
+    const nodes: Node[] = [head, list];
+    if (regions.length > kRegionsAtOnce) {
+      const more = button(`Show all ${counted(regions.length)} regions`, () => {
+        add(kRegionsAtOnce, regions.length);
+        more.remove();
+      });
+      nodes.push(more);
+    }
+    return nodes;
+  }
+
+  private region(region: Region, index: number): HTMLElement {
+    const element = button('', () => this.store.set({ region: this.store.state.region === index ? -1 : index }), {
+      class: 'region',
+      'aria-pressed': 'false',
+      'data-region': String(index),
+    });
+    const hasNormal = region.normal.some((c) => c !== 0);
+    element.append(
+      el('span', { class: 'rank' }, String(index + 1)),
+      el(
+        'span',
+        { class: 'region-figures' },
+        el('span', {}, el('small', {}, 'area '), numberOf(region.area)),
+        el('span', {}, el('small', {}, 'length '), numberOf(region.length)),
+        el('span', {}, el('small', {}, 'pairs '), countOf(region.pairs)),
+        el('span', { class: 'wide' }, el('small', {}, 'centre '), ...point(region.centroid)),
+        hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...point(region.normal)),
+        region.change && el('span', { class: 'tag' }, region.change),
+        region.status && el('span', { class: 'tag' }, nameOf(region.status, 40)),
+        region.comment && el('span', { class: 'wide' }, nameOf(region.comment, 2000)),
+      ),
+    );
+    return element;
+  }
+
+  private markRegion(): void {
+    for (const element of this.body.querySelectorAll<HTMLElement>('.region')) {
+      element.setAttribute('aria-pressed', String(Number(element.dataset.region) === this.store.state.region));
+    }
+  }
+
+  private ofPart(part: Part): Node[] {
+    const { hidden, isolated } = this.store.state;
+    const isHidden = hidden.has(part.id) || (isolated !== null && !isolated.has(part.id));
+    const clashes = this.clashesOf(part.id);
+    const actions = el(
+      'div',
+      { class: 'line actions' },
+      button('Fit', () => this.actions.fit([part.id])),
+      button(isHidden ? 'Show' : 'Hide', () => this.actions.toggleHidden([part.id])),
+      button('Isolate', () => this.store.set({ isolated: new Set([part.id]), hidden: new Set() })),
+    );
+    if (clashes) actions.append(button('Only its clashes', () => this.store.filterBy({ parts: new Set([part.id]) })));
+    const open = part.first_open_edge;
+    const crossing = part.first_self_crossing;
+    return [
+      el('div', { class: 'sentence part-name' }, nameOf(part.name, 2000)),
+      actions,
+      figures([
+        ['File', [nameOf(part.file, 2000)]],
+        ['Path', [nameOf(part.path, 2000)]],
+        ['IFC product', part.product ? [nameOf(part.product, 2000)] : null],
+        ['Part number', [countOf(part.id)]],
+        ['Clashes', this.report.settings ? [countOf(clashes)] : null],
+        ['Triangles', [countOf(part.triangles)]],
+        ['Kind', part.solid === undefined ? null : [part.solid ? 'solid' : 'surface']],
+        ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
+        ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],
+        ['Self-crossings', part.self_crossings ? [countOf(part.self_crossings)] : null],
+        ['First of them near', crossing ? point(crossing.near) : null],
+        ['Volume', part.volume == null ? null : [numberOf(part.volume)]],
+        ['Area', part.area == null ? null : [numberOf(part.area)]],
+        ['Wall', part.wall == null ? null : [numberOf(part.wall)]],
+      ]),
+    ];
+  }
+}

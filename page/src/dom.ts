@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Making elements. All text goes in as text: nothing that a file says is ever read as markup.
+import { counted, nameText, rounded } from './format';
+
+type Child = Node | string | null | undefined | false;
+
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string | number | boolean | null | undefined> = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === true) element.setAttribute(name, '');
+    else if (value !== false && value != null) element.setAttribute(name, String(value));
+  }
+  for (const child of children) if (child) element.append(child);
+  return element;
+}
+
+export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+/** A measured number, rounded, with all its digits in the title. */
+export function numberOf(value: number | null | undefined): HTMLElement {
+  if (value == null || Number.isNaN(value)) return el('span', { class: 'none' }, '–');
+  return el('span', { class: 'number', title: String(value) }, rounded(value));
+}
+
+export const countOf = (value: number): HTMLElement =>
+  el('span', { class: 'number', title: String(value) }, counted(value));
+
+/** A name from a file, kept from steering the text around it. */
+export function nameOf(name: string, longest = 200): HTMLElement {
+  return el('bdi', { class: 'name', title: nameText(name, 2000) }, nameText(name, longest));
+}
+
+export function button(
+  text: string,
+  onClick: () => void,
+  attributes: Record<string, string | boolean> = {},
+): HTMLButtonElement {
+  const element = el('button', { type: 'button', ...attributes }, text);
+  element.addEventListener('click', onClick);
+  return element;
+}
+
+export function setPressed(element: Element, isPressed: boolean): void {
+  element.setAttribute('aria-pressed', String(isPressed));
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Numbers and names as the page writes them.
+
+/** Four significant digits, all digits of a whole part below ten million. */
+export function rounded(value: number): string {
+  if (!Number.isFinite(value)) return String(value);
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size < 1e-4 || size >= 1e7) {
+    const [digits, power] = value.toExponential(3).split('e');
+    return `${String(Number(digits))}e${String(Number(power))}`.replace(/-/g, '−');
+  }
+  const decimals = Math.max(0, 3 - Math.floor(Math.log10(size)));
+  return String(Number(value.toFixed(decimals))).replace('-', '−');
+}
+
+/** A count with thin spaces between thousands. */
+export function counted(value: number): string {
+  return String(value).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f');
+}
+
+export const plural = (n: number, one: string, many = `${one}s`): string => `${counted(n)} ${n === 1 ? one : many}`;
+
+// Control characters, and those that turn the direction of text or hide in it, as the command's table spells them out.
+const kUnseen = /[\u0000-\u001f\u007f-\u009f\u00ad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g;
+
+function spelled(character: string): string {
+  if (character === '\n') return '\\n';
+  if (character === '\t') return '\\t';
+  const code = character.charCodeAt(0);
+  return code < 256 ? `\\x${code.toString(16).padStart(2, '0')}` : `\\u${code.toString(16).padStart(4, '0')}`;
+}
+
+/** A name as it may stand on the page: nothing in it steers the text around it, and it is cut in the middle if long. */
+export function nameText(name: string, longest = 200): string {
+  const characters = name.length > longest ? `${name.slice(0, longest / 2)}…${name.slice(-longest / 2)}` : name;
+  const text = characters.replace(kUnseen, spelled);
+  return text === '' ? '(no name)' : text;
+}
+
+/** The last step of a file's path. */
+export const fileName = (file: string): string => file.split(/[/\\]/).pop() || file;

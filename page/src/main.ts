@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Puts the page together: first what can be read, then what can be seen.
+import { rankClashes } from './clashes';
+import { ClashList, sentenceOf } from './clash-list';
+import { BlockError, readReport, readScene, type Report, type SceneBlock } from './data';
+import { Details } from './details';
+import { byId, button, el } from './dom';
+import { Filters } from './filters';
+import { counted, nameText } from './format';
+import { listenForKeys, makeHelp, type Shortcut } from './keys';
+import { PartsTree } from './parts-tree';
+import { Stage } from './stage';
+import { Store } from './store';
+import { showSummary, tellSimplified, titleOf } from './summary';
+import { listenToTheme } from './theme';
+
+function tell(error: unknown): void {
+  const trouble = byId('trouble');
+  trouble.hidden = false;
+  const text = error instanceof BlockError ? error.message : `This page met an error of its own: ${String(error)}`;
+  trouble.append(el('span', {}, text));
+}
+
+/** The part of a name that instances of one mesh share. */
+const stem = (name: string): string => name.replace(/ \(\d+\)$/, '');
+
+function typesOf(report: Report, scene: SceneBlock | null): (id: number) => { key: number; title: string } {
+  const firsts = new Map<number, number>();
+  scene?.objects.forEach(({ mesh }, id) => {
+    if (mesh >= 0 && !firsts.has(mesh)) firsts.set(mesh, id);
+  });
+  return (id) => {
+    const mesh = scene?.objects[id].mesh ?? -1;
+    const first = firsts.get(mesh) ?? id;
+    return { key: mesh >= 0 ? mesh : 1e9 + id, title: stem(report.objects[first].name) };
+  };
+}
+
+/** Browsers refuse to be told too often, as when a key is held down. */
+function tellAddress(hash: string): void {
+  try {
+    history.replaceState(null, '', location.href.split('#')[0] + hash);
+  } catch {
+    // The address then names an earlier clash, until the next is chosen.
+  }
+}
+
+function makePage(report: Report, scene: SceneBlock | null): void {
+  const store = new Store();
+  const clashes = rankClashes(report);
+  const pairs = report.pairs.length;
+  const isReview = report.settings !== null;
+  document.body.classList.toggle('view-only', !isReview);
+  if (!isReview) document.body.dataset.pane = 'parts';
+
+  showSummary(report, clashes, titleOf(report, scene), (clash) => store.select(clash));
+  const stage = new Stage(report, store, () => clashes.length > 0);
+  const tree = new PartsTree(report, clashes, store, (parts) => stage.fitParts(parts));
+  const countOf = (part: number) =>
+    clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
+  new Details(report, countOf, store, {
+    fit: (parts) => stage.fitParts(parts),
+    toggleHidden: (parts) => tree.toggleHidden(parts),
+  });
+  const partTitle = (id: number) => report.objects[id].name;
+  const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
+  new Filters(report, clashes, store, partTitle);
+
+  const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });
+  const next = button('▸', () => list.step(1), { 'aria-label': 'Next clash', title: 'Next clash (J)' });
+  const leave = button('✕', () => store.set({ clash: null, part: -1 }), {
+    'aria-label': 'Leave',
+    title: 'Leave (Escape)',
+  });
+  const position = el('span', { class: 'count' });
+  if (pairs) byId('details-steps').append(position, back, next, leave);
+
+  store.listen((state, changed) => {
+    const { clash } = state;
+    if (changed.has('clash') || changed.has('part')) {
+      position.textContent = clash ? `${counted(clash.rank)} of ${counted(clashes.length)}` : '';
+      if (changed.has('clash') && clash)
+        byId('live').textContent = sentenceOf(clash, `${clash.rank} of ${clashes.length}`);
+      else if (state.part >= 0) byId('live').textContent = `Part ${nameText(report.objects[state.part].name, 80)}`;
+      if (changed.has('clash')) tellAddress(clash ? `#clash=${clash.rank}` : '');
+    }
+    if (changed.has('hidden') || changed.has('isolated'))
+      byId('live').textContent = byId('parts-count').textContent + ' parts';
+  });
+
+  const panes = [...document.querySelectorAll<HTMLButtonElement>('#panes button')];
+  const showPane = (name: string) => {
+    document.body.dataset.pane = name;
+    for (const one of panes) one.setAttribute('aria-pressed', String(one.dataset.pane === name));
+  };
+  for (const one of panes) one.addEventListener('click', () => showPane(one.dataset.pane!));
+  showPane(document.body.dataset.pane!);
+
+  const toggleTheme = listenToTheme(() => stage.takeTheme());
+  const escape = () => {
+    if (!stage.closePanel()) store.set({ clash: null, part: -1 });
+  };
+  const shortcuts: Shortcut[] = [
+    ...(pairs ? [{ keys: ['j'], text: 'next clash', act: () => list.step(1) }] : []),
+    ...(pairs ? [{ keys: ['k'], text: 'previous clash', act: () => list.step(-1) }] : []),
+    { keys: ['Escape'], text: 'close a panel; leave the clash or the part', act: escape },
+    ...stage.shortcuts(tree),
+    {
+      keys: ['/'],
+      text: 'filter the clashes by name',
+      act: () => byId(isReview ? 'clash-search' : 'parts-search').focus(),
+    },
+    { keys: ['t'], text: 'light or dark', act: toggleTheme },
+    { keys: ['?'], text: 'this help', act: () => byId<HTMLDialogElement>('help').showModal() },
+  ];
+  listenForKeys(shortcuts);
+  makeHelp(shortcuts);
+
+  const followHash = () => {
+    const wanted = decodeURIComponent(/^#clash=(.+)$/.exec(location.hash)?.[1] ?? '');
+    const clash = clashes.find((one) => one.pair?.id === wanted) ?? clashes[Number(wanted) - 1];
+    if (wanted && clash) store.select(clash);
+  };
+  addEventListener('hashchange', followHash);
+
+  const ready = (async () => {
+    if (!scene) return;
+    tellSimplified(scene);
+    await stage.load(scene);
+  })().catch(tell);
+  // The list first: what is chosen is flown to when there is something to see.
+  followHash();
+
+  Object.assign(window, {
+    impinge: {
+      ready,
+      clashes,
+      store,
+      visible: () => list.visible,
+      frames: () => stage.view?.frames ?? 0,
+      stand: () => stage.view?.camera.stand ?? null,
+      screenPlace: (id: number) => stage.screenPlace(id),
+    },
+  });
+}
+
+try {
+  const report = readReport();
+  let scene: SceneBlock | null = null;
+  try {
+    scene = readScene(report.objects.length);
+  } catch (error) {
+    tell(error);
+    byId('stage-note').textContent = 'There is no 3D view of this report.';
+  }
+  makePage(report, scene);
+} catch (error) {
+  document.body.classList.add('broken');
+  listenToTheme(() => undefined);
+  tell(error);
+  if (!(error instanceof BlockError)) throw error;
+}

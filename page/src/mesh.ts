@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// What is drawn of a mesh: vertices with normals that keep creases sharp, and edges.
+import type { Vec3 } from './data';
+import { findEdges } from './edges';
+import type { RawMesh } from './geometry';
+import { bounds, face, faceNormals, fans, isSmooth, weld } from './surface';
+
+export interface DrawnMesh {
+  positions: Float32Array;
+  /** Signed bytes, four to a vertex. */
+  normals: Int8Array;
+  corners: Uint32Array;
+  /** Both ends of each edge. */
+  edges: Float32Array;
+  min: Vec3;
+  max: Vec3;
+}
+
+/** Vertices at which a great many triangles meet would make fans quadratic: there the face's own normal does. */
+const kWidestFan = 512;
+
+/** Lists of numbers that grow without being boxed. */
+class Growing<T extends Float32Array | Int8Array | Int32Array> {
+  length = 0;
+  constructor(private data: T) {}
+
+  push(x: number, y: number, z: number, w?: number): void {
+    const { length, data } = this;
+    if (length + 4 > data.length) {
+      const Made = data.constructor as new (size: number) => T;
+      this.data = new Made(2 * data.length + 16);
+      this.data.set(data);
+    }
+    this.data[length] = x;
+    this.data[length + 1] = y;
+    this.data[length + 2] = z;
+    if (w !== undefined) this.data[length + 3] = w;
+    this.length += w === undefined ? 3 : 4;
+  }
+
+  at(i: number): number {
+    return this.data[i];
+  }
+
+  taken(): T {
+    return this.data.slice(0, this.length) as T;
+  }
+}
+
+export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
+  const { positions: p } = raw;
+  const first = weld(p);
+  const all = faceNormals(raw);
+  const { faces, sizes, volume } = all;
+  const fan = fans(raw.corners, first);
+  const edges = withEdges ? findEdges(raw, first, all, fan) : new Float32Array(0);
+  const positions = new Growing(new Float32Array(p.length + 16));
+  const normals = new Growing(new Int8Array(2 * p.length + 16));
+  const corners = new Uint32Array(raw.corners.length);
+  // The vertices made so far of each welded one, as a list through `next`.
+  const head = new Int32Array(first.length).fill(-1);
+  const next = new Int32Array(corners.length);
+  let made = 0;
+  const turn = volume < 0 ? -1 : 1;
+  for (let k = 0; k < corners.length; ++k) {
+    const t = face(k);
+    const v = first[raw.corners[k]];
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    if (fan.start[v + 1] - fan.start[v] <= kWidestFan) {
+      for (let i = fan.start[v]; i < fan.start[v + 1]; ++i) {
+        const s = face(fan.around[i]);
+        if (s !== t && !isSmooth(faces, s, t)) continue;
+        x += sizes[s] * faces[s];
+        y += sizes[s] * faces[s + 1];
+        z += sizes[s] * faces[s + 2];
+      }
+    }
+    if (x === 0 && y === 0 && z === 0) {
+      x = faces[t];
+      y = faces[t + 1];
+      z = faces[t + 2];
+    }
+    const scale = (127 * turn) / (Math.sqrt(x * x + y * y + z * z) || 1);
+    x = Math.round(x * scale);
+    y = Math.round(y * scale);
+    z = Math.round(z * scale);
+    let vertex = head[v];
+    while (
+      vertex >= 0 &&
+      !(normals.at(4 * vertex) === x && normals.at(4 * vertex + 1) === y && normals.at(4 * vertex + 2) === z)
+    ) {
+      vertex = next[vertex];
+    }
+    if (vertex < 0) {
+      vertex = made++;
+      next[vertex] = head[v];
+      head[v] = vertex;
+      positions.push(p[3 * v], p[3 * v + 1], p[3 * v + 2]);
+      normals.push(x, y, z, 0);
+    }
+    // A closed mesh whose normals look inwards is turned, so that its inside shows as such where it is cut open.
+    corners[turn > 0 ? k : t + 2 - (k - t)] = vertex;
+  }
+  const placed = positions.taken();
+  return { positions: placed, normals: normals.taken(), corners, edges, ...bounds(placed) };
+}

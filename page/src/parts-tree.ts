@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The tree of files, groups and parts.
+import type { Clash } from './clashes';
+import type { Report } from './data';
+import { byId, button, el, nameOf } from './dom';
+import { counted, fileName, nameText, plural } from './format';
+import type { Store } from './store';
+import { VirtualRows } from './virtual-rows';
+
+interface Node {
+  label: string;
+  level: number;
+  parent: number;
+  children: number[];
+  /** Id of the part, -1 for a file or a group. */
+  part: number;
+  /** Place among siblings, from 1. */
+  place: number;
+  /** Parts beneath, as a range of `order`. */
+  start: number;
+  end: number;
+}
+
+const kOpenAll = 400;
+const kDeepestIndent = 10;
+const kMostLevels = 40;
+
+export class PartsTree {
+  private readonly nodes: Node[] = [];
+  private readonly roots: number[] = [];
+  /** Parts in the order of the tree. */
+  private readonly order: number[] = [];
+  private readonly leafOf: Int32Array;
+  private readonly texts: string[];
+  private readonly clashesOf: Int32Array;
+  private readonly open = new Set<number>();
+  private shown: number[] = [];
+  private query = '';
+  private readonly rows: VirtualRows;
+  private readonly search = el('input', {
+    type: 'search',
+    placeholder: 'Search parts',
+    'aria-label': 'Search parts',
+    id: 'parts-search',
+  });
+
+  constructor(
+    private readonly report: Report,
+    clashes: Clash[],
+    private readonly store: Store,
+    private readonly onFit: (parts: number[]) => void,
+  ) {
+    const { objects } = report;
+    this.leafOf = new Int32Array(objects.length);
+    this.texts = objects.map((part) => `${part.path}\n${part.name}\n${part.product}`.toLowerCase());
+    this.clashesOf = new Int32Array(objects.length);
+    for (const { pair, first, second } of clashes) {
+      if (!pair) continue;
+      ++this.clashesOf[first];
+      ++this.clashesOf[second];
+    }
+    this.build();
+    this.rows = new VirtualRows(byId('parts-tree'), 'treeitem', {
+      count: 0,
+      fill: (row, i) => this.fill(row, this.shown[i]),
+      onChoose: (i, event) => this.choose(this.shown[i], event),
+      onKey: (i, event) => this.key(this.shown[i], event),
+    });
+    this.makeTools();
+    if (objects.length <= kOpenAll) this.nodes.forEach((_, i) => this.open.add(i));
+    else if (this.roots.length === 1) this.open.add(this.roots[0]);
+    this.list();
+    store.listen((state, changed) => {
+      if (changed.has('part') && state.part >= 0) this.reveal(state.part);
+      else if (['part', 'clash', 'hidden', 'isolated', 'filter'].some((key) => changed.has(key as 'part')))
+        this.rows.refresh();
+    });
+  }
+
+  private build(): void {
+    const byPath = new Map<string, number>();
+    const at = (key: string, label: string, parent: number): number => {
+      const known = byPath.get(key);
+      if (known !== undefined) return known;
+      const index = this.addNode(label, parent, -1);
+      byPath.set(key, index);
+      return index;
+    };
+    for (const part of this.report.objects) {
+      let key = part.file;
+      let node = at(key, fileName(part.file), -1);
+      const group = part.path.endsWith(part.name) ? part.path.slice(0, part.path.length - part.name.length) : part.path;
+      for (const step of group.split('/').filter(Boolean).slice(0, kMostLevels)) {
+        key += `\n${step}`;
+        node = at(key, step, node);
+      }
+      this.leafOf[part.id] = this.addNode(part.name, node, part.id);
+    }
+    this.numberParts();
+  }
+
+  private addNode(label: string, parent: number, part: number): number {
+    const siblings = parent < 0 ? this.roots : this.nodes[parent].children;
+    const level = parent < 0 ? 1 : this.nodes[parent].level + 1;
+    siblings.push(this.nodes.length);
+    this.nodes.push({ label, level, parent, children: [], part, place: siblings.length, start: 0, end: 0 });
+    return this.nodes.length - 1;
+  }
+
+  private numberParts(): void {
+    const enter = (index: number) => {
+      const node = this.nodes[index];
+      node.start = this.order.length;
+      if (node.part >= 0) this.order.push(node.part);
+      node.children.forEach(enter);
+      node.end = this.order.length;
+    };
+    this.roots.forEach(enter);
+  }
+
+  private partsUnder(index: number): number[] {
+    const { start, end } = this.nodes[index];
+    return this.order.slice(start, end);
+  }
+
+  private makeTools(): void {
+    this.search.addEventListener('input', () => {
+      this.query = this.search.value;
+      this.list();
+    });
+    this.search.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowDown') return;
+      event.preventDefault();
+      byId('parts-tree').focus();
+    });
+    const showAll = button('Show all', () => this.store.set({ hidden: new Set(), isolated: null }), { id: 'show-all' });
+    const update = () => {
+      const { hidden, isolated } = this.store.state;
+      showAll.disabled = hidden.size === 0 && !isolated;
+      const total = this.report.objects.length;
+      const unseen = isolated ? total - isolated.size : hidden.size;
+      byId('parts-count').textContent = unseen ? `${counted(total)}, ${counted(unseen)} hidden` : counted(total);
+    };
+    this.store.listen(update);
+    update();
+    byId('parts-tools').append(el('div', { class: 'line' }, this.search, showAll));
+  }
+
+  /** Lists the nodes to show: those that are open, or, when something is searched, what matches and the way to it. */
+  private list(): void {
+    const words = this.query.toLowerCase().split(/\s+/).filter(Boolean);
+    let wanted: Uint8Array | null = null;
+    if (words.length) {
+      wanted = new Uint8Array(this.nodes.length);
+      for (const part of this.order) {
+        if (!words.every((word) => this.texts[part].includes(word))) continue;
+        for (let i = this.leafOf[part]; i >= 0 && !wanted[i]; i = this.nodes[i].parent) wanted[i] = 1;
+      }
+    }
+    this.shown = [];
+    const enter = (index: number) => {
+      if (wanted && !wanted[index]) return;
+      this.shown.push(index);
+      if (wanted || this.open.has(index)) this.nodes[index].children.forEach(enter);
+    };
+    this.roots.forEach(enter);
+    this.rows.source.count = this.shown.length;
+    this.rows.refresh();
+  }
+
+  private fill(row: HTMLElement, index: number): void {
+    const node = this.nodes[index];
+    const { hidden, isolated, part, clash } = this.store.state;
+    const isHidden = (id: number) => hidden.has(id) || (isolated !== null && !isolated.has(id));
+    const parts = node.part >= 0 ? [node.part] : this.partsUnder(index);
+    const isGone = parts.every(isHidden);
+    const isOpen = this.query !== '' || this.open.has(index);
+    const siblings = node.parent < 0 ? this.roots : this.nodes[node.parent].children;
+    row.className = 'row part';
+    row.classList.toggle('gone', isGone);
+    row.classList.toggle('group', node.part < 0);
+    row.classList.toggle('side-a', clash !== null && node.part >= 0 && node.part === clash.first);
+    row.classList.toggle('side-b', clash !== null && node.part >= 0 && node.part === clash.second);
+    row.setAttribute('aria-level', String(node.level));
+    row.setAttribute('aria-posinset', String(node.place));
+    row.setAttribute('aria-setsize', String(siblings.length));
+    row.setAttribute('aria-selected', String(node.part >= 0 && node.part === part));
+    if (node.part < 0) row.setAttribute('aria-expanded', String(isOpen));
+    else row.removeAttribute('aria-expanded');
+    const indent = el('span', { class: 'indent', 'aria-hidden': 'true' }, node.part < 0 ? (isOpen ? '▾' : '▸') : '');
+    indent.style.marginInlineStart = `${Math.min(kDeepestIndent, node.level - 1) * 0.8}rem`;
+    const clashes = parts.reduce((sum, id) => sum + this.clashesOf[id], 0);
+    const count = node.part < 0 ? `${counted(parts.length)}` : clashes ? counted(clashes) : '';
+    const words = node.part < 0 ? plural(parts.length, 'part') : plural(clashes, 'clash', 'clashes');
+    row.setAttribute('aria-label', `${nameText(node.label, 120)}, ${words}${isGone ? ', hidden' : ''}`);
+    const badge = el('span', { class: node.part < 0 ? 'badge quiet' : 'badge', title: words }, count);
+    if (!count) badge.hidden = true;
+    const eye = el('span', { class: 'eye', title: isGone ? 'Show (H)' : 'Hide (H)', 'data-act': 'hide' });
+    row.replaceChildren(indent, nameOf(node.label), badge, eye);
+  }
+
+  private choose(index: number, event: Event): void {
+    const node = this.nodes[index];
+    if ((event.target as HTMLElement).dataset?.act === 'hide') {
+      this.toggleHidden(this.partsUnder(index));
+    } else if (node.part >= 0) {
+      this.store.set({
+        part: node.part === this.store.state.part && event.type === 'click' ? -1 : node.part,
+        clash: null,
+      });
+      if (event instanceof MouseEvent && event.detail > 1) this.onFit([node.part]);
+    } else {
+      this.toggleOpen(index);
+    }
+  }
+
+  toggleHidden(parts: number[]): void {
+    const { isolated } = this.store.state;
+    const hidden = new Set(this.store.state.hidden);
+    if (isolated) {
+      // What is isolated stays so; hiding takes from it, and showing adds to it.
+      const next = new Set(isolated);
+      const areShown = parts.some((id) => next.has(id) && !hidden.has(id));
+      for (const id of parts) {
+        if (areShown) next.delete(id);
+        else next.add(id);
+        if (!areShown) hidden.delete(id);
+      }
+      this.store.set({ isolated: next, hidden });
+      return;
+    }
+    const areShown = parts.some((id) => !hidden.has(id));
+    for (const id of parts) {
+      if (areShown) hidden.add(id);
+      else hidden.delete(id);
+    }
+    this.store.set({ hidden });
+  }
+
+  private toggleOpen(index: number, wanted = !this.open.has(index)): void {
+    if (wanted) this.open.add(index);
+    else this.open.delete(index);
+    this.list();
+  }
+
+  private key(index: number, event: KeyboardEvent): boolean {
+    const node = this.nodes[index];
+    const parts = this.partsUnder(index);
+    if (event.key === 'ArrowRight' && node.part < 0) {
+      if (!this.open.has(index)) this.toggleOpen(index, true);
+      else this.rows.moveTo(this.rows.current + 1);
+    } else if (event.key === 'ArrowLeft') {
+      if (node.part < 0 && this.open.has(index) && !this.query) this.toggleOpen(index, false);
+      else if (node.parent >= 0) this.rows.moveTo(this.shown.indexOf(node.parent));
+    } else if (event.key === 'h') {
+      this.toggleHidden(parts);
+    } else if (event.key === 'i') {
+      this.store.set({ isolated: new Set(parts), hidden: new Set() });
+      this.onFit(parts);
+    } else if (event.key === 'c') {
+      this.store.filterBy({ parts: new Set(parts) });
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private reveal(part: number): void {
+    if (this.query && !this.shown.includes(this.leafOf[part])) this.query = this.search.value = '';
+    for (let i = this.nodes[this.leafOf[part]].parent; i >= 0; i = this.nodes[i].parent) this.open.add(i);
+    this.list();
+    this.rows.moveTo(this.shown.indexOf(this.leafOf[part]), false);
+  }
+}

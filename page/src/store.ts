@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// What the user has chosen. Whoever shows some of it listens.
+import { type Clash, emptyFilter, type Filter, type GroupKey, type SortKey } from './clashes';
+
+export interface State {
+  clash: Clash | null;
+  /** Index of a region of the clash, -1 for all. */
+  region: number;
+  part: number;
+  hidden: Set<number>;
+  /** All others are hidden; null: none is. */
+  isolated: Set<number> | null;
+  others: 'fade' | 'hide' | 'show';
+  glass: boolean;
+  boxes: boolean;
+  colourBy: 'type' | 'file' | 'verdict';
+  filter: Filter;
+  sort: SortKey;
+  group: GroupKey;
+}
+
+type Listener = (state: State, changed: ReadonlySet<keyof State>) => void;
+
+export class Store {
+  state: State = {
+    clash: null,
+    region: -1,
+    part: -1,
+    hidden: new Set(),
+    isolated: null,
+    others: 'fade',
+    glass: false,
+    boxes: false,
+    colourBy: 'type',
+    filter: emptyFilter(),
+    sort: 'rank',
+    group: 'none',
+  };
+  private readonly listeners: Listener[] = [];
+
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  set(patch: Partial<State>): void {
+    const changed = new Set<keyof State>();
+    for (const key of Object.keys(patch) as (keyof State)[]) {
+      if (!Object.is(this.state[key], patch[key])) changed.add(key);
+    }
+    if (changed.size === 0) return;
+    this.state = { ...this.state, ...patch };
+    for (const listener of this.listeners) listener(this.state, changed);
+  }
+
+  filterBy(patch: Partial<Filter>): void {
+    this.set({ filter: { ...this.state.filter, ...patch } });
+  }
+
+  select(clash: Clash | null): void {
+    this.set({ clash, region: -1, ...(clash ? { part: -1 } : {}) });
+  }
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The top of the page: what came out, in plain words.
+import type { Clash } from './clashes';
+import { kVerdicts, type Report, type SceneBlock } from './data';
+import { byId, button, countOf, el, nameOf, numberOf } from './dom';
+import { counted, fileName, nameText, plural } from './format';
+
+type Fact = (Node | string)[];
+
+function partFacts(report: Report): Fact {
+  const files = new Set(report.objects.map((part) => part.file)).size;
+  const facts: Fact = [
+    countOf(report.objects.length),
+    report.objects.length === 1 ? ' part' : ' parts',
+    ` in ${plural(files, 'file')}`,
+  ];
+  if (report.objects.some((part) => part.solid !== undefined)) {
+    const solids = report.objects.filter((part) => part.solid).length;
+    facts.push(`: ${plural(solids, 'solid')}, ${plural(report.objects.length - solids, 'surface')}`);
+  }
+  return facts;
+}
+
+function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) => void): Fact | null {
+  if (!report.settings) return null;
+  if (!report.settings.depth) return ['depths not measured'];
+  const deepest = clashes.reduce<Clash | null>(
+    (best, clash) => (clash.depth > (best?.depth ?? -1) ? clash : best),
+    null,
+  );
+  if (!deepest) return ['no overlap of solids'];
+  const link = button('', () => choose(deepest), { class: 'link' });
+  link.append(nameOf(deepest.names[0], 60), ' and ', nameOf(deepest.names[1], 60));
+  return ['deepest overlap ', numberOf(deepest.depth), ', ', link];
+}
+
+function toleranceFact(report: Report): Fact | null {
+  if (!report.settings) return null;
+  if (report.settings.tolerance !== 'auto') return ['tolerance ', numberOf(report.settings.tolerance)];
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const { tolerance } of report.pairs) {
+    if (tolerance == null) continue;
+    least = Math.min(least, tolerance);
+    greatest = Math.max(greatest, tolerance);
+  }
+  if (!(least <= greatest)) return ['tolerance automatic'];
+  if (least === greatest) return ['tolerance automatic, ', numberOf(least)];
+  return ['tolerance automatic, ', numberOf(least), ' to ', numberOf(greatest)];
+}
+
+function triageFacts(report: Report): Fact[] {
+  const facts: Fact[] = [];
+  const fresh = report.pairs.filter((pair) => pair.change === 'new').length;
+  const known = report.pairs.filter((pair) => pair.change === 'persisting').length;
+  if (fresh + known) facts.push([el('strong', {}, counted(fresh)), ' new, ', countOf(known), ' persisting']);
+  if (report.resolved?.length) facts.push([countOf(report.resolved.length), ' resolved since the last report']);
+  return facts;
+}
+
+function verdictLine(report: Report): Node[] {
+  const { counts, settings } = report;
+  if (!settings || !counts) return [];
+  const failing = el('strong', { class: counts.fail ? 'bad' : 'good' });
+  if (counts.fail) failing.append(countOf(counts.fail), counts.fail === 1 ? ' clash fails' : ' clashes fail');
+  else failing.append('Nothing fails');
+  const parts: Node[] = [failing];
+  const list = el('span', { class: 'verdicts' });
+  for (const verdict of kVerdicts) {
+    if (counts[verdict])
+      list.append(
+        el(
+          'span',
+          { class: `verdict ${verdict}` },
+          countOf(counts[verdict]),
+          ` ${verdict === 'apart' ? 'too near' : verdict}`,
+        ),
+      );
+  }
+  parts.push(list.childNodes.length ? list : el('span', { class: 'verdicts' }, 'no two parts touch'));
+  return parts;
+}
+
+export function showSummary(report: Report, clashes: Clash[], title: string, choose: (clash: Clash) => void): void {
+  byId('title').replaceChildren(nameOf(title, 120));
+  document.title = report.settings ? `Clashes: ${nameText(title, 120)}` : nameText(title, 120);
+  byId('verdict-line').replaceChildren(...verdictLine(report));
+  const facts: (Fact | null)[] = [
+    partFacts(report),
+    ...triageFacts(report),
+    deepestFact(report, clashes, choose),
+    toleranceFact(report),
+  ];
+  if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
+  if (report.settings?.fail_on) facts.push([`fails on ${report.settings.fail_on.join(', ') || 'nothing'}`]);
+  const rules = report.settings?.ignore?.length ?? 0;
+  if (rules) facts.push([countOf(rules), rules === 1 ? ' rule leaves pairs out' : ' rules leave pairs out']);
+  byId('facts').replaceChildren();
+  for (const fact of facts) if (fact) byId('facts').append(el('span', {}, ...fact));
+}
+
+/** Says that what is seen is coarser than what was computed on. */
+export function tellSimplified(scene: SceneBlock): void {
+  if (scene.shown >= scene.triangles) return;
+  byId('facts').append(
+    el(
+      'span',
+      {},
+      '3D simplified to ',
+      countOf(scene.shown),
+      ' of ',
+      countOf(scene.triangles),
+      ' triangles; figures are of the full model',
+    ),
+  );
+}
+
+export const titleOf = (report: Report, scene: SceneBlock | null): string =>
+  scene?.title ?? [...new Set(report.objects.map((part) => fileName(part.file)))].slice(0, 3).join(', ');

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The bar under the 3D view.
+import type { Camera } from './camera';
+import { byId, button, el, setPressed } from './dom';
+import type { Explode } from './explode';
+import type { Section } from './section';
+import type { State, Store } from './store';
+
+function choices<T extends string>(
+  label: string,
+  id: string,
+  options: [T, string][],
+  value: T,
+  onChange: (value: T) => void,
+): HTMLElement {
+  const select = el('select', { id });
+  for (const [key, text] of options) select.append(el('option', { value: key }, text));
+  select.value = value;
+  select.addEventListener('change', () => onChange(select.value as T));
+  return el('label', { class: 'field' }, el('span', {}, label), select);
+}
+
+export interface ToolActions {
+  fit: () => void;
+  redraw: () => void;
+  camera: Camera;
+}
+
+export class Tools {
+  private readonly panels = new Map<string, { panel: HTMLElement; button: HTMLButtonElement }>();
+  private readonly parallel: HTMLInputElement;
+  private readonly glass: HTMLInputElement;
+  private readonly host = byId('tools');
+
+  constructor(
+    private readonly store: Store,
+    section: Section,
+    explode: Explode,
+    private readonly actions: ToolActions,
+  ) {
+    this.parallel = this.check('Parallel view', 'parallel', 'P', () => this.setParallel(this.parallel.checked));
+    this.glass = this.check('See through A and B', 'glass', 'X', () => store.set({ glass: this.glass.checked }));
+    const boxes = this.check('Boxes of the regions', 'boxes', 'B', () => store.set({ boxes: boxes.checked }));
+    const bar = el('div', { class: 'bar' });
+    bar.append(button('Fit', actions.fit, { title: 'Fit (F)', id: 'fit' }));
+    const look = this.lookPanel(boxes);
+    for (const [name, title, panel] of [
+      ['section', 'Section', section.panel],
+      ['explode', 'Explode', explode.panel],
+      ['look', 'Look', look],
+    ] as const) {
+      const opener = button(title, () => this.toggle(name), {
+        id: `${name}-button`,
+        'aria-expanded': 'false',
+        'aria-controls': panel.id,
+      });
+      panel.hidden = true;
+      this.panels.set(name, { panel, button: opener });
+      bar.append(opener);
+    }
+    this.host.append(section.panel, explode.panel, look, bar);
+    store.listen((state, changed) => {
+      if (changed.has('glass')) this.glass.checked = state.glass;
+      if (changed.has('boxes')) boxes.checked = state.boxes;
+    });
+  }
+
+  private check(text: string, id: string, key: string, onChange: () => void): HTMLInputElement {
+    const input = el('input', { type: 'checkbox', id });
+    input.addEventListener('change', onChange);
+    el('label', { class: 'check' }, input, ` ${text} `, el('kbd', { 'aria-hidden': 'true' }, key));
+    return input;
+  }
+
+  private lookPanel(boxes: HTMLInputElement): HTMLElement {
+    const { camera } = this.actions;
+    const set =
+      <K extends keyof State>(key: K) =>
+      (value: State[K]) =>
+        this.store.set({ [key]: value } as Pick<State, K>);
+    return el(
+      'div',
+      { class: 'tool-panel column', id: 'look-panel' },
+      choices(
+        'Colours',
+        'colour-by',
+        [
+          ['type', 'by type'],
+          ['file', 'by file'],
+          ['verdict', 'by worst verdict'],
+        ],
+        'type',
+        set('colourBy'),
+      ),
+      choices(
+        'Other parts',
+        'others',
+        [
+          ['fade', 'fade'],
+          ['hide', 'hide'],
+          ['show', 'show'],
+        ],
+        'fade',
+        set('others'),
+      ),
+      choices(
+        'Upwards',
+        'up-axis',
+        [
+          ['y', 'Y'],
+          ['z', 'Z'],
+        ],
+        camera.up,
+        (value) => {
+          camera.up = value;
+          this.actions.redraw();
+        },
+      ),
+      this.glass.parentElement,
+      boxes.parentElement,
+      this.parallel.parentElement,
+    );
+  }
+
+  toggle(name: string): void {
+    for (const [other, { panel, button: opener }] of this.panels) {
+      panel.hidden = other !== name || !panel.hidden;
+      opener.setAttribute('aria-expanded', String(!panel.hidden));
+    }
+    const { panel } = this.panels.get(name)!;
+    if (!panel.hidden) panel.querySelector<HTMLElement>('button, input, select')!.focus();
+    else this.panels.get(name)!.button.focus();
+  }
+
+  /** Closes the open panel; false if there is none. */
+  close(): boolean {
+    const open = [...this.panels].find(([, { panel }]) => !panel.hidden);
+    if (open) this.toggle(open[0]);
+    return open !== undefined;
+  }
+
+  mark(name: string, isOn: boolean): void {
+    const opener = this.panels.get(name)?.button;
+    if (opener) setPressed(opener, isOn);
+  }
+
+  setParallel(isParallel: boolean): void {
+    this.parallel.checked = isParallel;
+    this.actions.camera.isParallel = isParallel;
+    this.actions.redraw();
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Opens pages from files in a headless Chromium whose WebGL is drawn by the processor.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const kSoftware = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'];
+const kWithout = ['--disable-gpu', '--disable-3d-apis', '--no-sandbox'];
+
+export async function startBrowser({ webgl = true } = {}) {
+  const browser = await chromium.launch({ executablePath, args: webgl ? kSoftware : kWithout });
+  const folder = mkdtempSync(join(tmpdir(), 'impinge-page-'));
+  let count = 0;
+
+  /** Opens the page; `check` at the end fails on any error on the page and on any request but for the page itself. */
+  async function open(
+    html,
+    { width = 1280, height = 800, scheme = 'light', motion = 'reduce', hash = '', scale = 1, touch = false } = {},
+  ) {
+    const file = join(folder, `${count++}.html`);
+    writeFileSync(file, html);
+    const context = await browser.newContext({
+      viewport: { width, height },
+      colorScheme: scheme,
+      reducedMotion: motion,
+      deviceScaleFactor: scale,
+      hasTouch: touch,
+    });
+    const page = await context.newPage();
+    page.setDefaultTimeout(60_000);
+    const faults = [];
+    const requests = [];
+    page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()));
+    page.on('pageerror', (error) => faults.push(String(error)));
+    page.on('request', (request) => requests.push(request.url()));
+    const url = pathToFileURL(file).href;
+    await page.goto(url + hash);
+    await page.evaluate(() => window.impinge?.ready);
+    await page.waitForTimeout(50);
+    const close = async ({ ignoring } = {}) => {
+      const told = faults.filter((fault) => !ignoring?.test(fault) && !/GPU stall due to ReadPixels/.test(fault));
+      assert.deepEqual(told, [], 'nothing is told on the console');
+      const others = requests.filter((request) => request.split('#')[0] !== url && !request.startsWith('data:'));
+      assert.deepEqual(others, [], 'nothing is requested');
+      await context.close();
+    };
+    return { page, close };
+  }
+
+  return {
+    open,
+    stop: async () => {
+      await browser.close();
+      rmSync(folder, { recursive: true });
+    },
+  };
+}
+
+/** What the rows of a list say, by scrolling through all of it: for each the texts of what matches the selector. */
+export function listed(page, selector = '.rank', list = '#clash-list') {
+  return page.evaluate(
+    async ([selector, list]) => {
+      const host = document.querySelector(list);
+      const rows = new Map();
+      const before = host.scrollTop;
+      for (host.scrollTop = 0; ; host.scrollTop += host.clientHeight / 2) {
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        for (const row of host.querySelectorAll('.row'))
+          rows.set(Number(row.dataset.index), row.querySelector(selector)?.textContent ?? null);
+        if (host.scrollTop + host.clientHeight >= host.scrollHeight - 1) break;
+      }
+      host.scrollTop = before;
+      return [...rows].sort((x, y) => x[0] - y[0]).map(([, text]) => text);
+    },
+    [selector, list],
+  );
+}
+
+/** How many colours a picture of an element has, and the picture. */
+export async function picture(page, selector = '#canvas') {
+  const box = await page.locator(selector).boundingBox();
+  const png = await page.screenshot({ clip: box });
+  const colours = await page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
+    const seen = new Map();
+    for (let i = 0; i < bytes.length; i += 4) {
+      const key = (bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2];
+      seen.set(key, (seen.get(key) ?? 0) + 1);
+    }
+    return { count: seen.size, most: Math.max(...seen.values()) / (bytes.length / 4) };
+  }, png.toString('base64'));
+  return { png, ...colours };
+}
+
+/** The frames that are asked for have been drawn. */
+export const settled = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+  );

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Reports made by hand from boxes, with names of every kind.
+import { compose, geometryText, sceneOf } from './compose.mjs';
+
+/** A box about the origin, each side cut into n x n squares. */
+export function box(x, y, z, n = 1) {
+  const [positions, corners] = [[], []];
+  for (const [u, v, w] of [
+    [0, 1, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+  ]) {
+    for (const side of [-1, 1]) {
+      const base = positions.length / 3;
+      for (let i = 0; i <= n; ++i) {
+        for (let j = 0; j <= n; ++j) {
+          const p = [0, 0, 0];
+          p[u] = (i / n - 0.5) * [x, y, z][u];
+          p[v] = (j / n - 0.5) * [x, y, z][v];
+          p[w] = (side / 2) * [x, y, z][w];
+          positions.push(...p);
+        }
+      }
+      for (let i = 0; i < n; ++i) {
+        for (let j = 0; j < n; ++j) {
+          const a = base + i * (n + 1) + j;
+          const quad =
+            side > 0 ? [a, a + n + 1, a + n + 2, a, a + n + 2, a + 1] : [a, a + n + 2, a + n + 1, a, a + 1, a + n + 2];
+          corners.push(...quad);
+        }
+      }
+    }
+  }
+  return { positions, corners };
+}
+
+export const at = (x, y, z) => [1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z];
+
+function part(id, name, group, file, triangles, volume) {
+  const path = group ? `${group}/${name}` : name;
+  return {
+    id,
+    name,
+    path,
+    product: '',
+    file,
+    triangles,
+    closed: true,
+    open_edges: 0,
+    solid: true,
+    first_open_edge: null,
+    self_crossings: 0,
+    first_self_crossing: null,
+    volume,
+    area: 6,
+    wall: volume / 3,
+  };
+}
+
+export const kMarkup = '<img src=x onerror="window.broken=1"></script><b>bold</b>';
+export const kSteering = 'left\u202eright\nnext\u0000line';
+export const kLong = 'long/'.repeat(2048);
+
+/** A frame of twelve boxes; the numbers of its pairs are made up, so that every order of the list is a different one. */
+export function review({ offset = [0, 0, 0], triage = true } = {}) {
+  const meshes = [box(1, 1, 1, 2), box(4, 0.25, 4), box(0.5, 2, 0.5)];
+  const named = [
+    ['bolt', 'frame/left', 'left.stl', 0],
+    ['bolt (2)', 'frame/left', 'left.stl', 0],
+    ['bolt (3)', 'frame/right', 'left.stl', 0],
+    ['plate', 'frame', 'left.stl', 1],
+    ['plate (2)', 'frame', 'left.stl', 1],
+    ['post', '', 'left.stl', 2],
+    ['post (2)', '', 'right.stl', 2],
+    [kMarkup, '', 'right.stl', 0],
+    [kSteering, '', 'right.stl', 0],
+    [kLong, '', 'right.stl', 2],
+    ['far bolt', 'far', 'right.stl', 0],
+    ['nothing', 'far', 'right.stl', -1],
+  ];
+  const objects = named.map(([name, group, file, mesh], id) =>
+    part(id, name, group, file, mesh < 0 ? 0 : meshes[mesh].corners.length / 3, 1 + id),
+  );
+  const places = named.map((_, i) => [
+    2.2 * (i % 4) + offset[0],
+    2.2 * Math.floor(i / 4) + offset[1],
+    (i % 3) * 0.8 + offset[2],
+  ]);
+  const scene = sceneOf(
+    'frame.stl',
+    meshes,
+    named.map(([, , , mesh], i) => ({ mesh, pose: at(...places[i]) })),
+  );
+  const middle = (a, b) => places[a].map((c, k) => (c + places[b][k]) / 2);
+  const square = ([x, y, z], s) => [
+    [x - s, y - s, z],
+    [x + s, y - s, z],
+    [x + s, y + s, z],
+    [x - s, y + s, z],
+    [x - s, y - s, z],
+  ];
+  const pairs = [];
+  const put = (a, b, verdict, { depth, distance, areas = [], ...more } = {}) => {
+    const centre = middle(a, b);
+    pairs.push({
+      a,
+      b,
+      crossing: depth ? 12 : 0,
+      touching: 3,
+      coplanar: 1,
+      verdict,
+      inner: null,
+      note: null,
+      tolerance: 1e-6,
+      fails: ['duplicate', 'inside', 'penetrating', 'crossing'].includes(verdict),
+      overlap_depth: depth ? { a_in_b: [depth * 0.99, depth], b_in_a: [depth * 0.9, depth * 0.95] } : null,
+      distance: distance ?? null,
+      distance_error: distance ? 1e-12 : null,
+      nearest: distance ? [centre, centre.map((c, k) => c + (k === 0 ? distance : 0))] : null,
+      regions: areas.map((area, i) => ({
+        pairs: 4 + i,
+        box: [centre.map((c) => c - 0.2), centre.map((c) => c + 0.2)],
+        area,
+        length: 1.6,
+        centroid: centre,
+        normal: [0, 0, 1],
+        lines: [square(centre, 0.2 + 0.05 * i)],
+        triangles_a: [0],
+        triangles_b: [1],
+      })),
+      ...more,
+    });
+  };
+  put(0, 3, 'penetrating', { depth: 0.51234567, areas: [2, 0.5] });
+  put(0, 1, 'touching', { areas: [1.5], note: 'they overlap by no more than the tolerance' });
+  put(1, 3, 'penetrating', { depth: 1.25, areas: [0.25] });
+  put(2, 4, 'penetrating', { depth: 0.75, areas: [8] });
+  put(3, 5, 'crossing', { areas: [3, 1] });
+  put(4, 6, 'inside', { depth: 0.6, inner: 6, areas: [] });
+  put(5, 6, 'apart', { distance: 0.4 });
+  put(7, 8, 'apart', { distance: 0.1 });
+  put(7, 9, 'duplicate', { areas: [0.125] });
+  put(8, 10, 'apart', { distance: 0.25 });
+  put(9, 10, 'touching', { areas: [] });
+  put(0, 10, 'touching', { areas: [5] });
+  const report = {
+    version: 1,
+    settings: {
+      tolerance: 'auto',
+      clearance: 0.5,
+      depth: true,
+      regions: true,
+      fail_on: ['penetration', 'inside'],
+      ignore: [],
+      within_products: false,
+      scale: [],
+    },
+    objects,
+    pairs,
+    counts: { duplicate: 1, inside: 1, penetrating: 3, crossing: 1, touching: 3, apart: 3, fail: 6, candidates: 17 },
+  };
+  if (triage) {
+    pairs.forEach((pair, i) =>
+      Object.assign(pair, {
+        id: `0000-${i}`,
+        test: i % 3 ? 'bolts against plates' : null,
+        change: i % 2 ? 'new' : 'persisting',
+        status: i % 4 ? null : 'approved',
+        comment: i ? null : 'seen by <b>two</b>',
+      }),
+    );
+    report.resolved = [
+      {
+        a: objects[0],
+        b: { name: 'gone', path: 'gone', file: 'left.stl' },
+        verdict: 'penetrating',
+        test: null,
+        centroid: places[0],
+        status: 'closed',
+        comment: null,
+      },
+    ];
+  }
+  return { report, scene, geometry: geometryText(meshes) };
+}
+
+export const reviewPage = (options) => compose(review(options));
+
+/** 10,000 parts of 108 triangles, and 15,000 pairs. */
+export function plantPage() {
+  const n = 100;
+  const meshes = [box(1, 1, 1, 3), box(0.5, 2, 0.7, 3)];
+  const objects = [];
+  const poses = [];
+  for (let i = 0; i < n * n; ++i) {
+    const [x, y] = [i % n, Math.floor(i / n)];
+    objects.push(part(i, `part ${i}`, `hall ${Math.floor(y / 10)}/row ${y}`, 'plant.stl', 108, 1));
+    poses.push({ mesh: i % 2, pose: at(1.2 * x, 1.2 * y, 0.3 * (i % 7)) });
+  }
+  const pairs = [];
+  for (let i = 0; pairs.length < 15000; ++i) {
+    const a = i % (n * n - n);
+    const b = i < n * n - n ? a + 1 : a + n;
+    pairs.push({
+      a,
+      b,
+      crossing: 1,
+      touching: 0,
+      coplanar: 0,
+      verdict: i % 5 ? 'touching' : 'penetrating',
+      inner: null,
+      note: null,
+      tolerance: 1e-6,
+      fails: i % 5 === 0,
+      overlap_depth: i % 5 ? null : { a_in_b: [0.001 * i, 0.001 * i], b_in_a: [0.0005 * i, 0.0005 * i] },
+    });
+  }
+  const penetrating = pairs.filter((pair) => pair.fails).length;
+  const report = {
+    version: 1,
+    settings: {
+      tolerance: 1e-6,
+      clearance: 0,
+      depth: true,
+      regions: false,
+      fail_on: ['penetration'],
+      ignore: [],
+      within_products: false,
+      scale: [],
+    },
+    objects,
+    pairs,
+    counts: {
+      duplicate: 0,
+      inside: 0,
+      penetrating,
+      crossing: 0,
+      touching: 15000 - penetrating,
+      apart: 0,
+      fail: penetrating,
+      candidates: 20000,
+    },
+  };
+  return compose({ report, scene: sceneOf('plant.stl', meshes, poses), geometry: geometryText(meshes) });
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The 3D view: what is seen changes with what is chosen, and what is clicked is chosen.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { listed, picture, settled, startBrowser } from './browser.mjs';
+import { compose } from './compose.mjs';
+import { plantPage, review, reviewPage } from './fixture.mjs';
+
+const stand = (page) => page.evaluate(() => structuredClone(window.impinge.stand()));
+const frames = (page) => page.evaluate(() => window.impinge.frames());
+
+describe('the 3D view', () => {
+  let browser;
+  before(async () => (browser = await startBrowser()));
+  after(() => browser.stop());
+
+  test('is not blank, light and dark', async () => {
+    for (const scheme of ['light', 'dark']) {
+      const { page, close } = await browser.open(reviewPage(), { scheme });
+      const { count, most } = await picture(page);
+      assert.ok(count > 50 && most < 0.97, `${count} colours, ${most} of it is one`);
+      await close();
+    }
+  });
+
+  test('a click in the list moves the camera, fills the details and marks the parts', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const before = [await stand(page), await picture(page)];
+    await page.locator('#clash-list .row').nth(2).click();
+    await settled(page);
+    const after = [await stand(page), await picture(page)];
+    assert.notDeepEqual(after[0].target, before[0].target);
+    assert.ok(after[0].distance < before[0].distance);
+    assert.ok(!after[1].png.equals(before[1].png));
+    assert.match(await page.textContent('#details-body'), /Depth of A in B/);
+    assert.equal(await page.textContent('#legend'), 'Abolt (2)Bplate');
+    // The camera looks at the contact.
+    const { report } = review();
+    const deepest = report.pairs.find((pair) => pair.a === 1 && pair.b === 3).regions[0].centroid;
+    after[0].target.forEach((c, k) => assert.ok(Math.abs(c - deepest[k]) < 1e-9));
+    await page.keyboard.press('Escape');
+    assert.ok(await page.locator('#legend').isHidden());
+    await close();
+  });
+
+  test('a flight ends where the jump ends', async () => {
+    const ends = [];
+    for (const motion of ['reduce', 'no-preference']) {
+      const { page, close } = await browser.open(reviewPage(), { motion });
+      await page.locator('#clash-list .row').nth(3).click();
+      await page.waitForFunction(
+        () => {
+          const now = JSON.stringify(window.impinge.stand());
+          const same = window.standBefore === now;
+          window.standBefore = now;
+          return same;
+        },
+        null,
+        { polling: 700 },
+      );
+      ends.push(await stand(page));
+      await close();
+    }
+    for (const key of ['yaw', 'pitch', 'distance']) assert.ok(Math.abs(ends[0][key] - ends[1][key]) < 1e-6, key);
+  });
+
+  test('a link opens its clash, by number and by id', async () => {
+    for (const hash of ['#clash=3', '#clash=0000-2']) {
+      const { page, close } = await browser.open(reviewPage(), { hash });
+      assert.ok(page.url().endsWith('#clash=3'));
+      assert.equal(await page.textContent('#legend'), 'Abolt (2)Bplate');
+      await close();
+    }
+  });
+
+  test('a click on a part selects it in the tree', async () => {
+    const { page, close } = await browser.open(reviewPage(), { height: 560 });
+    for (const id of [5, 10]) {
+      const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
+      await page.mouse.click(x, y);
+      const row = page.locator('#parts-tree .row[aria-selected=true]');
+      assert.equal(await row.locator('.name').textContent(), ['post', 'far bolt'][Number(id === 10)]);
+    }
+    await settled(page);
+    const inSight = await page.evaluate(() => {
+      const [row, list] = ['#parts-tree [aria-selected=true]', '#parts-tree'].map((one) =>
+        document.querySelector(one).getBoundingClientRect(),
+      );
+      return row.top >= list.top && row.bottom <= list.bottom + 1;
+    });
+    assert.ok(inSight, 'the row is in sight');
+    await page.keyboard.press('h');
+    await settled(page);
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
+    await page.keyboard.press('Escape');
+    await page.mouse.click(x, y);
+    assert.equal(
+      await page.locator('#parts-tree .row[aria-selected=true] .name', { hasText: 'far bolt' }).count(),
+      0,
+      'what is hidden is not hit',
+    );
+    await close();
+  });
+
+  test('hiding, isolating, colours and fading change what is seen', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const seen = [(await picture(page)).png];
+    const change = async (act) => {
+      await act();
+      await settled(page);
+      const { png } = await picture(page);
+      assert.ok(!png.equals(seen.at(-1)));
+      seen.push(png);
+    };
+    await change(() => page.evaluate(() => window.impinge.store.set({ hidden: new Set([3, 4]) })));
+    await change(() => page.evaluate(() => window.impinge.store.set({ isolated: new Set([0, 5]), hidden: new Set() })));
+    await change(() => page.keyboard.press('a'));
+    await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'verdict' })));
+    await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'file' })));
+    await change(() => page.evaluate(() => window.impinge.store.select(window.impinge.clashes[2])));
+    await change(() => page.keyboard.press('x'));
+    await change(() => page.keyboard.press('b'));
+    await change(() => page.evaluate(() => window.impinge.store.set({ others: 'hide' })));
+    await close();
+  });
+
+  test('sections, explosion and views change what is seen, and can be undone', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const whole = (await picture(page)).png;
+    let last = whole;
+    const differs = async (what) => {
+      await settled(page);
+      const { png } = await picture(page);
+      assert.ok(!png.equals(last), what);
+      last = png;
+    };
+    await page.keyboard.press('s');
+    for (const axis of ['x', 'y', 'z']) {
+      await page.click(`[data-axis=${axis}]`);
+      await differs(`section ${axis}`);
+    }
+    await page.fill('#section-place', '250');
+    await differs('section moved');
+    await page.click('#section-flip');
+    await differs('section flipped');
+    assert.ok(await page.locator('[data-axis=clash]').isDisabled(), 'no clash is chosen');
+    await page.click('[data-axis=none]');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('e');
+    await page.fill('#explode-by', '100');
+    await differs('explosion');
+    await page.fill('#explode-by', '0');
+    await page.keyboard.press('Escape');
+    await page.evaluate(() => document.activeElement.blur());
+    await settled(page);
+    assert.ok((await picture(page)).png.equals(whole), 'all is as it was');
+    for (const key of ['1', '5', 'p']) {
+      await page.keyboard.press(key);
+      await differs(`key ${key}`);
+    }
+    await page.evaluate(() => window.impinge.store.select(window.impinge.clashes[2]));
+    await page.keyboard.press('s');
+    await settled(page);
+    last = (await picture(page)).png;
+    await page.click('[data-axis=clash]');
+    await differs('through the clash');
+    await close();
+  });
+
+  test('what a section cuts away is not hit', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const hit = async (id) => {
+      const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
+      await page.evaluate(() => window.impinge.store.set({ part: -1 }));
+      await page.mouse.click(x, y);
+      return (await page.evaluate(() => window.impinge.store.state.part)) === id;
+    };
+    // The plane is at x = 3.3 or so: the post stands before it, the far bolt behind.
+    await page.keyboard.press('s');
+    await page.click('[data-axis=x]');
+    assert.deepEqual([await hit(5), await hit(10)], [true, false]);
+    await page.click('#section-flip');
+    assert.deepEqual([await hit(5), await hit(10)], [false, true]);
+    await page.click('[data-axis=none]');
+    assert.deepEqual([await hit(5), await hit(10)], [true, true]);
+    await close();
+  });
+
+  test('is turned, moved and zoomed by mouse, wheel, keys and the cube', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    const box = await page.locator('#canvas').boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 3];
+    let last = await stand(page);
+    const moved = async (keys, what) => {
+      await settled(page);
+      const now = await stand(page);
+      for (const key of ['yaw', 'pitch', 'distance', 'target']) {
+        const equal = JSON.stringify(now[key]) === JSON.stringify(last[key]);
+        assert.equal(equal, !keys.includes(key), `${what}: ${key}`);
+      }
+      last = now;
+    };
+    const drag = async (button, shift) => {
+      if (shift) await page.keyboard.down('Shift');
+      await page.mouse.move(x, y);
+      await page.mouse.down({ button });
+      await page.mouse.move(x + 40, y + 25, { steps: 3 });
+      await page.mouse.up({ button });
+      if (shift) await page.keyboard.up('Shift');
+    };
+    await drag('left');
+    await moved(['yaw', 'pitch'], 'drag');
+    await drag('right');
+    await moved(['target'], 'right drag');
+    await drag('left', true);
+    await moved(['target'], 'shift drag');
+    await page.mouse.move(x + 50, y);
+    await page.mouse.wheel(0, -240);
+    await moved(['distance', 'target'], 'wheel');
+    await page.focus('#canvas');
+    await page.keyboard.press('ArrowLeft');
+    await moved(['yaw'], 'arrow');
+    await page.keyboard.press('Shift+ArrowUp');
+    await moved(['target'], 'shift arrow');
+    await page.keyboard.press('+');
+    await moved(['distance'], 'plus');
+    await page.getByRole('button', { name: /View from the top/ }).press('Enter');
+    await moved(['yaw', 'pitch'], 'cube');
+    await close();
+  });
+
+  test('draws only when something changed', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    await settled(page);
+    const count = await frames(page);
+    await page.waitForTimeout(400);
+    assert.equal(await frames(page), count);
+    await page.keyboard.press('1');
+    await settled(page);
+    assert.ok((await frames(page)) > count);
+    await close();
+  });
+
+  test('is the same far from the origin', async () => {
+    const pictures = [];
+    for (const offset of [
+      [0, 0, 0],
+      [8388608, -4194304, 16777216],
+    ]) {
+      const { page, close } = await browser.open(reviewPage({ offset }), { hash: '#clash=4' });
+      pictures.push((await picture(page)).png);
+      await close();
+    }
+    assert.ok(pictures[0].equals(pictures[1]), 'powers of two move nothing by a rounding');
+  });
+
+  test('copes with parts that are flat, mirrored, empty or nowhere', async () => {
+    const { report, scene, geometry } = review();
+    const poses = structuredClone(scene);
+    poses.objects[0].pose.fill(0, 0, 3);
+    poses.objects[1].pose[0] = -1;
+    poses.objects[2].pose = new Array(12).fill(0);
+    poses.objects[5].pose[3] = 1e300;
+    const { page, close } = await browser.open(compose({ report, scene: poses, geometry }), { hash: '#clash=1' });
+    assert.equal((await listed(page)).length, report.pairs.length);
+    await page.keyboard.press('f');
+    await page.keyboard.press('j');
+    await close();
+  });
+
+  test('shows a report of no parts', async () => {
+    const { report } = review({ triage: false });
+    const none = { ...report, objects: [], pairs: [], counts: { ...report.counts, fail: 0 } };
+    const { page, close } = await browser.open(
+      compose({
+        report: none,
+        scene: { version: 1, title: 'none', triangles: 0, shown: 0, meshes: [], objects: [] },
+        geometry: 'eJwDAAAAAAE=',
+      }),
+    );
+    assert.match(await page.textContent('#verdict-line'), /Nothing fails/);
+    await page.keyboard.press('f');
+    await close();
+  });
+});
+
+test('10,000 parts of a million triangles open, and a click selects', async () => {
+  const browser = await startBrowser();
+  try {
+    const { page, close } = await browser.open(plantPage(), { width: 1000, height: 640 });
+    assert.equal(await page.getAttribute('#clash-list', 'aria-rowcount'), '15000');
+    const { count } = await picture(page);
+    assert.ok(count > 50);
+    assert.ok((await page.locator('#clash-list .row').count()) < 60, 'only the rows in sight are in the document');
+    await page.evaluate(() => (document.querySelector('#clash-list').scrollTop = 1e9));
+    await settled(page);
+    assert.equal(await page.locator('#clash-list .row .rank').last().textContent(), '15\u202f000');
+    await page.locator('#clash-list .row').last().click();
+    assert.match(await page.textContent('#legend'), /^Apart \d+Bpart \d+$/);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('f');
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(5050));
+    await page.mouse.click(x, y);
+    await page.waitForFunction(() => window.impinge.store.state.part >= 0);
+    await page.fill('#parts-search', 'part 9999');
+    assert.deepEqual(await listed(page, '.name', '#parts-tree'), ['plant.stl', 'hall 9', 'row 99', 'part 9999']);
+    await close();
+  } finally {
+    await browser.stop();
+  }
+});
+
+test('fingers turn, move and zoom', async () => {
+  const browser = await startBrowser();
+  try {
+    const { page, close } = await browser.open(reviewPage(), { width: 390, height: 800, touch: true });
+    const box = await page.locator('#canvas').boundingBox();
+    const session = await page.context().newCDPSession(page);
+    const fingers = (type, points) =>
+      session.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })),
+      });
+    const before = await stand(page);
+    await fingers('touchStart', [[150, 150]]);
+    await fingers('touchMove', [[190, 170]]);
+    await fingers('touchEnd', []);
+    const turned = await stand(page);
+    assert.notEqual(turned.yaw, before.yaw);
+    assert.deepEqual(turned.target, before.target);
+    await fingers('touchStart', [
+      [150, 150],
+      [200, 150],
+    ]);
+    await fingers('touchMove', [
+      [120, 150],
+      [230, 150],
+    ]);
+    await fingers('touchEnd', []);
+    const zoomed = await stand(page);
+    assert.ok(zoomed.distance < turned.distance);
+    assert.equal(zoomed.yaw, turned.yaw);
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
+    await page.touchscreen.tap(x, y);
+    assert.ok((await page.evaluate(() => window.impinge.store.state.part)) >= -1);
+    await close();
+  } finally {
+    await browser.stop();
+  }
+});

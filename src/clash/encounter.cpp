@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/encounter.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "clash/pinch.hpp"
+#include "exact/orientation.hpp"
+#include "exact/segment.hpp"
+#include "exact/triangle_pair.hpp"
+#include "measure/nearest.hpp"
+#include "measure/triangle_distance.hpp"
+
+namespace impinge::clash {
+namespace {
+
+bool is_proper(const Triangle& t) { return exact::find_projection(t[0], t[1], t[2]) >= 0; }
+
+/// Of triangles that share one corner and nothing else.
+Kind kind_of(const Triangle& a, const Triangle& b, std::size_t corner_b) {
+  for (const std::size_t other : {(corner_b + 1) % 3, (corner_b + 2) % 3})
+    if (exact::orient3d(a[0], a[1], a[2], b[other]) != 0) return Kind::touching;
+  return is_proper(a) && is_proper(b) ? Kind::coplanar : Kind::touching;
+}
+
+class Search {
+ public:
+  Search(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) : a_(a), b_(b), goal_(goal) {}
+
+  Encounter run() {
+    const auto take = [&](const TrianglePair& pair) { return look_at(pair), true; };
+    measure::candidate_pairs(a_.placed, b_.placed, goal_.within, take, goal_.stop);
+    const auto by_triangles = [](const auto& p, const auto& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); };
+    std::sort(result_.near.begin(), result_.near.end(), by_triangles);
+    std::sort(result_.contacts.begin(), result_.contacts.end(), by_triangles);
+    return std::move(result_);
+  }
+
+ private:
+  void look_at(const TrianglePair& pair) {
+    const Triangle a = a_.triangle(pair.a), b = b_.triangle(pair.b);
+    if (const auto pinch = find_pinch(a, b, goal_.within)) return look_at(pair, *pinch);
+    if (measure::triangle_distance(a, b, goal_.within).lower > goal_.within) return;
+    result_.near.push_back(pair);
+    if (const auto kind = exact::classify(a, b)) count(pair, *kind, true);
+  }
+
+  void look_at(const TrianglePair& pair, const Pinch& pinch) {
+    const bool is_first_of_a = result_.of_a.meet(pair.a, pinch.corner_a, a_.size());
+    const bool is_first = result_.of_b.meet(pair.b, pinch.corner_b, b_.size()) || is_first_of_a;
+    if (is_first) {
+      result_.near.push_back(pair);
+    } else {
+      result_.of_a.leave_out(pair.a, pinch.corner_a), result_.of_b.leave_out(pair.b, pinch.corner_b);
+      result_.is_whole = false;
+    }
+    const Triangle a = a_.triangle(pair.a), b = b_.triangle(pair.b);
+    if (pinch.is_one_point) {
+      count(pair, kind_of(a, b, pinch.corner_b), is_first || goal_.all_contacts);
+    } else if (const auto kind = exact::classify(a, b)) {
+      count(pair, *kind, true);
+    }
+  }
+
+  void count(const TrianglePair& pair, Kind kind, bool is_kept) {
+    ++result_.counts[static_cast<std::size_t>(kind)];
+    if (is_kept) result_.contacts.push_back({pair.a, pair.b, kind});
+  }
+
+  const solid::Body &a_, &b_;
+  const EncounterGoal& goal_;
+  Encounter result_;
+};
+
+}  // namespace
+
+bool LeftOut::meet(std::uint32_t triangle, std::uint8_t corner, std::size_t triangles) {
+  if (bits_.empty()) bits_.resize(triangles);
+  const auto bit = static_cast<std::uint8_t>(1 << corner);
+  const bool is_first = (bits_[triangle] & bit) == 0;
+  bits_[triangle] |= bit;
+  return is_first;
+}
+
+Encounter find_encounter(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) {
+  return Search(a, b, goal).run();
+}
+
+}  // namespace impinge::clash

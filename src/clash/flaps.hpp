@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "exact/rational.hpp"
+
+/// Triangles around a line that runs in their planes, exactly: points along the line are rational numbers, and the
+/// order around it is one of signs.
+namespace impinge::clash {
+
+/// A line through two different points, in the direction from the first to the second.
+class Line {
+ public:
+  Line(const Vec3& from, const Vec3& to);
+  [[nodiscard]] const Vec3& from() const { return from_; }
+  [[nodiscard]] const Vec3& to() const { return to_; }
+  /// Grows along the line.
+  [[nodiscard]] exact::Rational along(const Vec3& p) const;
+
+ private:
+  Vec3 from_, to_;
+  int axis_;
+  bool backward_;
+};
+
+/// A half-plane that begins at a line: a triangle's, next to the line.
+struct Flap {
+  std::uint32_t triangle;  ///< whichever number the caller gave it
+  Vec3 toward;             ///< a point of it, off the line
+  bool ahead_is_front;     ///< what follows counterclockwise is in front of the triangle
+};
+
+/// What a proper triangle shares with a line: a segment. Inside the triangle it has a flap on either side, along an
+/// edge one.
+struct Stretch {
+  exact::Rational lo, hi;
+  std::vector<Flap> flaps;
+};
+/// Nothing if they share a point or none.
+std::optional<Stretch> stretch_of(const Line& line, const Triangle& triangle, std::uint32_t number);
+
+/// Counterclockwise as seen against the line's direction; those in one half-plane make one entry.
+std::vector<std::vector<Flap>> in_order(const Line& line, const std::vector<Flap>& flaps);
+
+/// Calls `take` with the flaps over each piece of the line between the ends of stretches. Until it returns false.
+template <class Take>
+void each_section(std::vector<Stretch> stretches, const Take& take) {
+  std::sort(stretches.begin(), stretches.end(), [](const Stretch& p, const Stretch& q) { return p.lo < q.lo; });
+  std::vector<exact::Rational> ends;
+  for (const Stretch& stretch : stretches) ends.push_back(stretch.lo), ends.push_back(stretch.hi);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<const Stretch*> open;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    open.erase(std::remove_if(open.begin(), open.end(), [&](const Stretch* s) { return s->hi <= ends[i]; }),
+               open.end());
+    for (; next < stretches.size() && stretches[next].lo == ends[i]; ++next) open.push_back(&stretches[next]);
+    std::vector<Flap> flaps;
+    for (const Stretch* const stretch : open) flaps.insert(flaps.end(), stretch->flaps.begin(), stretch->flaps.end());
+    if (!take(flaps)) return;
+  }
+}
+
+}  // namespace impinge::clash

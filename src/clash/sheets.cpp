@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/sheets.hpp"
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "core/disjoint_sets.hpp"
+
+namespace impinge::clash {
+namespace {
+
+struct EdgeUse {
+  std::uint32_t low, high;  ///< positions
+  std::uint32_t triangle;   ///< index among the ids
+  int way;
+};
+
+std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle) {
+  const auto& [a, b, c] = part.body.placed.mesh->triangles[triangle];
+  return {part.topology.position[a], part.topology.position[b], part.topology.position[c]};
+}
+
+/// Sorted: those of one edge are next to each other.
+std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+  std::vector<EdgeUse> uses;
+  for (std::uint32_t i = 0; i < ids.size(); ++i) {
+    const auto corners = corners_of(part, ids[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
+      uses.push_back({std::min(from, to), std::max(from, to), i, from < to ? 1 : -1});
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+            [](const EdgeUse& p, const EdgeUse& q) { return std::pair(p.low, p.high) < std::pair(q.low, q.high); });
+  return uses;
+}
+
+struct Neighbor {
+  std::uint32_t index;
+  int turn;  ///< +1 where both run through the common edge in opposite ways
+};
+
+/// Calls `take` with the uses of each edge.
+template <class Take>
+void each_edge(const std::vector<EdgeUse>& uses, const Take& take) {
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high) ++last;
+    take(std::span(uses).subspan(first, last - first));
+  }
+}
+
+void find_pieces(const std::vector<EdgeUse>& uses, Sheets& sheets) {
+  std::vector<std::vector<Neighbor>> neighbors(sheets.ids.size());
+  each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() != 2) return;
+    const int turn = -edge[0].way * edge[1].way;
+    neighbors[edge[0].triangle].push_back({edge[1].triangle, turn});
+    neighbors[edge[1].triangle].push_back({edge[0].triangle, turn});
+  });
+  sheets.side.assign(sheets.ids.size(), 0);
+  sheets.piece.assign(sheets.ids.size(), 0);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t i = 0; i < sheets.ids.size(); ++i) {
+    if (sheets.side[i] != 0) continue;
+    sheets.side[i] = 1, sheets.piece[i] = i, open.push_back(i);
+    while (!open.empty()) {
+      const std::uint32_t at = open.back();
+      open.pop_back();
+      for (const Neighbor& next : neighbors[at])
+        if (sheets.side[next.index] == 0)
+          sheets.side[next.index] = next.turn * sheets.side[at], sheets.piece[next.index] = i,
+          open.push_back(next.index);
+    }
+  }
+}
+
+/// Of very many triangles at an edge some: the next ones of each.
+void find_links(const std::vector<EdgeUse>& uses, Sheets& sheets) {
+  constexpr std::size_t kMost = 16;
+  sheets.links.resize(sheets.ids.size());
+  each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    for (std::size_t i = 0; edge.size() > 2 && i < edge.size(); ++i)
+      for (std::size_t j = i + 1; j < std::min(edge.size(), i + kMost); ++j) {
+        const std::uint32_t p = edge[i].triangle, q = edge[j].triangle;
+        const int turn = -edge[i].way * edge[j].way * sheets.side[p] * sheets.side[q];
+        sheets.links[sheets.piece[p]].push_back({sheets.piece[q], turn});
+        sheets.links[sheets.piece[q]].push_back({sheets.piece[p], turn});
+      }
+  });
+}
+
+void find_clusters(const solid::Part& part, Sheets& sheets) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;
+  for (std::uint32_t i = 0; i < sheets.ids.size(); ++i)
+    for (const std::uint32_t position : corners_of(part, sheets.ids[i])) corners.emplace_back(position, i);
+  std::sort(corners.begin(), corners.end());
+  DisjointSets clusters(sheets.ids.size());
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (corners[i].first == corners[i - 1].first) clusters.join(corners[i].second, corners[i - 1].second);
+  for (std::uint32_t i = 0; i < sheets.ids.size(); ++i) sheets.cluster.push_back(clusters.find(i));
+}
+
+}  // namespace
+
+Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto is_degenerate = [&](std::uint32_t t) { return part.topology.shell[t] == solid::Topology::kNoShell; };
+  ids.erase(std::remove_if(ids.begin(), ids.end(), is_degenerate), ids.end());
+  Sheets sheets{.ids = std::move(ids), .cluster = {}, .piece = {}, .side = {}, .links = {}};
+  const std::vector<EdgeUse> uses = edge_uses(part, sheets.ids);
+  find_pieces(uses, sheets);
+  find_links(uses, sheets);
+  find_clusters(part, sheets);
+  return sheets;
+}
+
+std::uint8_t SidesSeen::from(const Sheets& sheets, std::uint32_t triangle) const {
+  const auto found = of_piece_.find(sheets.piece[triangle]);
+  return found == of_piece_.end() ? std::uint8_t{0} : turned(found->second, sheets.side[triangle]);
+}
+
+void SidesSeen::add(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides) {
+  constexpr std::uint8_t kBoth = kAbove | kBelow;
+  const std::uint32_t piece = sheets.piece[triangle];
+  std::uint8_t& known = of_piece_[piece];
+  const std::uint8_t before = known;
+  known |= turned(sides, sheets.side[triangle]);
+  if (known == before || has_both_) return;
+  has_both_ = known == kBoth;
+  for (const Sheets::Link& link : sheets.links[piece]) {
+    const auto found = of_piece_.find(link.piece);
+    if (found != of_piece_.end()) has_both_ |= (known | turned(found->second, link.turn)) == kBoth;
+  }
+}
+
+}  // namespace impinge::clash

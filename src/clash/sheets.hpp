@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "solid/part.hpp"
+
+namespace impinge::clash {
+
+/// On which sides of a sheet something is; or-ed bits.
+inline constexpr std::uint8_t kAbove = 1, kBelow = 2;
+
+inline std::uint8_t turned(std::uint8_t sides, int way) {
+  if (way > 0) return sides;
+  return static_cast<std::uint8_t>(((sides & kAbove) != 0 ? kBelow : 0) | ((sides & kBelow) != 0 ? kAbove : 0));
+}
+
+/// Some proper triangles of a part, and how they hang together.
+struct Sheets {
+  std::vector<std::uint32_t> ids;      ///< sorted
+  std::vector<std::uint32_t> cluster;  ///< over common vertices
+  std::vector<std::uint32_t> piece;    ///< over edges that two of them use
+  std::vector<int> side;               ///< +1 or -1: those of one piece look the same way if normals are turned by it
+
+  /// Pieces that three or more triangles join at an edge: any two of them are one sheet, if one is turned.
+  struct Link {
+    std::uint32_t piece;
+    int turn;
+  };
+  std::vector<std::vector<Link>> links;  ///< per piece
+
+  [[nodiscard]] std::uint32_t index(std::uint32_t id) const {
+    return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+  }
+};
+
+/// Degenerate ones, and those that are named twice, are left out.
+Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids);
+
+/// The sides of each piece of some sheets on which something is.
+class SidesSeen {
+ public:
+  /// Adds what is seen from a triangle, by its index.
+  void add(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides);
+  [[nodiscard]] std::uint8_t from(const Sheets& sheets, std::uint32_t triangle) const;
+  /// Whether something is on both sides of some sheet.
+  [[nodiscard]] bool has_both() const { return has_both_; }
+
+ private:
+  std::map<std::uint32_t, std::uint8_t> of_piece_;
+  bool has_both_ = false;
+};
+
+}  // namespace impinge::clash

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// `impinge clash --csv`, read back by a reader of RFC 4180.
+#include "report/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "read_back.hpp"
+#include "tests/cli/meshes.hpp"
+#include "tests/cli/program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+using Row = std::map<std::string, std::string>;
+
+const std::vector<std::string> kColumns{"rank",        "verdict",      "fails",       "id",        "a",
+                                        "b",           "a_path",       "b_path",      "a_product", "b_product",
+                                        "a_file",      "b_file",       "inner",       "depth",     "a_in_b_least",
+                                        "a_in_b_most", "b_in_a_least", "b_in_a_most", "distance",  "distance_error",
+                                        "regions",     "area",         "length",      "x",         "y",
+                                        "z",           "normal_x",     "normal_y",    "normal_z",  "crossing",
+                                        "touching",    "coplanar",     "tolerance",   "note"};
+
+std::vector<Row> rows_of(const std::string& text) {
+  const auto cells = read_csv(text);
+  std::vector<Row> rows;
+  EXPECT_FALSE(cells.empty());
+  if (cells.empty()) return rows;
+  EXPECT_EQ(cells[0], kColumns);
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    EXPECT_EQ(cells[i].size(), kColumns.size());
+    Row& row = rows.emplace_back();
+    for (std::size_t k = 0; k < kColumns.size() && k < cells[i].size(); ++k) row[kColumns[k]] = cells[i][k];
+  }
+  return rows;
+}
+
+double number(const std::string& cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  EXPECT_TRUE(error == std::errc() && end == cell.data() + cell.size()) << cell;
+  return value;
+}
+
+class Csv : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
+    folder.write("big.off", off(box({20, 0, 0}, {26, 6, 6})));
+    folder.write("small.off", off(box({22, 2, 2}, {24, 4, 4})));
+    folder.write("f.off", off(box({80, 0, 0}, {82, 2, 2})));
+    folder.write("g.off", off(box({85, 4, 0}, {87, 6, 2})));
+  }
+  Folder folder;
+};
+
+TEST_F(Csv, SaysWhatTheJsonSaysWorstFirst) {
+  const Ended run = impinge(folder, {"clash", "a.off", "b.off", "small.off", "big.off", "f.off", "g.off", "--clearance",
+                                     "3.7", "--csv", "out.csv", "--json", "out.json", "--quiet"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const std::vector<Row> rows = rows_of(folder.read("out.csv"));
+  const json answer = json::parse(folder.read("out.json"));
+  std::map<std::string, json> pairs;
+  for (const json& pair : answer.at("pairs")) pairs[pair.at("id").get<std::string>()] = pair;
+  ASSERT_EQ(rows.size(), pairs.size());
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].at("verdict"), "inside");
+  EXPECT_EQ(rows[1].at("verdict"), "penetrating");
+  EXPECT_EQ(rows[2].at("verdict"), "apart");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    const json& pair = pairs.at(row.at("id"));
+    EXPECT_EQ(row.at("rank"), std::to_string(i + 1));
+    EXPECT_EQ(row.at("verdict"), pair.at("verdict"));
+    EXPECT_EQ(row.at("fails"), pair.at("fails").get<bool>() ? "true" : "false");
+    EXPECT_EQ(row.at("a"), answer.at("objects").at(pair.at("a").get<std::size_t>()).at("name"));
+    EXPECT_EQ(row.at("b_file"), answer.at("objects").at(pair.at("b").get<std::size_t>()).at("file"));
+    EXPECT_EQ(row.at("regions"), std::to_string(pair.at("regions").size()));
+    for (const char* kind : {"crossing", "touching", "coplanar"})
+      EXPECT_EQ(row.at(kind), std::to_string(pair.at(kind).get<int>()));
+    EXPECT_EQ(number(row.at("tolerance")), pair.at("tolerance").get<double>());
+    const json& depth = pair.at("overlap_depth");
+    EXPECT_EQ(row.at("a_in_b_least").empty(), depth.is_null());
+    if (!depth.is_null()) {
+      EXPECT_EQ(number(row.at("a_in_b_least")), depth.at("a_in_b").at(0).get<double>());
+      EXPECT_EQ(number(row.at("b_in_a_most")), depth.at("b_in_a").at(1).get<double>());
+    }
+    EXPECT_EQ(row.at("distance").empty(), pair.at("distance").is_null());
+    if (!pair.at("distance").is_null()) {
+      EXPECT_EQ(number(row.at("distance")), pair.at("distance").get<double>()) << "the shortest text reads back";
+    }
+  }
+  EXPECT_EQ(rows[0].at("inner"), "a");
+  EXPECT_EQ(number(rows[0].at("x")), 23) << "the middle of what lies inside";
+  EXPECT_EQ(rows[1].at("inner"), "");
+  const json& region = pairs.at(rows[1].at("id")).at("regions").at(0);
+  EXPECT_EQ(number(rows[1].at("area")), region.at("area").get<double>());
+  EXPECT_EQ(number(rows[1].at("y")), region.at("centroid").at(1).get<double>());
+  EXPECT_EQ(number(rows[1].at("normal_z")), region.at("normal").at(2).get<double>());
+  EXPECT_NEAR(number(rows[2].at("x")), 83.5, 1e-12);
+  EXPECT_EQ(rows[2].at("normal_x"), "");
+}
+
+TEST_F(Csv, OfNothingIsTheNamesOfTheColumns) {
+  EXPECT_EQ(impinge(folder, {"clash", "a.off", "g.off", "--csv", "-"}).code, 0);
+  EXPECT_TRUE(rows_of(impinge(folder, {"clash", "a.off", "g.off", "--csv", "-"}).out).empty());
+}
+
+TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
+  for (const std::string name :
+       {"=1+1", "+1", "-1", "@SUM(1)", "\t=1", "\r=1", "a,b", "a\"b", "\"", "a\r\nb", "'quoted'",
+        "\xEF\xBC\x9D"
+        "1",
+        "=cmd|' C calc'!A0", "\x1b[2J", "\xff", "plain"}) {
+    folder.write(name + ".off", off(box({1, 1, 1}, {3, 3, 3})));
+    const Ended run = impinge(folder, {"clash", "a.off", "./" + name + ".off", "--csv", "-"});
+    EXPECT_EQ(run.code, 1) << run.err;
+    const std::vector<Row> rows = rows_of(run.out);
+    ASSERT_EQ(rows.size(), 1U) << name;
+    const std::string& cell = rows[0].at("b");
+    EXPECT_EQ(std::string("=+-@\t\r").find(cell.substr(0, 1)), std::string::npos) << cell;
+    EXPECT_FALSE(cell.starts_with("\xEF\xBC\x9D"));
+    for (const char c : run.out) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\r' || c == '\n');
+  }
+}
+
+TEST(CsvCell, IsDefusedByAnApostropheAlone) {
+  EXPECT_EQ(cli::csv_cell("bolt"), "bolt");
+  EXPECT_EQ(cli::csv_cell(""), "");
+  EXPECT_EQ(cli::csv_cell("=1"), "'=1");
+  EXPECT_EQ(cli::csv_cell("a=1"), "a=1");
+  EXPECT_EQ(cli::csv_cell("-3"), "'-3");
+  EXPECT_EQ(cli::csv_cell("'a"), "''a");
+  EXPECT_EQ(cli::csv_cell("@a,b"), "\"'@a,b\"");
+  EXPECT_EQ(cli::csv_cell("a\"b"), "\"a\"\"b\"");
+  EXPECT_EQ(cli::csv_cell("a\nb"), "a\\nb");
+}
+
+}  // namespace
+}  // namespace impinge::test

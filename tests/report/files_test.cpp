@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Several outputs in one run: each appears whole or not at all, and is the same bytes each time.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <thread>
+
+#include "tests/cli/meshes.hpp"
+#include "tests/cli/program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Output {
+  std::string option, name, beginning;
+};
+const std::vector<Output> kOutputs{{"--json", "out.json", "{"},
+                                   {"--html", "out.html", "<!doctype html>"},
+                                   {"--csv", "out.csv", "rank,verdict,"},
+                                   {"--bcf", "out.bcf", "PK\3\4"},
+                                   {"--gltf", "out.glb", "glTF"}};
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
+    folder.write("page.html", "<!doctype html><html><!-- impinge: data --></html>\n");
+    launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
+  }
+  [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"clash", "a.off", "b.off", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return impinge(folder, words, launch);
+  }
+  [[nodiscard]] static std::vector<std::string> all(const std::string& where = "") {
+    std::vector<std::string> words;
+    for (const Output& output : kOutputs) words.insert(words.end(), {output.option, where + output.name});
+    return words;
+  }
+  [[nodiscard]] std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> found;
+    for (const std::string& name : folder.names()) found[name] = folder.read(name);
+    return found;
+  }
+  Folder folder;
+  Launch launch;
+};
+
+TEST_F(Files, AllComeFromOneRunWithTheSameBytesEachTime) {
+  ASSERT_EQ(clash(all()).code, 1);
+  const auto first = contents();
+  for (const Output& output : kOutputs) EXPECT_TRUE(first.at(output.name).starts_with(output.beginning)) << output.name;
+  for (const char* threads : {"1", "3", "4"}) {
+    std::vector<std::string> words = all();
+    words.insert(words.end(), {"--threads", threads});
+    ASSERT_EQ(clash(words).code, 1);  // over the earlier ones
+    EXPECT_TRUE(contents() == first) << threads;
+  }
+}
+
+TEST_F(Files, WhatNamesAnotherFileIsRefused) {
+  const std::string foreign = "a letter to somebody\n";
+  for (const Output& output : kOutputs) {
+    folder.write(output.name, foreign);
+    const Ended run = clash({output.option, output.name});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("so it is not replaced"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.read(output.name), foreign);
+    EXPECT_EQ(clash({output.option, "a.off"}).code, 2) << "a file to read";
+    folder.write(output.name, "");
+    EXPECT_EQ(clash({output.option, output.name}).code, 1) << "an empty file is free";
+    // Of another kind.
+    EXPECT_EQ(clash({output.option == "--csv" ? "--bcf" : "--csv", output.name}).code, 2) << output.name;
+  }
+  EXPECT_EQ(folder.read("a.off"), off(box({0, 0, 0}, {2, 2, 2})));
+}
+
+TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
+  const std::string archive = "PK\3\4" + std::string(26, ' ') + "word/document.xml" + std::string(100, ' ');
+  folder.write("letter.docx", archive);
+  EXPECT_EQ(clash({"--bcf", "letter.docx"}).code, 2);
+  EXPECT_EQ(folder.read("letter.docx"), archive);
+  const std::string model =
+      "glTF" + std::string(16, ' ') + R"({"asset":{"generator":"another","version":"2.0"}})" + std::string(100, ' ');
+  folder.write("model.glb", model);
+  EXPECT_EQ(clash({"--gltf", "model.glb"}).code, 2);
+  EXPECT_EQ(folder.read("model.glb"), model);
+}
+
+TEST_F(Files, OnePlaceTakesOneDocument) {
+  std::filesystem::create_directory(folder.path() / "sub");
+  std::filesystem::create_symlink("sub", folder.path() / "link");
+  for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{
+           {"out", "out"}, {"out", "./out"}, {"sub/out", "link/out"}, {"out", "sub/../out"}, {"-", "-"}}) {
+    const Ended run = clash({"--csv", first, "--gltf", second});
+    EXPECT_EQ(run.code, 2) << second;
+    EXPECT_NE(run.err.find("--csv and --gltf cannot both go to"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_EQ(clash({"--csv", "out", "--gltf", "sub/out"}).code, 1);
+}
+
+TEST_F(Files, APlaceThatCannotBeWrittenIsSaidBeforeTheWork) {
+  const auto before = contents();
+  for (const Output& output : kOutputs) {
+    for (const std::string place : {"missing/out", ".", "/dev/null/out"}) {
+      const Ended run = clash({output.option, place});
+      EXPECT_EQ(run.code, 2) << output.option << ' ' << place;
+      EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+  }
+  EXPECT_TRUE(contents() == before);
+}
+
+TEST_F(Files, AFullDeviceIsAnError) {
+  for (const Output& output : kOutputs) {
+    const Ended run = clash({output.option, "/dev/full"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.err, "impinge: cannot write to '/dev/full': No space left on device\n");
+  }
+}
+
+TEST_F(Files, AFileThatCannotGrowLeavesTheOldOne) {
+  ASSERT_EQ(clash(all()).code, 1);
+  const auto before = contents();
+  folder.write("c.off", off(box({-1, -1, -1}, {1, 1, 1})));
+  for (const Output& output : kOutputs) {
+    // As a full disk does, but without one: no file may be longer than 512 bytes.
+    const Ended run =
+        shell(folder, "trap '' XFSZ; ulimit -f 1; IMPINGE_PAGE=" + launch.environment["IMPINGE_PAGE"] +
+                          " impinge clash a.off b.off c.off --quiet " + output.option + " " + output.name);
+    EXPECT_EQ(run.code, 2) << output.option;
+    EXPECT_NE(run.err.find("cannot write to"), std::string::npos) << run.err;
+    auto after = contents();
+    after.erase("c.off");
+    EXPECT_TRUE(after == before) << output.option;
+  }
+}
+
+TEST_F(Files, AnInterruptWhileTopicsAreDrawnLeavesTheOldArchive) {
+  // 50 cubes that all meet each other: 1,225 topics.
+  std::vector<std::string> words{IMPINGE_PROGRAM, "clash",     "--quiet", "--csv",        "out.csv", "--bcf",
+                                 "out.bcf",       "--threads", "2",       "--bcf-topics", "2000"};
+  for (int i = 0; i < 50; ++i) {
+    const std::string name = "c" + std::to_string(i) + ".off";
+    folder.write(name, off(box({i, i, i}, {i + 100, i + 100, i + 100})));
+    words.push_back(name);
+  }
+  const std::string older = "PK\3\4" + std::string(26, ' ') + "bcf.version";
+  folder.write("out.bcf", older);
+  Running running(folder, words);
+  ASSERT_TRUE(running.handles(SIGINT, 20s));
+  // The table is written first, the archive after it.
+  const auto last = std::chrono::steady_clock::now() + 60s;
+  while (!std::filesystem::exists(folder.path() / "out.csv") && std::chrono::steady_clock::now() < last)
+    std::this_thread::sleep_for(5ms);
+  std::this_thread::sleep_for(100ms);
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const std::string& name : folder.names())
+      if (name.starts_with("out.bcf")) found.push_back(name);
+    return found;
+  };
+  running.send(SIGINT);
+  const Ended run = running.wait();
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.err, "impinge: interrupted; there is no result\n");
+  EXPECT_EQ(names(), std::vector<std::string>{"out.bcf"});
+  EXPECT_EQ(folder.read("out.bcf"), older);
+}
+
+TEST_F(Files, OptionsThatSayNothingAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& part) {
+    const Ended run = clash(words);
+    EXPECT_EQ(run.code, 2) << part;
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  };
+  refused({"--date", "2024-01-01"}, "--bcf FILE");
+  refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf FILE");
+  refused({"--unit", "mm", "--csv", "out.csv"}, "--unit is for --bcf FILE and --gltf FILE");
+  refused({"--up", "y"}, "--up is for");
+  refused({"--unit", "miles", "--bcf", "out.bcf"}, "'miles'");
+  refused({"--up", "x", "--gltf", "out.glb"}, "'x'");
+  refused({"--date", "2023-02-29", "--bcf", "out.bcf"}, "'2023-02-29'");
+  refused({"--bcf-topics", "many", "--bcf", "out.bcf"}, "'many'");
+  refused({"--bcf-topics", "20001", "--bcf", "out.bcf"}, "20000");
+}
+
+}  // namespace
+}  // namespace impinge::test

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// The page that `clash --html` and `view` write: its three blocks, whatever names are in them. What the page's program
+// does with them is tested beside that program.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/cli/meshes.hpp"
+#include "tests/cli/program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+std::string unpacked(const std::string& base64, std::size_t size) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int held = 0;
+  for (const char c : base64) {
+    const std::size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) {
+      EXPECT_EQ(c, '=');
+      continue;
+    }
+    bits = bits << 6U | static_cast<unsigned>(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 0xFFU);
+  }
+  std::string out(size, '\0');
+  uLongf length = size;
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &length, reinterpret_cast<const Bytef*>(bytes.data()),
+                       bytes.size()),
+            Z_OK);
+  EXPECT_EQ(length, size);
+  return out;
+}
+
+/// A page taken apart.
+struct Page {
+  json report, scene;
+  std::string before, after;
+  std::vector<std::vector<float>> xyz;
+  std::vector<std::vector<std::uint32_t>> triangles;
+
+  explicit Page(std::string text) {
+    before = text.substr(0, text.find("<script"));
+    report = json::parse(block(text, "<script type=\"application/json\" id=\"report\">\n"));
+    scene = json::parse(block(text, "<script type=\"application/json\" id=\"scene\">\n"));
+    const std::string packed = block(text, "<script type=\"text/plain\" id=\"geometry\">\n");
+    after = text;
+    std::size_t size = 0;
+    for (const json& mesh : scene.at("meshes"))
+      size += 12 * (mesh.at("vertices").get<std::size_t>() + mesh.at("triangles").get<std::size_t>());
+    const std::string bytes = unpacked(packed.substr(0, packed.find('\n')), size);
+    std::size_t at = 0;
+    for (const json& mesh : scene.at("meshes")) {
+      const auto take = [&](auto& values, std::size_t count) {
+        values.resize(count);
+        std::memcpy(values.data(), bytes.data() + at, 4 * count);
+        at += 4 * count;
+      };
+      take(xyz.emplace_back(), 3 * mesh.at("vertices").get<std::size_t>());
+      take(triangles.emplace_back(), 3 * mesh.at("triangles").get<std::size_t>());
+      for (const std::uint32_t corner : triangles.back()) EXPECT_LT(3 * corner, xyz.back().size());
+    }
+  }
+
+  /// The world corners of an object's triangles, rounded to whole numbers, sorted.
+  [[nodiscard]] std::vector<std::array<long, 3>> corners(std::size_t object) const {
+    const json& about = scene.at("objects").at(object);
+    const auto mesh = about.at("mesh").get<std::size_t>();
+    const auto pose = about.at("pose").get<std::array<double, 12>>();
+    std::vector<std::array<long, 3>> points;
+    for (const std::uint32_t corner : triangles.at(mesh)) {
+      const float* p = &xyz.at(mesh)[3 * corner];
+      std::array<long, 3> at{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double value = pose[4 * k] * p[0] + pose[4 * k + 1] * p[1] + pose[4 * k + 2] * p[2] + pose[4 * k + 3];
+        at[k] = std::lround(value);
+        EXPECT_NEAR(value, static_cast<double>(at[k]), 1e-6);
+      }
+      points.push_back(at);
+    }
+    std::sort(points.begin(), points.end());
+    return points;
+  }
+
+ private:
+  /// As a browser ends an element: at the next "</script". Cuts it off the text.
+  static std::string block(std::string& text, const std::string& start) {
+    const std::size_t at = text.find(start);
+    EXPECT_NE(at, std::string::npos) << start;
+    const std::size_t from = at + start.size(), end = text.find("</script", from);
+    std::string inner = text.substr(from, end - from);
+    // Within a script "<!--" and "<script" change what ends it.
+    EXPECT_EQ(inner.find('<'), std::string::npos);
+    text = text.substr(end + std::string("</script>").size());
+    return inner;
+  }
+};
+
+std::vector<std::array<long, 3>> corners(const Solid& solid) {
+  std::vector<std::array<long, 3>> points;
+  for (const auto& triangle : solid.triangles)
+    for (const int corner : triangle) {
+      const auto& v = solid.vertices[static_cast<std::size_t>(corner)];
+      points.push_back({v[0], v[1], v[2]});
+    }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+class PageFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("page.html", "<!doctype html><title>t</title>\n<!-- impinge: data -->\n<script>run()</script>\n");
+    launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
+    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
+    folder.write("far.off", off(box({10'000'000, 0, 0}, {10'000'002, 4, 6})));
+  }
+  [[nodiscard]] Ended run(std::vector<std::string> words) const { return impinge(folder, words, launch); }
+  [[nodiscard]] Page page() const { return Page(folder.read("out.html")); }
+  Folder folder;
+  Launch launch;
+};
+
+TEST_F(PageFile, HoldsTheReportAndWhatIsDrawn) {
+  const Ended ended = run({"clash", "a.off", "b.off", "far.off", "--html", "out.html", "--json", "out.json"});
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  const Page out = page();
+  EXPECT_EQ(out.before, "<!doctype html><title>t</title>\n");
+  EXPECT_EQ(out.after, "\n<script>run()</script>\n");
+  EXPECT_EQ(out.report, json::parse(folder.read("out.json")));
+  EXPECT_TRUE(out.report.at("settings").at("depth"));
+  EXPECT_TRUE(out.report.at("settings").at("regions"));
+  EXPECT_EQ(out.scene.at("version"), 1);
+  EXPECT_EQ(out.scene.at("title"), "a.off, b.off, far.off");
+  EXPECT_EQ(out.scene.at("triangles"), 36);
+  EXPECT_EQ(out.scene.at("shown"), 36);
+  ASSERT_EQ(out.scene.at("objects").size(), 3U);
+  EXPECT_EQ(out.corners(0), corners(box({0, 0, 0}, {2, 2, 2})));
+  EXPECT_EQ(out.corners(1), corners(box({1, 1, 1}, {3, 3, 3})));
+  EXPECT_EQ(out.corners(2), corners(box({10'000'000, 0, 0}, {10'000'002, 4, 6})));
+}
+
+TEST_F(PageFile, InstancesShareAMesh) {
+  folder.write("many.gltf", gltf({{"left", {0, 0, 0}}, {"right", {20, 0, 0}}, {"up", {0, 0, 40}}}));
+  EXPECT_EQ(run({"view", "many.gltf", "--html", "out.html"}).code, 0);
+  const Page out = page();
+  EXPECT_EQ(out.scene.at("meshes").size(), 1U);
+  ASSERT_EQ(out.scene.at("objects").size(), 3U);
+  EXPECT_EQ(out.corners(1), corners(cube(20, 0, 0)));
+  EXPECT_EQ(out.corners(2), corners(cube(0, 0, 40)));
+}
+
+TEST_F(PageFile, NoNameEndsItsBlock) {
+  for (const std::string name :
+       {"<_script><!--", "<script>alert(1)", "<!-- impinge: data -->", "\xff\x1b\"\\\n\xE2\x80\xAE"}) {
+    std::string file = name;
+    folder.write(file + ".off", off(box({1, 1, 1}, {3, 3, 3})));
+    EXPECT_EQ(run({"clash", "a.off", file + ".off", "--html", "out.html", "--quiet"}).code, 1);
+    const Page out = page();
+    EXPECT_EQ(out.after, "\n<script>run()</script>\n") << name;
+  }
+  // A file's name holds no slash, but a node's may.
+  folder.write("odd.gltf", gltf({{"</script><!--<script>", {0, 0, 0}}, {"two", {1, 1, 1}}}));
+  EXPECT_EQ(run({"clash", "odd.gltf", "--html", "out.html", "--quiet"}).code, 1);
+  const Page out = page();
+  EXPECT_EQ(out.after, "\n<script>run()</script>\n");
+  EXPECT_EQ(out.report.at("objects").at(0).at("name"), "</script><!--<script>");
+}
+
+/// A sphere around the origin, of 2 * rings * rings triangle pairs.
+std::string sphere(int rings) {
+  std::string vertices, faces;
+  for (int i = 0; i <= rings; ++i) {
+    for (int k = 0; k < 2 * rings; ++k) {
+      const double theta = std::numbers::pi * i / rings, phi = std::numbers::pi * k / rings;
+      vertices += std::to_string(std::sin(theta) * std::cos(phi)) + " " +
+                  std::to_string(std::sin(theta) * std::sin(phi)) + " " + std::to_string(std::cos(theta)) + "\n";
+      if (i == rings) continue;
+      const int row = 2 * rings * i, next = (k + 1) % (2 * rings);
+      faces += "3 " + std::to_string(row + k) + " " + std::to_string(row + 2 * rings + k) + " " +
+               std::to_string(row + 2 * rings + next) + "\n3 " + std::to_string(row + k) + " " +
+               std::to_string(row + 2 * rings + next) + " " + std::to_string(row + next) + "\n";
+    }
+  }
+  return "OFF\n" + std::to_string(2 * rings * (rings + 1)) + " " + std::to_string(4 * rings * rings) + " 0\n" +
+         vertices + faces;
+}
+
+TEST_F(PageFile, LargeModelsAreSimplifiedAndSaySo) {
+  folder.write("ball.off", sphere(40));
+  EXPECT_EQ(run({"view", "ball.off", "a.off", "--html", "out.html", "--page-triangles", "1000"}).code, 0);
+  const Page out = page();
+  EXPECT_EQ(out.scene.at("triangles"), 6400 + 12);
+  const auto shown = out.scene.at("shown").get<std::size_t>();
+  EXPECT_EQ(shown, (out.triangles.at(0).size() + out.triangles.at(1).size()) / 3);
+  EXPECT_LE(shown, 2000U);
+  EXPECT_GE(shown, 500U);
+  EXPECT_EQ(out.corners(1), corners(box({0, 0, 0}, {2, 2, 2}))) << "a box keeps its triangles";
+  for (std::size_t i = 0; i < out.xyz[0].size(); i += 3)
+    EXPECT_NEAR(std::hypot(out.xyz[0][i], out.xyz[0][i + 1], out.xyz[0][i + 2]), 1, 0.1);
+}
+
+TEST_F(PageFile, OfAViewHasNoClashes) {
+  const Ended ended = run({"view", "a.off", "b.off"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "a.off.html: 2 parts, 24 triangles\n");
+  const Page out(folder.read("a.off.html"));
+  EXPECT_TRUE(out.report.at("pairs").empty());
+  EXPECT_TRUE(out.report.at("settings").is_null());
+  EXPECT_TRUE(out.report.at("counts").is_null());
+  ASSERT_EQ(out.report.at("objects").size(), 2U);
+  EXPECT_EQ(out.report.at("objects").at(1).at("name"), "b");
+  EXPECT_TRUE(out.report.at("objects").at(1).at("solid").is_null());
+  EXPECT_EQ(out.corners(1), corners(box({1, 1, 1}, {3, 3, 3})));
+  EXPECT_EQ(run({"view", "a.off", "--quiet"}).out, "") << "it may replace its own page";
+}
+
+TEST_F(PageFile, WithoutTheProgramEverythingElseIsWritten) {
+  launch.environment["IMPINGE_PAGE"] = "/missing/report.html";
+  const Ended ended = run({"clash", "a.off", "b.off", "--html", "out.html", "--json", "out.json"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
+  for (const char* part : {"/missing/report.html", "IMPINGE_PAGE", "./dev page", "every output but --html"})
+    EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.html"));
+  EXPECT_EQ(run({"view", "a.off"}).code, 2);
+  EXPECT_EQ(run({"clash", "a.off", "b.off", "--json", "out.json", "--csv", "out.csv", "--quiet"}).code, 1);
+  // A file that is no template is none.
+  launch.environment["IMPINGE_PAGE"] = (folder.path() / "a.off").string();
+  EXPECT_EQ(run({"view", "a.off"}).code, 2);
+}
+
+}  // namespace
+}  // namespace impinge::test
