@@ -141,11 +141,14 @@ std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width)
       .section("What --fail-on names:", {{"penetration", "duplicate, penetrating and crossing"},
                                          {"inside", "inside"},
                                          {"contact", "everything but apart: penetration, inside and touching"},
-                                         {"clearance", "apart, and nearer than --clearance; touching is not among it"}})
+                                         {"clearance", "apart, and nearer than --clearance; touching is not among it"},
+                                         {"new", "of these only what is new since --previous"}})
       .examples({{"impinge clash engine.obj fixture.stl", "What clashes?"},
                  {"impinge clash engine.obj fixture.stl --depth --limit 20", "The twenty worst, and how deep they go."},
                  {"impinge clash robot.ply cell.off --clearance 5 --fail-on contact,clearance",
                   "Fail if anything touches the robot or comes nearer to it than 5 units."},
+                 {"impinge clash --config clash.json --previous last.json --fail-on new --json this.json",
+                  "The named tests of a configuration; fail only on what is new since last week's report."},
                  {"impinge clash engine.obj fixture.stl --html report.html",
                   "A page for the design review: open it in a browser; it needs nothing else."},
                  {"impinge clash bracket.stl plate.stl --bcf clashes.bcf --csv clashes.csv --unit mm",

@@ -11,16 +11,24 @@ namespace impinge::cli {
 
 std::string common_name(const std::vector<std::string>& texts) {
   if (texts.empty()) return {};
-  if (texts.size() == 1) return texts.front();
-  std::string_view common = texts.front();
+  // A number may be cut in two, and before it stands what sets it apart; the 8 of "M8_1" is none of these.
+  constexpr std::string_view kDigits = "0123456789", kSeparators = " _-.:#/(";
+  const std::string_view first = texts.front();
+  std::size_t begins = first.size(), ends = first.size();
   for (const std::string_view text : texts) {
-    const auto end = std::mismatch(common.begin(), common.end(), text.begin(), text.end()).first;
-    common = common.substr(0, static_cast<std::size_t>(end - common.begin()));
+    const auto at_begin = std::mismatch(first.begin(), first.end(), text.begin(), text.end()).first;
+    const auto at_end = std::mismatch(first.rbegin(), first.rend(), text.rbegin(), text.rend()).first;
+    begins = std::min(begins, static_cast<std::size_t>(at_begin - first.begin()));
+    ends = std::min(ends, static_cast<std::size_t>(at_end - first.rbegin()));
   }
-  constexpr std::string_view kNumbering = "0123456789 _-.:#/(";
-  const std::size_t last = common.find_last_not_of(kNumbering);
-  if (last == std::string_view::npos) return texts.front();
-  return std::string(common.substr(0, last + 1));
+  if (begins == first.size()) return std::string(first);
+  begins = first.substr(0, begins).find_last_not_of(kDigits) + 1;
+  begins = first.substr(0, begins).find_last_not_of(kSeparators) + 1;
+  std::string_view end = first.substr(std::max(begins, first.size() - ends));
+  end.remove_prefix(std::min(end.find_first_not_of(kDigits), end.size()));
+  end.remove_prefix(std::min(end.find_first_not_of(kSeparators), end.size()));
+  if (begins == 0 && end.empty()) return std::string(first);
+  return std::string(first.substr(0, begins)) + (end.empty() ? "" : "*" + std::string(end));
 }
 
 PartTypes types_of(const Assembly& assembly) {

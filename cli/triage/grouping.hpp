@@ -24,8 +24,8 @@ struct PartTypes {
 };
 PartTypes types_of(const Assembly& assembly);
 
-/// What the texts have in common at their beginning, without digits and separators at its end: "bolt M8_1" and
-/// "bolt M8_12" are "bolt M8". The first text if that is nothing.
+/// What the texts have in common at their beginning and end, without digits and separators in between: "bolt M8_1" and
+/// "bolt M8_12" are "bolt M8", "P-001 pipe" and "P-002 pipe" are "P*pipe". The first text if that is nothing.
 std::string common_name(const std::vector<std::string>& texts);
 
 /// Pairs that belong together.

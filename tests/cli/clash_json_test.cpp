@@ -44,7 +44,8 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
   const json answer = json::parse(run.out);
-  EXPECT_EQ(keys(answer), (std::vector<std::string>{"counts", "objects", "pairs", "settings", "version"}));
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"counts", "groups", "objects", "pairs", "resolved", "settings",
+                                                    "tests", "types", "version"}));
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
                                          {"clearance", 0.0},
@@ -53,13 +54,20 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                                          {"fail_on", {"penetration", "inside"}},
                                          {"ignore", json::array()},
                                          {"within_products", false},
-                                         {"scale", json::array()}}));
+                                         {"scale", json::array()},
+                                         {"config", nullptr},
+                                         {"previous", nullptr}}));
+  EXPECT_EQ(answer.at("tests"), json::array());
+  EXPECT_EQ(answer.at("resolved"), json::array());
+  EXPECT_TRUE(answer.at("groups").is_null());
+  EXPECT_EQ(answer.at("types").at(4), (json{{"name", "sheet"}, {"parts", 1}}));
+  EXPECT_EQ(answer.at("objects").at(4).at("type"), 4);
   ASSERT_EQ(answer.at("objects").size(), 5U);
   for (const json& object : answer.at("objects"))
     EXPECT_EQ(keys(object),
               (std::vector<std::string>{"area", "closed", "file", "first_open_edge", "first_self_crossing", "id",
                                         "name", "open_edges", "path", "product", "self_crossings", "solid", "triangles",
-                                        "volume", "wall"}));
+                                        "type", "volume", "wall"}));
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "scalar", "--json", "-"}).out);
@@ -69,7 +77,12 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                                std::regex("[0-9a-f]{8}-[0-9a-f]{4}-5[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}")));
   EXPECT_NE(first.at("id"), answer.at("pairs").at(1).at("id"));
   first.erase("id");
-  EXPECT_EQ(first, (json{{"a", 0},
+  EXPECT_EQ(first, (json{{"test", nullptr},
+                         {"change", nullptr},
+                         {"status", nullptr},
+                         {"comment", nullptr},
+                         {"was", nullptr},
+                         {"a", 0},
                          {"b", 1},
                          {"crossing", count.at("crossing")},
                          {"touching", count.at("touching")},
@@ -143,8 +156,9 @@ TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
   EXPECT_TRUE(penetrating.at("nearest").is_null());
   ASSERT_EQ(penetrating.at("regions").size(), 1U);
   const json& region = penetrating.at("regions").at(0);
-  EXPECT_EQ(keys(region), (std::vector<std::string>{"area", "box", "centroid", "length", "lines", "normal", "pairs",
-                                                    "triangles_a", "triangles_b"}));
+  EXPECT_EQ(keys(region),
+            (std::vector<std::string>{"area", "box", "centroid", "change", "comment", "id", "length", "lines", "normal",
+                                      "pairs", "status", "triangles_a", "triangles_b"}));
   EXPECT_EQ(region.at("box"), (json{{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}));
   EXPECT_EQ(region.at("centroid").size(), 3U);
   EXPECT_EQ(region.at("normal").size(), 3U);

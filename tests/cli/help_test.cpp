@@ -32,6 +32,8 @@ TEST(Help, ExamplesRun) {
   folder.write("cell.off", off(cube(9, 0, 0)));
   folder.write("bracket.stl", stl(cube(0, 0, 0)));
   folder.write("plate.stl", stl(cube(0, 0, 0)));
+  folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
+  impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});
   folder.write("page.html", "<!doctype html><!-- impinge: data -->");
   const std::string page_program = "IMPINGE_PAGE=" + (folder.path() / "page.html").string() + " ";
   std::size_t count = 0;
@@ -45,7 +47,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 18U);
+  EXPECT_EQ(count, 19U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 
@@ -89,6 +91,9 @@ TEST(Help, ListsEveryOption) {
                              "--date DATE",
                              "--bcf-topics N",
                              "--limit N",
+                             "--config FILE",
+                             "--previous FILE",
+                             "--group-by WHAT",
                              "--ignore A B",
                              "--within-products",
                              "--scale FILE=S",

@@ -83,8 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{{"clash", "a.off", "--clearance", "-inf"}, "'-inf'"},
                     Wrong{{"clash", "a.off", "--clearance", "auto"}, "'auto'"},
                     Wrong{{"clash", "a.off", "--fail-on", "penetrating"},
-                          "contact, penetration, inside or clearance, or several with commas between them, not "
+                          "contact, penetration, inside, clearance or new, or several with commas between them, not "
                           "'penetrating'"},
+                    Wrong{{"clash", "a.off", "--fail-on", "new"}, "add --previous FILE"},
+                    Wrong{{"clash", "a.off", "--group-by", "colour"}, "part, type, test or none, not 'colour'"},
+                    Wrong{{"clash", "a.off", "--group-by", "test"}, "--config FILE"},
+                    Wrong{{"clash"}, "no file to read is named"},
                     Wrong{{"clash", "a.off", "--fail-on", "inside,"}, "not ''"},
                     Wrong{{"clash", "a.off", "--fail-on", "inside,,contact"}, "not ''"},
                     Wrong{{"clash", "a.off", "--fail-on", "inside, contact"}, "not ' contact'"},

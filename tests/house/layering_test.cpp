@@ -165,10 +165,10 @@ TEST(Layering, TheLibraryKnowsNothingOfFilesAndStagesNothingOfThreads) {
 TEST(Layering, ReadersAndCommandLineUseThePublicApi) {
   for (const auto& [folder, prefixes] : kBuiltOnTop) {
     for (const Include& include : includes_under(folder)) {
-      const bool beside = include.quoted && include.target.find('/') == std::string::npos &&
-                          fs::exists(kSource / include.file.parent_path() / include.target);
-      const bool own = include.quoted && fs::exists(kSource / folder / include.target);
-      if (is_of_project(include) && !beside && !own && !starts_with_any(include.target, prefixes)) {
+      const bool beside = include.quoted && include.target.find("..") == std::string::npos &&
+                          (fs::exists(kSource / folder / include.target) ||
+                           fs::exists(kSource / include.file.parent_path() / include.target));
+      if (is_of_project(include) && !beside && !starts_with_any(include.target, prefixes)) {
         complain(include, "which is neither public nor of " + folder);
       }
     }

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The JSON that `impinge clash` reads: configurations, clash sets of IfcClash and earlier reports.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "triage/configuration.hpp"
+#include "triage/previous.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const auto configuration = impinge::cli::parse_configuration("fuzz.json", text);
+  if (configuration) {
+    const auto checked = impinge::cli::check(*configuration);
+    if (!checked && !checked.error().message.starts_with("fuzz.json:")) std::abort();
+  } else if (!configuration.error().message.starts_with("fuzz.json:")) {
+    std::abort();
+  }
+  const auto previous = impinge::cli::parse_previous("fuzz.json", text);
+  if (!previous && !previous.error().message.starts_with("fuzz.json:")) std::abort();
+  return 0;
+}

@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Named tests and what changed since an earlier run, on boxes whose verdicts follow from their corners.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "meshes.hpp"
+#include "program.hpp"
+#include "scenes/glb.hpp"
+#include "scenes/plant.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+Solid joined(const std::vector<Solid>& solids) {
+  Solid all;
+  for (const Solid& solid : solids) {
+    const int first = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), solid.vertices.begin(), solid.vertices.end());
+    for (const auto& [a, b, c] : solid.triangles) all.triangles.push_back({a + first, b + first, c + first});
+  }
+  return all;
+}
+
+/// "pipe1 beam penetrating" of each pair, by test, with a '!' if it fails.
+std::map<std::string, std::set<std::string>> pairs_of(const json& report) {
+  std::map<std::string, std::set<std::string>> pairs;
+  for (const json& test : report.at("tests")) pairs[test.at("name")];
+  for (const json& pair : report.at("pairs")) {
+    const auto name = [&](const char* side) {
+      return report.at("objects").at(pair.at(side).get<std::size_t>()).at("name").get<std::string>();
+    };
+    const std::string test = pair.at("test").is_null() ? "" : pair.at("test").get<std::string>();
+    pairs[test].insert(name("a") + " " + name("b") + " " + pair.at("verdict").get<std::string>() +
+                       (pair.at("fails").get<bool>() ? "!" : ""));
+  }
+  return pairs;
+}
+
+using Tests = std::map<std::string, std::set<std::string>>;
+
+/// Two pipes 3 apart that lie on a slab, and a beam through both; the beam and the slab are in a folder of their own.
+class NamedTests : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(folder.path() / "c");
+    folder.write("pipe1.off", off(box({0, 0, 0}, {20, 2, 2})));
+    folder.write("pipe2.off", off(box({0, 5, 0}, {20, 7, 2})));
+    folder.write("c/beam.off", off(box({4, -1, 1}, {6, 8, 3})));
+    folder.write("c/slab.off", off(box({-1, -1, -1}, {21, 8, 0})));
+  }
+  [[nodiscard]] Ended clash(const std::string& configuration, const std::vector<std::string>& more = {}) const {
+    folder.write("c/clash.json", configuration);
+    std::vector<std::string> words{"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return impinge(folder, words);
+  }
+  [[nodiscard]] Tests tests(const std::string& configuration) const {
+    const Ended run = clash(configuration, {"--json", "-"});
+    EXPECT_LE(run.code, 1) << run.err;
+    return run.code < 2 ? pairs_of(json::parse(run.out)) : Tests{};
+  }
+  Folder folder;
+};
+
+TEST_F(NamedTests, ListWhatTheirModesName) {
+  EXPECT_EQ(
+      tests(R"({"files":["beam.off","slab.off"],"tests":[
+              {"name":"hard","a":"*"},
+              {"name":"touch","mode":"contact","a":"pipe*","b":["beam","slab"]},
+              {"name":"near","mode":"clearance","clearance":3.5,"a":"pipe*"},
+              {"name":"far","mode":"clearance","clearance":3,"a":"pipe*"}]})"),
+      (Tests{{"hard", {"pipe1 beam penetrating!", "pipe2 beam penetrating!"}},
+             {"touch",
+              {"pipe1 beam penetrating!", "pipe2 beam penetrating!", "pipe1 slab touching!", "pipe2 slab touching!"}},
+             {"near", {"pipe1 pipe2 apart!"}},
+             {"far", {}}}));
+  EXPECT_EQ(clash(R"({"tests":[{"name":"far","mode":"clearance","clearance":3,"a":"pipe*"}]})").code, 0);
+}
+
+TEST_F(NamedTests, HaveTolerancesOfTheirOwn) {
+  // A cube of edge 2, 1/8 deep in the pipe. A quarter of its wall is 1/6, and the pipe's is more.
+  folder.write(
+      "c/tip.off",
+      "OFF\n8 12 0\n8 0 1.875\n10 0 1.875\n8 2 1.875\n10 2 1.875\n8 0 3.875\n10 0 3.875\n8 2 3.875\n10 2 3.875\n"
+      "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n");
+  const Tests found = tests(R"({"files":["tip.off"],"tests":[{"name":"exact","a":"tip","b":"pipe1","tolerance":0},
+                 {"name":"loose","a":"tip","b":"pipe1","tolerance":0.15},
+                 {"name":"loose too","a":"tip","b":"pipe1","tolerance":0.15,"mode":"contact"}]})");
+  EXPECT_EQ(found,
+            (Tests{{"exact", {"pipe1 tip penetrating!"}}, {"loose", {}}, {"loose too", {"pipe1 tip touching!"}}}));
+}
+
+TEST_F(NamedTests, LeaveOutWhatTheRulesName) {
+  const auto rules = [&](const std::string& more) {
+    return tests(R"({"files":["beam.off","slab.off"],"mode":"contact","tests":[{"name":"t","a":"*")" + more + "}]}")
+        .at("t");
+  };
+  const std::set<std::string> beam{"pipe1 beam penetrating!", "pipe2 beam penetrating!"},
+      slab{"pipe1 slab touching!", "pipe2 slab touching!"};
+  EXPECT_EQ(rules(R"(,"ignore":{"pairs":[["slab","pipe*"]]})"), beam);
+  EXPECT_EQ(rules(R"(,"ignore":{"within":[["beam","pipe?"]]})"), slab);
+  EXPECT_EQ(rules(R"(,"b":{"except":"beam"})"),
+            (std::set<std::string>{"pipe1 beam penetrating!", "pipe2 beam penetrating!", "pipe1 slab touching!",
+                                   "pipe2 slab touching!"}));
+  EXPECT_EQ(rules(R"(,"may_touch":[["slab","pipe1"]],"ignore":{"pairs":[["beam","*"]]})"),
+            (std::set<std::string>{"pipe1 slab touching", "pipe2 slab touching!"}));
+  EXPECT_EQ(rules(R"(,"may_touch":true,"ignore":{"same_file":true})"),
+            (std::set<std::string>{"pipe1 beam penetrating!", "pipe2 beam penetrating!", "pipe1 slab touching",
+                                   "pipe2 slab touching"}));
+}
+
+TEST_F(NamedTests, KnowFilesAndParents) {
+  folder.write("two.gltf", gltf({{"left", {0, 0, 0}}, {"right", {1, 1, 1}}}));
+  folder.write("other.gltf", gltf({{"left", {1, 0, 0}}}));
+  const auto count = [&](const std::string& ignore, const std::string& group) {
+    folder.write("p.json", R"({"files":["two.gltf","other.gltf"],"tests":[{"name":"t","a":)" + group +
+                               R"(,"ignore":{)" + ignore + "}}]}");
+    const Ended run = impinge(folder, {"clash", "--config", "p.json", "--json", "-"});
+    EXPECT_LE(run.code, 1) << run.err;
+    return json::parse(run.out).at("pairs").size();
+  };
+  EXPECT_EQ(count("", R"({"file":"*.gltf"})"), 3U);
+  EXPECT_EQ(count(R"("same_file":true)", R"({"file":["two.gltf","other.gltf"]})"), 2U);
+  EXPECT_EQ(count("", R"({"file":"two.gltf"})"), 1U);
+  EXPECT_EQ(count("", R"({"file":"two.gltf","name":"left*"},"b":{"file":"other.gltf"})"), 1U);
+}
+
+TEST_F(NamedTests, SayWhatTheyCannotFind) {
+  const auto error = [&](const std::string& configuration) {
+    const Ended run = clash(configuration);
+    EXPECT_EQ(run.code, 2) << configuration;
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"pip"}]})"),
+            "impinge: c/clash.json:1: /tests/0/a: nothing is named 'pip'; the nearest name is 'pipe1'\n");
+  EXPECT_EQ(
+      error(R"({"tests":[{"name":"n","a":{"file":"pipe3.off"}}]})"),
+      "impinge: c/clash.json:1: /tests/0/a/file: there is no file 'c/pipe3.off'; the nearest name is 'pipe1.off'\n");
+  EXPECT_EQ(error(R"({"files":["gone.off"],"tests":[{"name":"n","a":"*"}]})"),
+            "impinge: c/clash.json:1: /files/0: there is no file 'c/gone.off'; the nearest name is 'pipe1.off'\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":{"file":"*.stl"}}]})"),
+            "impinge: c/clash.json:1: /tests/0/a/file: no file that is read is '*.stl'\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":{"name":"pipe*","file":"beam.off"}}]})"),
+            "impinge: c/clash.json:1: /tests/0/a: no part is in this group\n");
+  EXPECT_EQ(
+      error(R"({"groups":{"pipes":"pipe*"},"tests":[{"name":"n","a":{"group":"pipe"}}]})"),
+      "impinge: c/clash.json:1: /tests/0/a/group: no group of this configuration is 'pipe'; the nearest is 'pipes'\n");
+  EXPECT_EQ(error(R"({"groups":{"a":{"group":"b"},"b":{"group":"a"}},"tests":[{"name":"n","a":{"group":"a"}}]})"),
+            "impinge: c/clash.json:1: /groups/b/group: the group 'a' is made of itself\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"pipe1"}]})"),
+            "impinge: c/clash.json:1: /tests/0/a: only one part is named here, and no part is tested against itself\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*","ignore":{"pairs":[["pipe1","x"]]}}]})"),
+            "impinge: c/clash.json:1: /tests/0/ignore/pairs/0/1: nothing is named 'x'; the nearest name is 'pipe1'\n");
+  EXPECT_EQ(impinge(folder, {"clash", "--config", "none.json"}).err,
+            "impinge: none.json cannot be read: No such file or directory\n");
+  EXPECT_EQ(impinge(folder, {"clash"}).err, "impinge: no file to read is named; see impinge clash --help\n");
+  folder.write("own.json", R"({"tests":[{"name":"n","a":"*"}]})");
+  EXPECT_EQ(impinge(folder, {"clash", "--config", "own.json", "pipe1.off", "pipe2.off", "--json", "own.json"}).code, 2);
+  EXPECT_EQ(folder.read("own.json"), R"({"tests":[{"name":"n","a":"*"}]})");
+  EXPECT_EQ(impinge(folder, {"clash", "--config", "own.json"}).err,
+            "impinge: no file to read is named, neither in own.json nor after it\n");
+  EXPECT_NE(impinge(folder, {"clash", "--config", "own.json", "pipe1.off", "--fail-on", "contact"})
+                .err.find("takes new alone"),
+            std::string::npos);
+}
+
+TEST_F(NamedTests, TakeClashSetsOfIfcClash) {
+  folder.write(
+      "sets.json",
+      R"([{"name":"all","mode":"collision","allow_touching":true,"tolerance":0.01,"clearance":0,"check_all":true,
+    "a":[{"file":"pipe1.off"},{"file":"pipe2.off","selector":"pipe?","mode":"i"}],
+    "b":[{"file":"c/beam.off"},{"file":"c/slab.off","mode":"a"}]}])");
+  const Ended run = impinge(folder, {"clash", "--config", "sets.json", "--json", "-"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(pairs_of(json::parse(run.out)).at("all"),
+            (std::set<std::string>{"pipe1 beam penetrating!", "pipe2 beam penetrating!", "pipe1 slab touching!",
+                                   "pipe2 slab touching!"}));
+}
+
+TEST_F(NamedTests, AreSummedUpAndGrouped) {
+  const std::string configuration = R"({"files":["beam.off","slab.off"],"tests":[{"name":"hard","a":"*"},
+                  {"name":"rest","mode":"contact","a":"slab","b":"pipe*","may_touch":true}]})";
+  const std::string out = clash(configuration).out;
+  EXPECT_TRUE(
+      out.starts_with("verdict      part   part  test\n"
+                      "penetrating  pipe1  beam  hard\n"
+                      "penetrating  pipe2  beam  hard\n"
+                      "touching     pipe1  slab  rest\n"
+                      "touching     pipe2  slab  rest\n\n"))
+      << out;
+  EXPECT_NE(out.find("hard: penetration of 4 parts against each other, tolerance auto: 2 penetrating; 2 fail.\n"
+                     "rest: contact of 1 part against 2 parts, tolerance auto: 2 touching; none fails.\n"
+                     "2 pairs fail (by the mode of each test).\n"),
+            std::string::npos)
+      << out;
+  EXPECT_TRUE(clash(configuration, {"--group-by", "part", "--limit", "3"})
+                  .out.starts_with("worst        pairs  fail  part\n"
+                                   "penetrating      2     1  pipe1\n"
+                                   "penetrating      2     2  beam\n"
+                                   "penetrating      2     1  pipe2\n(3 of 4 groups"));
+  const json groups = json::parse(clash(configuration, {"--group-by", "test", "--json", "-"}).out).at("groups");
+  EXPECT_EQ(groups, json::parse(R"({"by":"test","list":[{"a":0,"b":null,"fail":2,"pairs":[0,2]},
+                                                        {"a":1,"b":null,"fail":0,"pairs":[1,3]}]})"));
+}
+
+TEST(Plant, HasJustWhatWasPlantedInANamedTest) {
+  const scenes::Plant plant = scenes::plant(200, {.seed = 3, .turned = 0});
+  const Folder folder;
+  folder.write("plant.glb", scenes::glb_bytes(plant.scene, plant.names));
+  folder.write("clash.json",
+               R"({"files":["plant.glb"],"tests":[{"name":"all","mode":"clearance","clearance":20,"a":"*"},
+                                                               {"name":"hard","a":{"name":"*"}}]})");
+  const Ended run = impinge(folder, {"clash", "--config", "clash.json", "--json", "-"});
+  ASSERT_EQ(run.code, 1) << run.err;
+  std::set<std::string> all, hard;
+  for (const scenes::PlantPair& pair : plant.pairs) {
+    const std::string text =
+        plant.names[pair.first] + " " + plant.names[pair.second] + " " + std::string(name(pair.verdict)) + "!";
+    // In single precision a distance at the limit may fall on either side.
+    if (pair.verdict != Verdict::apart || pair.distance.hi < 19.9) all.insert(text);
+    if (pair.verdict <= Verdict::crossing) hard.insert(text);
+  }
+  const Tests found = pairs_of(json::parse(run.out));
+  EXPECT_EQ(found.at("hard"), hard);
+  for (const std::string& pair : all) EXPECT_TRUE(found.at("all").contains(pair)) << pair;
+  for (const std::string& pair : found.at("all")) {
+    EXPECT_TRUE(pair.ends_with(" apart!") || all.contains(pair)) << pair;
+  }
+}
+
+/// A bar along x through prongs that are one part.
+class Previous : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("bar.off", off(box({-5, 0, 0}, {35, 2, 2})));
+    prongs({0, 20});
+  }
+  void prongs(const std::vector<int>& places) const {
+    std::vector<Solid> solids;
+    for (const int x : places) solids.push_back(box({x, -4, -4}, {x + 2, 6, 6}));
+    folder.write("prongs.off", off(joined(solids)));
+  }
+  json run(std::vector<std::string> more, int code) const {
+    more.insert(more.begin(), {"clash", "bar.off", "prongs.off", "--json", "-"});
+    const Ended ended = impinge(folder, more);
+    EXPECT_EQ(ended.code, code) << ended.err;
+    return ended.code < 2 ? json::parse(ended.out) : json();
+  }
+  /// The region whose centroid has this x.
+  static json& region_at(json& report, double x) {
+    for (json& region : report.at("pairs").at(0).at("regions"))
+      if (std::abs(region.at("centroid").at(0).get<double>() - x) < 0.5) return region;
+    ADD_FAILURE() << "no region at " << x;
+    static json none = json::object();
+    return none;
+  }
+  Folder folder;
+};
+
+TEST_F(Previous, RegionsPersistAppearAndAreResolvedAndRemarksSurvive) {
+  json first = run({"--regions"}, 1);
+  ASSERT_EQ(first.at("pairs").at(0).at("regions").size(), 2U);
+  EXPECT_TRUE(first.at("pairs").at(0).at("change").is_null());
+  const std::string near = region_at(first, 1).at("id"), far = region_at(first, 21).at("id");
+  EXPECT_NE(near, far);
+  first.at("pairs").at(0)["status"] = "open";
+  first.at("pairs").at(0)["comment"] = "say \"no\"\n\xC3\xA9";
+  region_at(first, 1)["comment"] = "left";
+  region_at(first, 21)["status"] = "approved";
+  folder.write("1.json", first.dump(2));
+
+  prongs({1, 10});  // one moves a little, one is gone, one is new
+  json second = run({"--previous", "1.json", "--fail-on", "new"}, 1);
+  const json& pair = second.at("pairs").at(0);
+  EXPECT_EQ(pair.at("change"), "persisting");
+  EXPECT_EQ(pair.at("was"), "penetrating");
+  EXPECT_EQ(pair.at("id"), first.at("pairs").at(0).at("id"));
+  EXPECT_EQ(pair.at("status"), "open");
+  EXPECT_EQ(pair.at("comment"), "say \"no\"\n\xC3\xA9");
+  EXPECT_EQ(region_at(second, 2).at("change"), "persisting");
+  EXPECT_EQ(region_at(second, 2).at("id"), near);
+  EXPECT_EQ(region_at(second, 2).at("comment"), "left");
+  EXPECT_EQ(region_at(second, 11).at("change"), "new");
+  EXPECT_NE(region_at(second, 11).at("id"), far);
+  ASSERT_EQ(second.at("resolved").size(), 1U);
+  EXPECT_EQ(second.at("resolved").at(0).at("region"), far);
+  EXPECT_EQ(second.at("resolved").at(0).at("status"), "approved");
+  EXPECT_EQ(second.at("resolved").at(0).at("a").at("name"), "bar");
+  folder.write("2.json", second.dump());
+
+  json third = run({"--previous", "2.json", "--fail-on", "new,penetration"}, 0);
+  EXPECT_EQ(region_at(third, 2).at("comment"), "left");
+  EXPECT_EQ(region_at(third, 11).at("change"), "persisting");
+  EXPECT_EQ(third.at("resolved"), second.at("resolved"));
+  EXPECT_EQ(third.at("pairs").at(0).at("fails"), false);
+  folder.write("3.json", third.dump());
+
+  prongs({1, 10, 20});  // what was gone comes back
+  json fourth = run({"--previous", "3.json", "--fail-on", "new"}, 1);
+  EXPECT_EQ(region_at(fourth, 21).at("change"), "new");
+  EXPECT_EQ(region_at(fourth, 21).at("id"), far);
+  EXPECT_EQ(region_at(fourth, 21).at("status"), "approved");
+  EXPECT_TRUE(fourth.at("resolved").empty());
+}
+
+TEST_F(Previous, PairsAreResolvedAndComeBack) {
+  json first = run({"--regions"}, 1);
+  region_at(first, 1)["comment"] = "here";
+  folder.write("1.json", first.dump());
+  folder.write("plain.json", run({}, 1).dump());  // without regions, without remarks
+  folder.write("prongs.off", off(box({100, 0, 0}, {102, 2, 2})));
+  const json gone = run({"--previous", "1.json", "--fail-on", "new"}, 0);
+  ASSERT_EQ(gone.at("resolved").size(), 1U);
+  EXPECT_EQ(gone.at("resolved").at(0).at("verdict"), "penetrating");
+  EXPECT_TRUE(gone.at("resolved").at(0).at("region").is_null());
+  folder.write("2.json", gone.dump());
+  EXPECT_EQ(run({"--previous", "2.json"}, 0).at("resolved"), gone.at("resolved"));
+  const json plain = run({"--previous", "plain.json"}, 0);
+  EXPECT_EQ(plain.at("resolved").size(), 1U);
+  folder.write("3.json", plain.dump());
+  EXPECT_TRUE(run({"--previous", "3.json"}, 0).at("resolved").empty());  // told once
+  prongs({0, 20});
+  json back = run({"--previous", "2.json", "--fail-on", "new"}, 1);
+  EXPECT_EQ(back.at("pairs").at(0).at("change"), "new");
+  EXPECT_EQ(region_at(back, 1).at("comment"), "here");
+  EXPECT_TRUE(back.at("resolved").empty());
+  // An earlier run that looked for no regions says nothing about them.
+  run({"--previous", "plain.json", "--fail-on", "new"}, 0);
+}
+
+TEST_F(Previous, OrderOfFilesChangesNothing) {
+  const json first = run({"--regions"}, 1);
+  folder.write("1.json", first.dump());
+  const Ended ended = impinge(folder, {"clash", "prongs.off", "bar.off", "--previous", "1.json", "--json", "-"});
+  const json turned = json::parse(ended.out);
+  EXPECT_EQ(turned.at("pairs").at(0).at("id"), first.at("pairs").at(0).at("id"));
+  EXPECT_EQ(turned.at("pairs").at(0).at("change"), "persisting");
+  for (const json& region : turned.at("pairs").at(0).at("regions")) EXPECT_EQ(region.at("change"), "persisting");
+  EXPECT_TRUE(turned.at("resolved").empty());
+}
+
+TEST_F(Previous, WhatDidNotFailThenIsNew) {
+  folder.write("prongs.off", off(box({0, 2, 0}, {2, 4, 2})));
+  folder.write("1.json", run({"--regions"}, 0).dump());
+  folder.write("prongs.off", off(box({0, 1, 0}, {2, 4, 2})));
+  const json worse = run({"--previous", "1.json", "--fail-on", "new"}, 1);
+  EXPECT_EQ(worse.at("pairs").at(0).at("change"), "new");
+  EXPECT_EQ(worse.at("pairs").at(0).at("was"), "touching");
+  // To whom contact was a failure, it has been known.
+  folder.write("prongs.off", off(box({0, 2, 0}, {2, 4, 2})));
+  run({"--previous", "1.json", "--fail-on", "new,contact"}, 0);
+}
+
+TEST_F(Previous, MayBeReplacedByTheNewReport) {
+  run({}, 1);
+  EXPECT_EQ(impinge(folder, {"clash", "bar.off", "prongs.off", "--json", "r.json"}).code, 1);
+  const Ended again = impinge(folder, {"clash", "bar.off", "prongs.off", "--json", "r.json", "--previous", "r.json"});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_NE(again.out.find("Since r.json: 0 new, 0 with a new region, 1 persisting, 0 resolved.\n"), std::string::npos)
+      << again.out;
+}
+
+TEST_F(Previous, ThatIsNoReportIsAnError) {
+  json good = run({"--regions"}, 1);
+  const auto error = [&](const std::string& text) {
+    folder.write("old.json", text);
+    const Ended ended = impinge(folder, {"clash", "bar.off", "prongs.off", "--previous", "old.json"});
+    EXPECT_EQ(ended.code, 2) << text.substr(0, 100);
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    return ended.err;
+  };
+  const auto changed = [&](auto change) {
+    json bad = good;
+    change(bad);
+    return error(bad.dump());
+  };
+  EXPECT_NE(error("").find("old.json:1: "), std::string::npos);
+  EXPECT_NE(error("{}").find("no JSON of impinge clash"), std::string::npos);
+  EXPECT_NE(error("[1]").find("an object should stand here"), std::string::npos);
+  EXPECT_NE(error(good.dump().substr(0, 500)).find("old.json:1: "), std::string::npos);
+  EXPECT_NE(error(impinge(folder, {"check", "bar.off", "prongs.off", "--json", "-"}).out)
+                .find("only the JSON of impinge clash"),
+            std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["version"] = 2; }).find("another version"), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"][0]["status"] = 7; }).find("/pairs/0/status: a text in quotes"),
+            std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"][0]["a"] = 9; }).find("not among the \"objects\""), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"][0]["a"] = -1e300; }).find("a whole number"), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"].push_back(j["pairs"][0]); }).find("same \"id\""), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["objects"].push_back(j["objects"][0]); }).find("same \"id\""), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"][0]["verdict"] = "bad"; }).find("no verdict 'bad'"), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["pairs"][0]["regions"][0].erase("centroid"); }).find("no \"centroid\""),
+            std::string::npos);
+  for (const char* bracket : {"[", "{\"x\":"}) {
+    std::string deep = R"({"version":1,"pairs":[],"resolved":)";
+    for (int i = 0; i < 200'000; ++i) deep += bracket;
+    EXPECT_NE(error(deep).find("old.json:1: "), std::string::npos);
+  }
+  std::string nested = R"({"version":1,"pairs":[],"resolved":[)";
+  for (int i = 0; i < 200'000; ++i) nested += R"({"id":"x","regions":[)";
+  EXPECT_NE(error(nested).find("deeper than 64"), std::string::npos);
+  folder.write("old.json", good.dump());
+  EXPECT_NE(impinge(folder, {"clash", "bar.off", "prongs.off", "--previous", "old.json", "--max-file", "1K"})
+                .err.find("larger than"),
+            std::string::npos);
+  EXPECT_EQ(impinge(folder, {"clash", "bar.off", "prongs.off", "--fail-on", "new"}).err,
+            "impinge: --fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON\n");
+}
+
+}  // namespace
+}  // namespace impinge::test
