@@ -87,8 +87,7 @@ export class Timeline {
       step(-1, '◂', 'Frame before', '←'),
       this.playButton,
       step(1, '▸', 'Frame after', '→'),
-      this.readout,
-      this.now,
+      el('div', { class: 'time-words' }, this.readout, this.now),
       speeds,
       el('label', { class: 'check' }, this.repeat, ' Repeat'),
     );
@@ -223,10 +222,10 @@ export class Timeline {
     return `${this.store.state.time.toFixed(this.decimals)} s`;
   }
 
-  /** So many that two frames differ. */
+  /** So many that two frames differ, and some more to tell what lies between them. */
   private get decimals(): number {
     const step = (this.last - this.first) / Math.max(1, this.motion.times.length - 1);
-    return step > 0 ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(step)))) : 0;
+    return step > 0 ? Math.min(9, Math.max(3, 1 - Math.floor(Math.log10(step)))) : 3;
   }
 
   private showTime(): void {

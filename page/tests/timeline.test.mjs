@@ -120,7 +120,7 @@ describe('the timeline', () => {
       await slider.evaluate((one) =>
         ['role', 'aria-valuemin', 'aria-valuemax', 'aria-valuenow', 'aria-valuetext'].map((k) => one.getAttribute(k)),
       ),
-      ['slider', '0', '4', '2', '2.0 s, no clash now'],
+      ['slider', '0', '4', '2', '2.000 s, no clash now'],
     );
     await close();
   });
