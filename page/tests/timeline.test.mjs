@@ -57,6 +57,27 @@ describe('the timeline', () => {
     assert.ok(pictures[0].equals(pictures[1]));
   });
 
+  test('what moves far away is fitted and not cut off', async () => {
+    const blocks = mechanism();
+    blocks.motion.objects[1].poses.forEach((one, i) => (one[3] = -3 + 200 * i));
+    const { page, close } = await browser.open(compose(blocks));
+    await page.keyboard.press('f');
+    await seek(page, 4);
+    await page.evaluate(() => window.impinge.store.set({ part: 1 }));
+    await settled(page);
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(1));
+    const canvas = await page.locator('#canvas').boundingBox();
+    assert.ok(x > canvas.x && x < canvas.x + canvas.width && y > canvas.y && y < canvas.y + canvas.height);
+    // Seen from near and with the rest behind: the fit of it alone, then a click that hits it.
+    await page.keyboard.press('f');
+    await settled(page);
+    await page.evaluate(() => window.impinge.store.set({ part: -1 }));
+    const middle = await page.evaluate(() => window.impinge.screenPlace(1));
+    await page.mouse.click(middle.x, middle.y);
+    assert.equal(await page.evaluate(() => window.impinge.store.state.part), 1);
+    await close();
+  });
+
   test('scrubs with the mouse, and the part is seen elsewhere', async () => {
     const { page, close } = await browser.open(mechanismPage());
     const place = () => page.evaluate(() => window.impinge.screenPlace(1));
