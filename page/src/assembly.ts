@@ -26,9 +26,10 @@ import type { Rgb } from './colours';
 import type { SceneBlock, Vec3 } from './data';
 import { Breather, type RawMesh } from './geometry';
 import { drawnMesh, type DrawnMesh } from './mesh';
+import type { Pose } from './pose';
 import type { Obstacle } from './sight';
 import { edgeFragment, edgeVertex, partFragment, partVertex, pickFragment } from './shaders';
-import { add, type Box, cornersOf, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unite } from './vector';
+import { add, type Box, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unite } from './vector';
 
 /** How a part looks: alpha 1 is solid, between 0 and 1 it fades, 0 hides it. */
 export type Look = [...Rgb, number];
@@ -51,11 +52,13 @@ export class Assembly {
   readonly edges: LineSegments | null;
   /** Of each part, in world coordinates and without explosion. */
   readonly boxes: Box[];
+  /** Of all of them, and of all that their motion sweeps. */
   readonly bounds: Box;
   readonly uniforms;
   origin: Vec3;
   hasGhosts = false;
 
+  private readonly poses: Pose[];
   private readonly instanceOf: Int32Array;
   private readonly partOf: number[] = [];
   private readonly poseData: Float32Array;
@@ -75,7 +78,8 @@ export class Assembly {
       this.instanceOf[id] = this.partOf.length;
       this.partOf.push(id);
     });
-    this.boxes = scene.objects.map((object) => worldBox(object.pose, meshes[object.mesh] ?? null));
+    this.poses = scene.objects.map((object) => object.pose);
+    this.boxes = scene.objects.map((_, id) => this.boxAt(id, this.poses[id]));
     this.bounds = unite(this.boxes);
     this.origin = middleOf(this.bounds);
 
@@ -207,9 +211,8 @@ export class Assembly {
 
   /** What of a part can hide something, null if it has no triangles. */
   obstacle(id: number): Obstacle | null {
-    const { mesh, pose } = this.scene.objects[id];
-    const drawn = this.meshes[mesh];
-    return drawn ? { positions: drawn.positions, corners: drawn.corners, pose } : null;
+    const drawn = this.meshes[this.scene.objects[id].mesh];
+    return drawn ? { positions: drawn.positions, corners: drawn.corners, pose: this.poses[id] } : null;
   }
 
   setLooks(lookOf: (id: number) => Look): void {
@@ -238,6 +241,29 @@ export class Assembly {
     this.place();
   }
 
+  /** All that the parts sweep is within the bounds. */
+  setSweep(objects: { id: number; poses: Pose[] }[]): void {
+    for (const { id, poses } of objects) {
+      for (const pose of poses) {
+        const box = this.boxAt(id, pose);
+        if (!isEmpty(box)) grow(this.bounds, box.min, box.max);
+      }
+    }
+  }
+
+  movePart(id: number, pose: Pose): void {
+    this.poses[id] = pose;
+    this.boxes[id] = this.boxAt(id, pose);
+  }
+
+  poseOf(id: number): Pose {
+    return this.poses[id];
+  }
+
+  private boxAt(id: number, pose: Pose): Box {
+    return worldBox(pose, this.meshes[this.scene.objects[id].mesh] ?? null);
+  }
+
   setOrigin(origin: Vec3): void {
     this.origin = origin;
     this.place();
@@ -249,10 +275,11 @@ export class Assembly {
     return factor === 0 ? [0, 0, 0] : scale(sub(middleOf(this.boxes[id]), centre), factor);
   }
 
-  private place(): void {
+  /** After parts have moved. */
+  place(): void {
     const matrix = new Matrix4();
     this.partOf.forEach((id, instance) => {
-      const { pose } = this.scene.objects[id];
+      const pose = this.poses[id];
       const [tx, ty, tz] = add(sub([pose[3], pose[7], pose[11]], this.origin), this.shiftOf(id));
       // prettier-ignore
       matrix.set(
@@ -272,12 +299,13 @@ function worldBox(pose: number[], mesh: DrawnMesh | null): Box {
   const box = emptyBox();
   const local = mesh ?? box;
   if (isEmpty(local)) return box;
-  for (const [x, y, z] of cornersOf(local)) {
-    grow(box, [
-      pose[0] * x + pose[1] * y + pose[2] * z + pose[3],
-      pose[4] * x + pose[5] * y + pose[6] * z + pose[7],
-      pose[8] * x + pose[9] * y + pose[10] * z + pose[11],
-    ]);
+  const middle = middleOf(local);
+  const half = scale(sub(local.max, local.min), 0.5);
+  for (let k = 0; k < 3; ++k) {
+    const [u, v, w, shift] = pose.slice(4 * k, 4 * k + 4);
+    const centre = u * middle[0] + v * middle[1] + w * middle[2] + shift;
+    const reach = Math.abs(u) * half[0] + Math.abs(v) * half[1] + Math.abs(w) * half[2];
+    [box.min[k], box.max[k]] = [centre - reach, centre + reach];
   }
   return box;
 }

@@ -5,7 +5,7 @@
 import { type Clash, filterClashes, type Group, groupClashes, sortClashes, verbOf } from './clashes';
 import { kVerdicts } from './data';
 import { byId, el, nameOf, numberOf } from './dom';
-import { counted, nameText, plural, rounded } from './format';
+import { counted, nameText, plural, rounded, spanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
 
@@ -156,7 +156,7 @@ export class ClashList {
     row.removeAttribute('aria-expanded');
     if (this.store.state.group === 'none') row.removeAttribute('aria-level');
     else row.setAttribute('aria-level', '2');
-    const verb = verbOf(clash.verdict);
+    const verb = verbOf(clash);
     const about = clash.pair ?? clash.resolved!;
     const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
     const tags = el('span', { class: 'tags' });
@@ -181,6 +181,11 @@ export class ClashList {
   private sideFigure(clash: Clash, tags: HTMLElement): HTMLElement {
     if (tags.childNodes.length) return tags;
     const side = el('span', { class: 'side' });
+    const span = clash.pair?.span;
+    if (span) {
+      side.append(el('small', {}, spanText(span)));
+      return side;
+    }
     const regions = clash.pair?.regions?.length ?? 0;
     if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
@@ -200,8 +205,9 @@ function verdictsOf(group: Group): string {
 /** One sentence, as it is read out. */
 export function sentenceOf(clash: Clash, place: string): string {
   const [a, b] = clash.names.map((name) => nameText(name, 80));
-  const parts = [`${a} ${verbOf(clash.verdict)} ${b}`];
+  const parts = [`${a} ${verbOf(clash)} ${b}`];
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
+  if (clash.pair?.span) parts.push(spanText(clash.pair.span));
   return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
 }

@@ -5,7 +5,7 @@
 import type { Assembly, Look } from './assembly';
 import type { Clash } from './clashes';
 import { calmColour, kPartColours, type Rgb, themeColour, verdictColour, worst } from './colours';
-import type { Report, SceneBlock, Vec3, Verdict } from './data';
+import type { Pair, Report, SceneBlock, Vec3, Verdict } from './data';
 import type { Stroke } from './overlay';
 import { findSight, samplesOf } from './sight';
 import type { State } from './store';
@@ -18,6 +18,7 @@ const kThinGlass = 0.2;
 export class ClashView {
   private readonly files: string[];
   private readonly worstOf: (Verdict | null)[];
+  private clashingNow = '';
 
   /** The contact of the chosen clash is seen from nowhere: the larger part is drawn as of glass. */
   private isBuried = false;
@@ -29,9 +30,24 @@ export class ClashView {
   ) {
     this.files = [...new Set(report.objects.map((part) => part.file))];
     this.worstOf = report.objects.map(() => null);
-    for (const { a, b, verdict } of report.pairs) {
+    this.gather(report.pairs);
+  }
+
+  private gather(pairs: Pair[]): void {
+    this.worstOf.fill(null);
+    for (const { a, b, verdict } of pairs) {
       for (const id of [a, b]) this.worstOf[id] = this.worstOf[id] ? worst(this.worstOf[id], verdict) : verdict;
     }
+  }
+
+  /** From now on the verdicts of the spans around this time count. True if they are others than before. */
+  takeTime(time: number): boolean {
+    const pairs = this.report.pairs.filter(({ span }) => span && span.start <= time && time <= span.end);
+    const key = pairs.map(({ a, b, verdict }) => `${a} ${b} ${verdict}`).join();
+    if (key === this.clashingNow) return false;
+    this.clashingNow = key;
+    this.gather(pairs);
+    return true;
   }
 
   private baseColour(id: number, by: State['colourBy'], plain: Rgb): Rgb {
@@ -142,6 +158,7 @@ export class ClashView {
     for (const region of state.region >= 0 ? [regions[state.region]] : regions) grow(box, ...region.box);
     if (clash.pair?.nearest) grow(box, ...clash.pair.nearest);
     if (clash.resolved?.centroid) grow(box, clash.resolved.centroid);
+    if (clash.pair?.span) growCommon(box, this.assembly.boxes[clash.first], this.assembly.boxes[clash.second]);
     const whole = this.partsBox(clash);
     const contact = radiusOf(box);
     if (!(box.min[0] <= box.max[0]))
@@ -154,6 +171,13 @@ export class ClashView {
       radius: Math.max(1.5 * contact, around * (Number.isFinite(smaller) ? smaller : 1), 1e-9),
     };
   }
+}
+
+/** Where two boxes meet is about where their parts do. */
+function growCommon(box: Box, a: Box, b: Box): void {
+  const min = a.min.map((c, k) => Math.max(c, b.min[k])) as Vec3;
+  const max = a.max.map((c, k) => Math.min(c, b.max[k])) as Vec3;
+  if (min.every((c, k) => c <= max[k])) grow(box, min, max);
 }
 
 function boxStrokes([min, max]: [Vec3, Vec3]): Stroke[] {

@@ -114,11 +114,15 @@ function compare(x: number, y: number, sign: number): number {
 
 const verdictRank = (verdict: Verdict): number => kVerdicts.indexOf(verdict);
 
-/** All clashes in the order of the command's table: by verdict, the deepest first, then the nearest, then as in the file. */
+/**
+ * All clashes in the order of the command's table: by verdict, the deepest first, then the nearest, then as in the file;
+ * those of a motion in the order of time.
+ */
 export function rankClashes(report: Report): Clash[] {
   const clashes = report.pairs.map((pair) => ofPair(report, pair));
   clashes.sort(
     (x, y) =>
+      compare(x.pair!.span?.start ?? 0, y.pair!.span?.start ?? 0, 1) ||
       verdictRank(x.verdict) - verdictRank(y.verdict) ||
       compare(x.depth, y.depth, -1) ||
       compare(x.distance, y.distance, 1),
@@ -225,4 +229,6 @@ const kVerbs: Record<Verdict, string> = {
   touching: 'touches',
   apart: 'is too near',
 };
-export const verbOf = (verdict: Verdict): string => kVerbs[verdict];
+/** Of a motion it is not told which of two parts is the inner one. */
+export const verbOf = ({ verdict, pair }: Clash): string =>
+  verdict === 'inside' && pair?.span ? 'lies inside or around' : kVerbs[verdict];

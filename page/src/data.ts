@@ -3,6 +3,8 @@
 //
 // The data blocks of the page as types, and their reading. README.md describes them.
 
+import type { PlacedSpan } from './motion';
+
 export type Vec3 = [number, number, number];
 export type Interval = [number, number];
 export type Verdict = 'duplicate' | 'inside' | 'penetrating' | 'crossing' | 'touching' | 'apart';
@@ -59,6 +61,8 @@ export interface Pair {
   distance?: number | null;
   distance_error?: number | null;
   nearest?: [Vec3, Vec3] | null;
+  /** Only with motion: the pair clashes for a while, and may do so again. */
+  span?: PlacedSpan;
   regions?: Region[];
   id?: string;
   test?: string | null;
@@ -123,7 +127,9 @@ function blockText(id: string, what: string): string {
   return text;
 }
 
-function blockJson(id: string, what: string): Record<string, unknown> {
+export const hasBlock = (id: string): boolean => document.getElementById(id) !== null;
+
+export function blockJson(id: string, what: string): Record<string, unknown> {
   const text = blockText(id, what);
   let value: unknown;
   try {
@@ -141,7 +147,8 @@ function blockJson(id: string, what: string): Record<string, unknown> {
   return value as Record<string, unknown>;
 }
 
-const isIndex = (value: unknown, size: number) => Number.isInteger(value) && Number(value) >= 0 && Number(value) < size;
+export const isIndex = (value: unknown, size: number) =>
+  Number.isInteger(value) && Number(value) >= 0 && Number(value) < size;
 
 export function readReport(): Report {
   const report = blockJson('report', 'report') as unknown as Report;

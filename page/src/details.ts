@@ -6,6 +6,7 @@ import { type Clash, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName } from './format';
+import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
 type Value = (Node | string)[];
@@ -56,7 +57,8 @@ export class Details {
   }
 
   private hint(): string {
-    if (!this.report.settings) return 'Choose a part, in the view or in the tree, to see its figures.';
+    if (!this.report.settings && !this.report.pairs.length)
+      return 'Choose a part, in the view or in the tree, to see its figures.';
     return this.report.pairs.length
       ? 'Choose a clash in the list, or a part in the view, to see its figures. J and K go through the clashes.'
       : 'Choose a part, in the view or in the tree, to see its figures.';
@@ -68,7 +70,7 @@ export class Details {
         'div',
         { class: `sentence verdict ${clash.verdict}` },
         this.partLink(clash, 0),
-        el('span', { class: 'verb' }, verbOf(clash.verdict)),
+        el('span', { class: 'verb' }, verbOf(clash)),
         this.partLink(clash, 1),
       ),
     ];
@@ -82,7 +84,9 @@ export class Details {
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );
-    if (clash.pair)
+    const span = clash.pair?.span;
+    if (span) nodes.push(this.measures(clash, clash.pair!), ...this.ofSpan(clash, span));
+    else if (clash.pair)
       nodes.push(this.measures(clash, clash.pair), this.facts(clash, clash.pair), ...this.regions(clash.pair));
     return nodes;
   }
@@ -120,6 +124,26 @@ export class Details {
     const list = figures(rows);
     list.classList.add('measures');
     return list;
+  }
+
+  /** When, with links that go there. */
+  private ofSpan(clash: Clash, span: PlacedSpan): Node[] {
+    const go = (time: number, title: string): HTMLElement => {
+      const link = button('', () => this.store.set({ time }), { class: 'link', title });
+      link.append(numberOf(time), ' s');
+      return link;
+    };
+    const known = (bracket: Interval | null, time: number, title: string, otherwise: string): Value =>
+      bracket ? [go(time, title), ', within ', numberOf(bracket[1] - bracket[0]), ' s'] : [otherwise];
+    const times = figures([
+      ['From', known(span.from, span.start, 'Go to its start', 'the first frame')],
+      ['To', known(span.to, span.end, 'Go to its end', 'the last frame')],
+      ['Lasts', [numberOf(span.end - span.start), ' s']],
+      ['Worst at', [go(span.worst_at, 'Go to the worst moment')]],
+      ['Worst verdict', [clash.verdict]],
+      ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
+    ]);
+    return [times];
   }
 
   private facts(clash: Clash, pair: Pair): HTMLElement {
@@ -230,7 +254,7 @@ export class Details {
         ['Path', [nameOf(part.path, 2000)]],
         ['IFC product', part.product ? [nameOf(part.product, 2000)] : null],
         ['Part number', [countOf(part.id)]],
-        ['Clashes', this.report.settings ? [countOf(clashes)] : null],
+        ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],
         ['Kind', part.solid === undefined ? null : [part.solid ? 'solid' : 'surface']],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],

@@ -109,13 +109,16 @@ export class Filters {
       event.preventDefault();
       byId('clash-list').focus();
     });
+    const isMotion = this.report.pairs.some((pair) => pair.span);
     const sorts: Choice[] = [
-      ['rank', 'by verdict'],
+      ['rank', isMotion ? 'by time' : 'by verdict'],
       ['depth', 'by depth'],
       ['distance', 'by distance'],
       ['area', 'by size'],
       ['name', 'by name'],
     ];
+    // A motion comes without distances and areas.
+    if (isMotion) sorts.splice(2, 2);
     const groups: Choice[] = [
       ['none', 'no groups'],
       ['part', 'in parts'],
@@ -134,7 +137,7 @@ export class Filters {
   private makeMore(): HTMLElement {
     const fields: HTMLElement[] = [];
     const { settings } = this.report;
-    if (settings?.depth)
+    if (settings?.depth || this.report.pairs.some((pair) => pair.span?.overlap_depth))
       fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
     if (settings?.clearance)
       fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));

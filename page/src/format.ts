@@ -16,6 +16,14 @@ export function rounded(value: number): string {
   return String(Number(value.toFixed(decimals))).replace('-', '−');
 }
 
+/** From when to when, in words as few as a row has room for. */
+export function spanText(span: { start: number; end: number; isFromStart: boolean; isToEnd: boolean }): string {
+  const [start, end] = [rounded(span.start), rounded(span.end)];
+  if (span.isFromStart && span.isToEnd) return 'all the time';
+  if (span.isFromStart) return `until ${end} s`;
+  return span.isToEnd ? `from ${start} s on` : `${start} to ${end} s`;
+}
+
 /** A count with thin spaces between thousands. */
 export function counted(value: number): string {
   return String(value).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f');

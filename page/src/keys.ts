@@ -10,6 +10,12 @@ export interface Shortcut {
   act: (key: string) => void;
 }
 
+/** What fields, buttons and panels that scroll use these keys for goes first. */
+function isOwn(key: string, target: HTMLElement): boolean {
+  if (key === ' ') return target.matches('input, button, summary, #details-body');
+  return /^(Arrow|Home|End)/.test(key) && target.matches('input, #details-body');
+}
+
 const kElsewhere: [string, string][] = [
   ['Arrow keys', 'turn the view; go through a list'],
   ['Shift + arrow keys', 'move the view'],
@@ -22,6 +28,8 @@ const kElsewhere: [string, string][] = [
   ['Double click', 'fit a part'],
 ];
 
+const kSpelled: Record<string, string> = { ' ': 'Space', ArrowLeft: '←', ArrowRight: '→' };
+
 /** Single keys would be in the way of speech input: the dialog switches them off. */
 let areOn = true;
 
@@ -33,6 +41,7 @@ export function listenForKeys(shortcuts: Shortcut[]): void {
     const isField = target.matches('input:not([type=checkbox], [type=range]), select');
     if (isField) return;
     if (!areOn && event.key !== 'Escape') return;
+    if (isOwn(event.key, target)) return;
     const shortcut = shortcuts.find(({ keys }) => keys.includes(event.key));
     if (!shortcut) return;
     event.preventDefault();
@@ -48,7 +57,7 @@ export function makeHelp(shortcuts: Shortcut[]): void {
     const shown = keys.length > 3 ? [`${keys[0]} to ${keys[keys.length - 1]}`] : keys;
     if (text)
       add(
-        shown.map((key) => el('kbd', {}, key.length === 1 ? key.toUpperCase() : key)),
+        shown.map((key) => el('kbd', {}, kSpelled[key] ?? (key.length === 1 ? key.toUpperCase() : key))),
         text,
       );
   }

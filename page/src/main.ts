@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Puts the page together: first what can be read, then what can be seen.
+import { inAddress, tellAddress } from './address';
 import { rankClashes } from './clashes';
 import { ClashList, sentenceOf } from './clash-list';
 import { BlockError, readReport, readScene, type Report, type SceneBlock } from './data';
@@ -10,11 +11,13 @@ import { byId, button, el } from './dom';
 import { Filters } from './filters';
 import { counted, nameText } from './format';
 import { listenForKeys, makeHelp, type Shortcut } from './keys';
+import { type Motion, pairsOf, readMotion } from './motion';
 import { PartsTree } from './parts-tree';
 import { Stage } from './stage';
 import { Store } from './store';
 import { showSummary, tellSimplified, titleOf } from './summary';
 import { listenToTheme } from './theme';
+import { Timeline } from './timeline';
 
 function tell(error: unknown): void {
   const trouble = byId('trouble');
@@ -38,25 +41,20 @@ function typesOf(report: Report, scene: SceneBlock | null): (id: number) => { ke
   };
 }
 
-/** Browsers refuse to be told too often, as when a key is held down. */
-function tellAddress(hash: string): void {
-  try {
-    history.replaceState(null, '', location.href.split('#')[0] + hash);
-  } catch {
-    // The address then names an earlier clash, until the next is chosen.
-  }
-}
-
-function makePage(report: Report, scene: SceneBlock | null): void {
+function makePage(report: Report, scene: SceneBlock | null, motion: Motion | null): void {
   const store = new Store();
+  if (motion) {
+    report.pairs = pairsOf(motion);
+    store.set({ time: motion.times[0], colourBy: 'verdict' });
+  }
   const clashes = rankClashes(report);
   const pairs = report.pairs.length;
-  const isReview = report.settings !== null;
+  const isReview = report.settings !== null || motion !== null;
   document.body.classList.toggle('view-only', !isReview);
   if (!isReview) document.body.dataset.pane = 'parts';
 
-  showSummary(report, clashes, titleOf(report, scene), (clash) => store.select(clash));
-  const stage = new Stage(report, store, () => clashes.length > 0);
+  showSummary(report, motion, clashes, titleOf(report, scene), (clash) => store.select(clash));
+  const stage = new Stage(report, store, motion, () => clashes.length > 0);
   const tree = new PartsTree(report, clashes, store, (parts) => stage.fitParts(parts));
   const countOf = (part: number) =>
     clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
@@ -67,6 +65,7 @@ function makePage(report: Report, scene: SceneBlock | null): void {
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
+  const timeline = motion && new Timeline(motion, clashes, store, () => list.visible);
 
   const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });
   const next = button('▸', () => list.step(1), { 'aria-label': 'Next clash', title: 'Next clash (J)' });
@@ -84,7 +83,7 @@ function makePage(report: Report, scene: SceneBlock | null): void {
       if (changed.has('clash') && clash)
         byId('live').textContent = sentenceOf(clash, `${clash.rank} of ${clashes.length}`);
       else if (state.part >= 0) byId('live').textContent = `Part ${nameText(report.objects[state.part].name, 80)}`;
-      if (changed.has('clash')) tellAddress(clash ? `#clash=${clash.rank}` : '');
+      if (changed.has('clash') && !motion) tellAddress(clash ? `#clash=${clash.rank}` : '');
     }
     if (changed.has('hidden') || changed.has('isolated'))
       byId('live').textContent = byId('parts-count').textContent + ' parts';
@@ -105,6 +104,7 @@ function makePage(report: Report, scene: SceneBlock | null): void {
   const shortcuts: Shortcut[] = [
     ...(pairs ? [{ keys: ['j'], text: 'next clash', act: () => list.step(1) }] : []),
     ...(pairs ? [{ keys: ['k'], text: 'previous clash', act: () => list.step(-1) }] : []),
+    ...(timeline?.shortcuts() ?? []),
     { keys: ['Escape'], text: 'close a panel; leave the clash or the part', act: escape },
     ...stage.shortcuts(tree),
     {
@@ -119,9 +119,11 @@ function makePage(report: Report, scene: SceneBlock | null): void {
   makeHelp(shortcuts);
 
   const followHash = () => {
-    const wanted = decodeURIComponent(/^#clash=(.+)$/.exec(location.hash)?.[1] ?? '');
+    const wanted = inAddress('clash');
     const clash = clashes.find((one) => one.pair?.id === wanted) ?? clashes[Number(wanted) - 1];
     if (wanted && clash) store.select(clash);
+    const time = inAddress('t');
+    if (time) timeline?.seek(Number(time));
   };
   addEventListener('hashchange', followHash);
 
@@ -142,6 +144,7 @@ function makePage(report: Report, scene: SceneBlock | null): void {
       frames: () => stage.view?.frames ?? 0,
       stand: () => stage.view?.camera.stand ?? null,
       screenPlace: (id: number) => stage.screenPlace(id),
+      poseOf: (id: number) => stage.view?.assembly?.poseOf(id) ?? null,
     },
   });
 }
@@ -155,7 +158,13 @@ try {
     tell(error);
     byId('stage-note').textContent = 'There is no 3D view of this report.';
   }
-  makePage(report, scene);
+  let motion: Motion | null = null;
+  try {
+    motion = readMotion(report.objects.length);
+  } catch (error) {
+    tell(error);
+  }
+  makePage(report, scene, motion);
 } catch (error) {
   document.body.classList.add('broken');
   listenToTheme(() => undefined);

@@ -14,6 +14,7 @@ import { Explode } from './explode';
 import { counted, nameText } from './format';
 import { readMeshes } from './geometry';
 import type { Shortcut } from './keys';
+import { type Motion, posesAt } from './motion';
 import type { PartsTree } from './parts-tree';
 import { Section } from './section';
 import type { State, Store } from './store';
@@ -39,6 +40,7 @@ export class Stage {
   constructor(
     private readonly report: Report,
     private readonly store: Store,
+    private readonly motion: Motion | null,
     private readonly hasClashes: () => boolean,
   ) {
     store.listen((state, changed) => this.follow(state, changed));
@@ -61,6 +63,7 @@ export class Stage {
       const meshes = await readMeshes(readGeometryText(), scene);
       const assembly = await Assembly.create(scene, meshes, () => undefined);
       this.look = new ClashView(this.report, scene, assembly);
+      if (this.motion) assembly.setSweep(this.motion.objects);
       view.show(assembly);
     } catch (error) {
       this.note.textContent = 'There is no 3D view of this report.';
@@ -69,6 +72,7 @@ export class Stage {
     this.note.textContent = '';
     this.furnish(view);
     const { state } = this.store;
+    this.moveParts(state.time);
     this.look.applyLooks(state);
     const up: UpAxis = this.report.objects.every((part) => kUpwardsY.test(part.file)) ? 'y' : 'z';
     view.camera.up = up;
@@ -111,7 +115,7 @@ export class Stage {
         view.invalidate();
       },
     );
-    this.tools = new Tools(this.store, this.section, this.explode, {
+    this.tools = new Tools(this.store, this.motion !== null, this.section, this.explode, {
       fit: () => this.fitAll(),
       redraw: () => view.invalidate(),
       camera: view.camera,
@@ -140,14 +144,24 @@ export class Stage {
     this.hover.style.transform = `translate(${Math.max(4, Math.min(x + 14, room))}px, ${y + 18}px)`;
   }
 
+  /** True if others clash than before. */
+  private moveParts(time: number): boolean {
+    const { assembly } = this.view ?? {};
+    if (!this.motion || !assembly) return false;
+    for (const { id, pose } of posesAt(this.motion, time)) assembly.movePart(id, pose);
+    assembly.place();
+    return this.look!.takeTime(time);
+  }
+
   private follow(state: State, changed: ReadonlySet<keyof State>): void {
     const { view, look } = this;
     if (changed.has('clash')) this.showLegend(state);
     if (!view || !look) return;
+    const doOthersClash = changed.has('time') && this.moveParts(state.time);
     const isElsewhere = changed.has('clash') || changed.has('region');
     const from = isElsewhere ? look.lookFrom(state, view.camera.goalBack()) : null;
     const looks: (keyof State)[] = ['clash', 'region', 'part', 'hidden', 'isolated', 'others', 'glass', 'colourBy'];
-    if (looks.some((key) => changed.has(key))) look.applyLooks(state);
+    if (doOthersClash || looks.some((key) => changed.has(key))) look.applyLooks(state);
     if (changed.has('clash') || changed.has('region') || changed.has('boxes')) view.setStrokes(look.strokes(state));
     if (from) {
       const focus = look.focus(state);
@@ -188,6 +202,7 @@ export class Stage {
     const { view } = this;
     if (!view?.assembly) return;
     const { hidden, isolated } = this.store.state;
+    if (this.motion && !hidden.size && !isolated) return view.fit(view.assembly.bounds);
     const seen = view.assembly.boxes.filter((_, id) => !hidden.has(id) && (!isolated || isolated.has(id)));
     view.fit(unite(seen.length ? seen : view.assembly.boxes));
   }

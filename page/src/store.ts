@@ -9,6 +9,8 @@ export interface State {
   /** Index of a region of the clash, -1 for all. */
   region: number;
   part: number;
+  /** Of the motion, in seconds. */
+  time: number;
   hidden: Set<number>;
   /** All others are hidden; null: none is. */
   isolated: Set<number> | null;
@@ -28,6 +30,7 @@ export class Store {
     clash: null,
     region: -1,
     part: -1,
+    time: 0,
     hidden: new Set(),
     isolated: null,
     others: 'fade',
@@ -59,6 +62,7 @@ export class Store {
   }
 
   select(clash: Clash | null): void {
-    this.set({ clash, region: -1, ...(clash ? { part: -1 } : {}) });
+    const span = clash?.pair?.span;
+    this.set({ clash, region: -1, ...(clash ? { part: -1 } : {}), ...(span ? { time: span.start } : {}) });
   }
 }

@@ -3,20 +3,22 @@
 //
 // The top of the page: what came out, in plain words.
 import type { Clash } from './clashes';
-import { kVerdicts, type Report, type SceneBlock } from './data';
+import { kVerdicts, type Report, type SceneBlock, type Verdict } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText, plural } from './format';
+import type { Motion } from './motion';
 
 type Fact = (Node | string)[];
 
-function partFacts(report: Report): Fact {
+function partFacts(report: Report, motion: Motion | null): Fact {
   const files = new Set(report.objects.map((part) => part.file)).size;
   const facts: Fact = [
     countOf(report.objects.length),
     report.objects.length === 1 ? ' part' : ' parts',
     ` in ${plural(files, 'file')}`,
   ];
-  if (report.objects.some((part) => part.solid !== undefined)) {
+  if (motion) facts.push(`, ${counted(motion.objects.length)} of them moving`);
+  if (report.objects.some((part) => part.solid != null)) {
     const solids = report.objects.filter((part) => part.solid).length;
     facts.push(`: ${plural(solids, 'solid')}, ${plural(report.objects.length - solids, 'surface')}`);
   }
@@ -24,8 +26,8 @@ function partFacts(report: Report): Fact {
 }
 
 function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) => void): Fact | null {
-  if (!report.settings) return null;
-  if (!report.settings.depth) return ['depths not measured'];
+  if (!report.settings && !clashes.length) return null;
+  if (report.settings && !report.settings.depth) return ['depths not measured'];
   const deepest = clashes.reduce<Clash | null>(
     (best, clash) => (clash.depth > (best?.depth ?? -1) ? clash : best),
     null,
@@ -59,6 +61,35 @@ function triageFacts(report: Report): Fact[] {
   return facts;
 }
 
+/** What was looked at, and what such looking cannot see. */
+function stepsFact({ animation }: Motion): Fact {
+  return [
+    'looked at ',
+    countOf(animation.frames),
+    animation.frames === 1 ? ' step of ' : ' steps of ',
+    numberOf(animation.step),
+    ' s: what is over within one step may be missed',
+  ];
+}
+
+function motionLine({ animation }: Motion, clashes: Clash[]): Node[] {
+  const line = el('strong', { class: clashes.length ? 'bad' : 'good' });
+  if (clashes.length) line.append(countOf(clashes.length), clashes.length === 1 ? ' clash' : ' clashes');
+  else line.append('No clash seen');
+  line.append(' in ', numberOf(animation.seconds), ' s of motion');
+  return [line, verdictList((verdict) => clashes.filter((clash) => clash.verdict === verdict).length)];
+}
+
+function verdictList(countIn: (verdict: Verdict) => number): HTMLElement {
+  const list = el('span', { class: 'verdicts' });
+  for (const verdict of kVerdicts) {
+    const count = countIn(verdict);
+    const name = verdict === 'apart' ? 'too near' : verdict;
+    if (count) list.append(el('span', { class: `verdict ${verdict}` }, countOf(count), ` ${name}`));
+  }
+  return list;
+}
+
 function verdictLine(report: Report): Node[] {
   const { counts, settings } = report;
   if (!settings || !counts) return [];
@@ -66,28 +97,25 @@ function verdictLine(report: Report): Node[] {
   if (counts.fail) failing.append(countOf(counts.fail), counts.fail === 1 ? ' clash fails' : ' clashes fail');
   else failing.append('Nothing fails');
   const parts: Node[] = [failing];
-  const list = el('span', { class: 'verdicts' });
-  for (const verdict of kVerdicts) {
-    if (counts[verdict])
-      list.append(
-        el(
-          'span',
-          { class: `verdict ${verdict}` },
-          countOf(counts[verdict]),
-          ` ${verdict === 'apart' ? 'too near' : verdict}`,
-        ),
-      );
-  }
+  const list = verdictList((verdict) => counts[verdict]);
   parts.push(list.childNodes.length ? list : el('span', { class: 'verdicts' }, 'no two parts touch'));
   return parts;
 }
 
-export function showSummary(report: Report, clashes: Clash[], title: string, choose: (clash: Clash) => void): void {
+export function showSummary(
+  report: Report,
+  motion: Motion | null,
+  clashes: Clash[],
+  title: string,
+  choose: (clash: Clash) => void,
+): void {
   byId('title').replaceChildren(nameOf(title, 120));
-  document.title = report.settings ? `Clashes: ${nameText(title, 120)}` : nameText(title, 120);
-  byId('verdict-line').replaceChildren(...verdictLine(report));
+  document.title = `${report.settings ? 'Clashes: ' : motion ? 'Motion: ' : ''}${nameText(title, 120)}`;
+  byId('verdict-line').replaceChildren(...(motion ? motionLine(motion, clashes) : verdictLine(report)));
   const facts: (Fact | null)[] = [
-    partFacts(report),
+    motion && stepsFact(motion),
+    partFacts(report, motion),
+    motion && motion.animation.name ? ['animation ', nameOf(motion.animation.name, 60)] : null,
     ...triageFacts(report),
     deepestFact(report, clashes, choose),
     toleranceFact(report),

@@ -36,6 +36,7 @@ export class Tools {
 
   constructor(
     private readonly store: Store,
+    private readonly isMotion: boolean,
     section: Section,
     explode: Explode,
     private readonly actions: ToolActions,
@@ -89,9 +90,9 @@ export class Tools {
         [
           ['type', 'by type'],
           ['file', 'by file'],
-          ['verdict', 'by worst verdict'],
+          ['verdict', this.isMotion ? 'by what clashes now' : 'by worst verdict'],
         ],
-        'type',
+        this.store.state.colourBy,
         set('colourBy'),
       ),
       choices(

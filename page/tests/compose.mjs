@@ -32,7 +32,7 @@ export function sceneOf(title, meshes, objects, shown) {
 
 const escaped = (value) => JSON.stringify(value).replace(/</g, '\\u003c');
 
-export function blocksOf({ report, scene, geometry }) {
+export function blocksOf({ report, scene, geometry, motion }) {
   const blocks = [];
   if (report !== undefined)
     blocks.push(
@@ -40,6 +40,10 @@ export function blocksOf({ report, scene, geometry }) {
     );
   if (scene !== undefined) blocks.push(`<script type="application/json" id="scene">${escaped(scene)}</script>`);
   if (geometry !== undefined) blocks.push(`<script type="text/plain" id="geometry">${geometry}</script>`);
+  if (motion !== undefined)
+    blocks.push(
+      `<script type="application/json" id="motion">${typeof motion === 'string' ? motion : escaped(motion)}</script>`,
+    );
   return blocks.join('\n');
 }
 

@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The motion of a mechanism. Where its parts are at a time is worked out here from how they move.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { listed, picture, settled, startBrowser } from './browser.mjs';
+import { compose } from './compose.mjs';
+import { kMarkup, reviewPage } from './fixture.mjs';
+import { mechanism, mechanismPage } from './mechanism.mjs';
+
+const time = (page) => page.evaluate(() => window.impinge.store.state.time);
+const pose = (page, id) => page.evaluate((id) => window.impinge.poseOf(id), id);
+const seek = (page, time) => page.evaluate((time) => window.impinge.store.set({ time }), time);
+const near = (x, y, what) => assert.ok(Math.abs(x - y) <= 1e-9 * Math.max(1, Math.abs(y)), `${what}: ${x}, not ${y}`);
+const { motion } = mechanism();
+const byTime = [2, 1, 0, 3].map((i) => motion.spans[i]);
+const bar = (page, rank) => page.locator(`#timeline .span[data-rank="${rank}"]`);
+
+describe('the timeline', () => {
+  let browser;
+  before(async () => (browser = await startBrowser()));
+  after(() => browser.stop());
+
+  test('parts stand at each time where they move to', async () => {
+    for (const offset of [
+      [0, 0, 0],
+      [3e6, -2e6, 1e6],
+    ]) {
+      const { page, close } = await browser.open(mechanismPage({ offset }));
+      for (const t of [0, 0.5, 1, 1.3, 2.999, 3, 4]) {
+        await seek(page, t);
+        const arm = await pose(page, 0);
+        const [c, s] = [Math.cos((t * Math.PI) / 2), Math.sin((t * Math.PI) / 2)];
+        [c, -s, 0, offset[0], s, c, 0, offset[1], 0, 0, 1, offset[2]].forEach((e, k) => near(arm[k], e, `arm at ${t}`));
+        near((await pose(page, 1))[3], offset[0] - 3 + 2 * t, `slider at ${t}`);
+        // Not rigid: each number for itself.
+        near((await pose(page, 3))[5], 1 + t, `panel at ${t}`);
+      }
+      assert.deepEqual((await pose(page, 2)).slice(3, 4), [4 + offset[0]], 'the wall stands still');
+      await close();
+    }
+  });
+
+  test('far from the origin the picture is as sharp as near it', async () => {
+    const pictures = [];
+    for (const offset of [
+      [0, 0, 0],
+      [2 ** 24, -(2 ** 25), 2 ** 23],
+    ]) {
+      const { page, close } = await browser.open(mechanismPage({ offset }));
+      await seek(page, 1.3);
+      await settled(page);
+      pictures.push((await picture(page)).png);
+      await close();
+    }
+    assert.ok(pictures[0].equals(pictures[1]));
+  });
+
+  test('what moves far away is fitted and not cut off', async () => {
+    const blocks = mechanism();
+    blocks.motion.objects[1].poses.forEach((one, i) => (one[3] = -3 + 200 * i));
+    const { page, close } = await browser.open(compose(blocks));
+    await page.keyboard.press('f');
+    await seek(page, 4);
+    await page.evaluate(() => window.impinge.store.set({ part: 1 }));
+    await settled(page);
+    const { x, y } = await page.evaluate(() => window.impinge.screenPlace(1));
+    const canvas = await page.locator('#canvas').boundingBox();
+    assert.ok(x > canvas.x && x < canvas.x + canvas.width && y > canvas.y && y < canvas.y + canvas.height);
+    // Seen from near and with the rest behind: the fit of it alone, then a click that hits it.
+    await page.keyboard.press('f');
+    await settled(page);
+    await page.evaluate(() => window.impinge.store.set({ part: -1 }));
+    const middle = await page.evaluate(() => window.impinge.screenPlace(1));
+    await page.mouse.click(middle.x, middle.y);
+    assert.equal(await page.evaluate(() => window.impinge.store.state.part), 1);
+    await close();
+  });
+
+  test('scrubs with the mouse, and the part is seen elsewhere', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    const place = () => page.evaluate(() => window.impinge.screenPlace(1));
+    const first = [await place(), (await picture(page)).png];
+    const { x, y, width, height } = await page.locator('#time-slider').boundingBox();
+    await page.mouse.move(x + width / 4, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2, y + height / 2, { steps: 3 });
+    await page.mouse.up();
+    await settled(page);
+    assert.ok(Math.abs((await time(page)) - 2) < 0.02, 'half way');
+    const then = [await place(), (await picture(page)).png];
+    assert.ok(Math.hypot(then[0].x - first[0].x, then[0].y - first[0].y) > 20);
+    assert.ok(!then[1].equals(first[1]));
+    await page.mouse.move(x + width / 4, y + height / 2);
+    assert.ok(Math.abs((await time(page)) - 2) < 0.02, 'what is let go of stays');
+    // Beyond the ends it stays at the ends.
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width + 15, y + 200);
+    assert.equal(await time(page), 4);
+    await page.mouse.up();
+    await page.waitForTimeout(300);
+    assert.match(page.url(), /#t=4$/);
+    await close();
+  });
+
+  test('scrubs with a finger', async () => {
+    const { page, close } = await browser.open(mechanismPage(), { width: 390, height: 844, touch: true });
+    const { x, y, width, height } = await page.locator('#time-slider').boundingBox();
+    await page.touchscreen.tap(x + width * 0.75, y + height / 2);
+    assert.ok(Math.abs((await time(page)) - 3) < 0.03);
+    await close();
+  });
+
+  test('is gone through with keys', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    const slider = page.locator('#time-slider');
+    for (const focused of [false, true]) {
+      if (focused) await slider.focus();
+      for (const [key, goal] of [
+        ['ArrowRight', 1],
+        ['ArrowRight', 2],
+        ['ArrowLeft', 1],
+        ['End', 4],
+        ['ArrowRight', 4],
+        ['Home', 0],
+        ['ArrowLeft', 0],
+      ]) {
+        await page.keyboard.press(key);
+        assert.equal(await time(page), goal, key);
+      }
+    }
+    await seek(page, 1.5);
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await time(page), 1, 'first to the frame before');
+    await seek(page, 1.5);
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await time(page), 2);
+    assert.deepEqual(
+      await slider.evaluate((one) =>
+        ['role', 'aria-valuemin', 'aria-valuemax', 'aria-valuenow', 'aria-valuetext'].map((k) => one.getAttribute(k)),
+      ),
+      ['slider', '0', '4', '2', '2.000 s, no clash now'],
+    );
+    await close();
+  });
+
+  test('plays, pauses and stops at the end', async () => {
+    const { page, close } = await browser.open(mechanismPage(), { motion: 'no-preference' });
+    assert.equal(await time(page), 0, 'nothing plays by itself');
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => window.impinge.store.state.time > 0.2);
+    const { frames, x } = await page.evaluate(() => ({
+      frames: window.impinge.frames(),
+      x: window.impinge.poseOf(1)[3],
+    }));
+    await page.click('#play');
+    const paused = await time(page);
+    assert.match(await page.textContent('#live'), /^Paused at 0\.\d+ s|^Paused at [1-3]/);
+    assert.ok(x > -3 && frames > 2);
+    await page.waitForTimeout(100);
+    assert.equal(await time(page), paused);
+    await page.selectOption('#speed', '4');
+    await page.click('#play');
+    await page.waitForFunction(() => window.impinge.store.state.time === 4);
+    assert.equal(await page.textContent('#play'), 'Play');
+    await page.check('#repeat');
+    await page.click('#play');
+    await page.waitForFunction(() => window.impinge.store.state.time > 3);
+    await page.waitForFunction(() => window.impinge.store.state.time < 2);
+    await close();
+  });
+
+  test('nothing plays on after a clash is chosen', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    await page.click('#play');
+    await bar(page, 2).click();
+    await page.waitForTimeout(100);
+    assert.equal(await time(page), byTime[1].from[1]);
+    await close();
+  });
+
+  test('lists every span in the order of time, and sorts and filters them', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    const names = (spans) => spans.map(({ a, b }) => [a, b].map((id) => mechanism().report.objects[id].name));
+    const rows = await listed(page, '.names');
+    assert.equal(rows.length, motion.spans.length);
+    names(byTime).forEach(([a, b], i) => assert.ok(rows[i].startsWith(a) && rows[i].endsWith(b), rows[i]));
+    assert.deepEqual(await listed(page, '.side'), ['until 0.5 s', '1.25 to 1.75 s', '2.5 to 3.5 s', 'from 3.5 s on']);
+    assert.equal(await page.locator('#timeline .span').count(), motion.spans.length);
+    assert.equal(await page.locator('#timeline .lane').count(), 3, 'a lane for each pair');
+    await page.selectOption('#sort', 'depth');
+    assert.deepEqual(await listed(page), ['2', '3', '4', '1']);
+    await page.selectOption('#sort', 'name');
+    assert.deepEqual(await listed(page), ['1', '2', '4', '3']);
+    await page.fill('#clash-search', 'wall');
+    assert.deepEqual(await listed(page), ['3']);
+    assert.equal(await page.locator('#timeline .span').count(), 1, 'the lanes follow the filter');
+    await page.click('#clear-filters');
+    await page.click('.chip.crossing');
+    assert.deepEqual(await listed(page), ['1']);
+    await close();
+  });
+
+  test('is summed up with the limit of what it can see', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    assert.match(await page.textContent('#verdict-line'), /^4 clashes in 4 s of motion/);
+    const facts = await page.textContent('#facts');
+    for (const fact of [
+      'looked at 4 steps of 1 s: what is over within one step may be missed',
+      '4 parts in 1 file, 3 of them moving',
+      'deepest overlap 1.5',
+      'animation run',
+    ])
+      assert.ok(facts.includes(fact), `${fact} in ${facts}`);
+    await close();
+    const none = mechanism();
+    none.motion.spans = [];
+    const other = await browser.open(compose(none));
+    assert.match(await other.page.textContent('#verdict-line'), /^No clash seen in 4 s of motion/);
+    await other.close();
+  });
+
+  test('a click or Enter on a bar chooses the span: its start, its parts, its figures', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    const before = (await picture(page)).png;
+    await bar(page, 3).click();
+    await settled(page);
+    assert.equal(await time(page), motion.spans[0].from[1]);
+    assert.equal(await page.textContent('#legend'), 'AsliderBwall');
+    assert.equal(await page.getAttribute('#timeline .span[data-rank="3"]', 'aria-pressed'), 'true');
+    assert.ok(!(await picture(page)).png.equals(before));
+    const details = await page.textContent('#details-body');
+    for (const text of [
+      'Depth of A in B',
+      'From2.5 s, within 3e−8 s',
+      'To3.5 s, within 3e−8 s',
+      'Lasts1 s',
+      'Worst at3 s',
+    ])
+      assert.ok(details.includes(text), `${text} in ${details}`);
+    await page.locator('#details-body button', { hasText: '3 s' }).last().click();
+    assert.equal(await time(page), 3, 'the worst moment');
+    await page.waitForTimeout(300);
+    assert.match(page.url(), /#clash=3&t=3$/);
+    await bar(page, 1).focus();
+    await page.keyboard.press('Enter');
+    assert.equal(await time(page), 0);
+    assert.match(await page.textContent('#details-body'), /Fromthe first frame/);
+    assert.equal(await page.locator('#details-body img').count(), 0, 'names are no markup');
+    assert.ok((await page.textContent('#details-body')).includes(kMarkup));
+    await page.waitForTimeout(300);
+    assert.match(page.url(), /#clash=1$/);
+    assert.match(await page.textContent('#live'), /^Clash 1 of 4: arm crosses .*until 0.5 s$/);
+    await close();
+  });
+
+  test('a link opens its clash at its time', async () => {
+    for (const [hash, goal, legend] of [
+      ['#t=2.25', 2.25, ''],
+      ['#clash=3', motion.spans[0].from[1], 'AsliderBwall'],
+      ['#clash=3&t=3.25', 3.25, 'AsliderBwall'],
+      ['#t=99', 4, ''],
+      ['#t=soon', 0, ''],
+      ['#clash=%', 0, ''],
+    ]) {
+      const { page, close } = await browser.open(mechanismPage(), { hash });
+      assert.equal(await time(page), goal, hash);
+      assert.equal(await page.textContent('#legend'), legend);
+      near((await pose(page, 1))[3], -3 + 2 * goal, hash);
+      await close();
+    }
+  });
+
+  test('what clashes at a time is seen by its colour', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    assert.equal(await page.textContent('.time-now'), '1 clash now');
+    await seek(page, 2);
+    assert.equal(await page.textContent('.time-now'), 'no clash now');
+    const reds = async () => {
+      await settled(page);
+      const { png } = await picture(page);
+      return page.evaluate(async (data) => {
+        const image = new Image();
+        image.src = `data:image/png;base64,${data}`;
+        await image.decode();
+        const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+        context.drawImage(image, 0, 0);
+        const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
+        let count = 0;
+        for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > 80 && bytes[i] > 2 * bytes[i + 1]) ++count;
+        return count;
+      }, png.toString('base64'));
+    };
+    assert.equal(await reds(), 0);
+    await seek(page, 3);
+    assert.ok((await reds()) > 500);
+    await close();
+  });
+
+  test('many pairs: lanes that scroll, of which few are in the document', async () => {
+    const { page, close } = await browser.open(mechanismPage({ lanes: 600 }));
+    assert.ok((await page.locator('#timeline .lane').count()) < 30);
+    await page.evaluate(() => window.impinge.store.select(window.impinge.clashes.at(-1)));
+    await settled(page);
+    const last = page.locator('#timeline .span[aria-pressed=true]');
+    const [inner, outer] = [await last.boundingBox(), await page.locator('#tracks').boundingBox()];
+    assert.ok(inner.y >= outer.y && inner.y + inner.height <= outer.y + outer.height, 'the chosen one is in sight');
+    const head = await page.locator('.playhead').boundingBox();
+    assert.ok(head.y + head.height >= outer.y + outer.height - 12, 'the head reaches down to it');
+    await close();
+  });
+
+  test('nothing stands out of a narrow window', async () => {
+    for (const width of [320, 390]) {
+      const { page, close } = await browser.open(mechanismPage({ lanes: 5 }), { width, height: 640, touch: true });
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+      await bar(page, 2).click();
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+      await close();
+    }
+  });
+
+  test('works without a 3D view, and other pages have no timeline', async () => {
+    const { scene, geometry, ...rest } = mechanism();
+    const { page, close } = await browser.open(compose(rest));
+    await page.keyboard.press('End');
+    assert.equal(await time(page), 4);
+    await close();
+    const other = await browser.open(reviewPage());
+    assert.ok(await other.page.locator('#timeline').isHidden());
+    await other.close();
+  });
+
+  for (const [what, spoil, told] of [
+    ['another version', (m) => (m.version = 2), /version 2/],
+    ['no times', (m) => (m.times = []), /no times/],
+    ['times that fall', (m) => (m.times = [0, 2, 1, 3, 4]), /times do not rise/],
+    ['no animation', (m) => delete m.animation, /no length/],
+    ['a part that is none', (m) => (m.objects[0].id = 99), /object 0 names no part/],
+    ['a part twice', (m) => (m.objects[1].id = 0), /object 1 names no part, or one twice/],
+    ['a pose too few', (m) => m.objects[1].poses.pop(), /object 1 has not one pose/],
+    ['a short pose', (m) => m.objects[1].poses[2].pop(), /object 1 is not twelve numbers/],
+    ['a span of no part', (m) => (m.spans[1].b = -1), /span 1 names no two parts/],
+    ['a span of no verdict', (m) => (m.spans[1].worst = 'bad'), /span 1 names no two parts, or no verdict/],
+    ['a span that ends before it ends', (m) => (m.spans[2].to = [2, 1]), /span 2 has times/],
+    ['a depth that is none', (m) => (m.spans[0].overlap_depth = { a_in_b: 3 }), /span 0 has a depth/],
+    ['null in a list', (m) => (m.objects[0] = null), /object 0 names no part/],
+  ]) {
+    test(`a motion with ${what} is told, and the parts are shown`, async () => {
+      const blocks = mechanism();
+      spoil(blocks.motion);
+      const { page, close } = await browser.open(compose(blocks));
+      assert.match(await page.textContent('#trouble'), /^The motion/);
+      assert.match(await page.textContent('#trouble'), told);
+      assert.ok(await page.locator('#timeline').isHidden());
+      assert.ok((await picture(page)).count > 10);
+      await close();
+    });
+  }
+
+  test('a motion that was cut short is told', async () => {
+    const blocks = mechanism();
+    const { page, close } = await browser.open(compose({ ...blocks, motion: '{"version":1,"times":[0,' }));
+    assert.match(await page.textContent('#trouble'), /The motion cannot be read.*cut short/);
+    await close();
+  });
+});
