@@ -90,7 +90,8 @@ Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const Clash
   const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
                                 {.kinds = kinds, .threads = threads, .stop = options.stop});
   if (!contacts) return contacts.error();
-  const double tolerance = tolerance_of(options, clash::largest_coordinate(body.box));
+  const double tolerance =
+      clash::defect_tolerance(body, topology, tolerance_of(options, clash::largest_coordinate(body.box)));
   std::vector<TrianglePair> defects, others;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
     if (options.stop.stop_requested()) return cancelled();

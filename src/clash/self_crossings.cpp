@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "clash/local_frame.hpp"
 #include "clash/pinch.hpp"
 #include "exact/triangle_pair.hpp"
 
@@ -68,6 +72,21 @@ bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance
   const Heights a_over_b(b, a), b_over_a(a, b);
   return a_over_b.depth() > tolerance && b_over_a.depth() > tolerance &&
          shared_length(a, b, a_over_b, b_over_a) > tolerance;
+}
+
+double defect_tolerance(const solid::Body& body, const solid::Topology& topology, double tolerance) {
+  if (!topology.closed) return tolerance;
+  const LocalFrame frame = local_frame(body.box, body.box);
+  double area = 0, volume = 0;
+  std::vector<double> volumes(topology.shells);
+  for (std::uint32_t t = 0; t < body.size(); ++t) {
+    if (topology.shell[t] == solid::Topology::kNoShell) continue;
+    const Triangle triangle = frame.to_local(body.triangle(t));
+    const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    area += norm(normal) / 2, volumes[topology.shell[t]] += dot(triangle[0], normal) / 6;
+  }
+  for (const double of_shell : volumes) volume += std::abs(of_shell);
+  return area > 0 ? std::min(tolerance, volume / area / 2 / frame.unit) : tolerance;
 }
 
 }  // namespace impinge::clash

@@ -131,5 +131,22 @@ TEST(Noise, AThinShellIsThinBesideAThickOne) {
                  joined(other, box({-30, 0, 0}, {-20, 10, 10})), 0.3, Note::tolerance_not_applied);
 }
 
+/// Far out, where the tolerance is wider than the part: one box runs through the other all the same, which is no solid.
+TEST(Noise, APartThatCrossesItselfIsNoSolidFarOut) {
+  const MeshData crossing = joined(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3}));
+  const MeshData crossing_cut = joined(box({0, 0, 0}, {2, 2, 2}, 3), box({1, 1, 1}, {3, 3, 3}, 3));
+  const MeshData beside = joined(box({0, 0, 0}, {2, 2, 2}), box({2, 2, 0}, {4, 4, 2}, 3));
+  for (const double far : {0.0, 1e6, 5e6}) {
+    const auto out = [&](const MeshData& mesh) { return scenes::shifted(mesh, far, -far, far); };
+    EXPECT_FALSE(examine(test::mesh_of(out(crossing)))->solid) << far;
+    EXPECT_EQ(name(judged(out(crossing), out(crossing_cut), {}, std::nullopt).verdict), name(Verdict::duplicate));
+    test::Seeded seeded(1);
+    for (int i = 0; i < 4; ++i) {
+      const MeshData turned = scenes::baked(beside, scenes::random_motion(seeded.random, far));
+      EXPECT_TRUE(examine(test::mesh_of(turned))->solid) << far;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace impinge
