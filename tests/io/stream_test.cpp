@@ -37,8 +37,8 @@ std::string small_stream() {
   return written([](ImportWriter& writer) {
     writer.warning("careful");
     writer.mesh(kXyz, kTriangle);
-    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, kIdentity);
-    writer.object("", "", "", 0, kIdentity);
+    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, kIdentity);
+    writer.object("", "", "", 0, kNoNode, kIdentity);
     EXPECT_TRUE(writer.end());
   });
 }
