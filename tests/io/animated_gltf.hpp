@@ -31,9 +31,9 @@ class AnimatedGltf {
     root["accessors"][0]["min"] = {-1, -1, -1};
     root["accessors"][0]["max"] = {1, 1, 1};
     std::string indices;
-    for (const std::uint16_t corner :
+    for (const int corner :
          {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5})
-      append(indices, corner);
+      append(indices, static_cast<std::uint16_t>(corner));
     const int triangles = accessor(view(indices), 5123, 36, "SCALAR");
     root["meshes"] = json::array(
         {{{"primitives", json::array({{{"attributes", {{"POSITION", positions}}}, {"indices", triangles}}})}}});
