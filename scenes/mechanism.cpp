@@ -90,8 +90,9 @@ std::vector<FlatPart> four_bar_linkage(double seconds) {
 std::vector<FlatPart> gear_pair(double seconds, double distance) {
   constexpr int kSmall = 12, kLarge = 18;
   // A tooth of the one looks into a gap of the other.
-  return {wheel("pinion", gear(kSmall, 3.5, 2.75, 0), {0, 0}, seconds, 1),
-          wheel("wheel", gear(kLarge, 5.125, 4.375, 0.5), {distance, 0}, seconds, -static_cast<double>(kSmall) / kLarge)};
+  return {
+      wheel("pinion", gear(kSmall, 3.5, 2.75, 0), {0, 0}, seconds, 1),
+      wheel("wheel", gear(kLarge, 5.125, 4.375, 0.5), {distance, 0}, seconds, -static_cast<double>(kSmall) / kLarge)};
 }
 
 FlatPose at(const FlatPart& part, double seconds) {

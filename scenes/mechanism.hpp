@@ -27,7 +27,8 @@ struct FlatPart {
 std::vector<FlatPart> four_bar_linkage(double seconds);
 
 /// Two wheels of 12 and 18 trapezoid teeth, turning evenly, the small one once in `seconds`. They run free at a
-/// distance of 8 and more; nearer, teeth overlap once or more a tooth's turn.
+/// distance of 7.875 and more; a little nearer, teeth overlap and part again twice a tooth's turn (at 7.859375 for
+/// about a hundredth of one of the small wheel's turns), below 7.84 all the time.
 std::vector<FlatPart> gear_pair(double seconds, double distance);
 
 /// The angle and the place of a part at a time.

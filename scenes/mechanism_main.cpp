@@ -4,7 +4,7 @@
 /// impinge-mechanism linkage|gears FILE.glb
 ///
 /// Writes a machine of mechanism.hpp that moves for four seconds: a linkage whose rocker runs into a stop, or a pair of
-/// gears whose teeth overlap.
+/// gears whose teeth overlap again and again.
 #include <cstdio>
 #include <fstream>
 #include <string_view>
@@ -12,7 +12,7 @@
 #include "scenes/mechanism.hpp"
 
 int main(int argc, char** argv) {
-  constexpr double kSeconds = 4, kTooNear = 7.75;
+  constexpr double kSeconds = 4, kTooNear = 7.859375;
   const std::string_view what = argc == 3 ? argv[1] : "";
   if (what != "linkage" && what != "gears") {
     std::fprintf(stderr, "usage: %s linkage|gears FILE.glb\n", argv[0]);

@@ -76,8 +76,8 @@ Result<Timeline> run(const MotionArguments& arguments, const Assembly& assembly,
   line.phase(fmt::format("moving {}", counted(assembly.objects.size(), "part")),
              [&progress] { return fraction_of(progress); });
   const std::vector<std::uint32_t> groups = products_of(assembly);
+  Assembly placed = assembly;
   const auto make_scene = [&](const std::vector<Posed>& posed) {
-    Assembly placed = assembly;
     for (std::size_t i = 0; i < posed.size(); ++i)
       placed.objects[i].mesh = posed[i].mesh, placed.objects[i].pose = posed[i].pose;
     return scene_of(placed, arguments, groups);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace impinge::cli {
 namespace {
@@ -63,6 +65,11 @@ Affine inverse(const Affine& map) {
   return out;
 }
 
+bool is_finite(const Affine& map) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::all_of(map.m.begin(), map.m.end(), finite) && std::all_of(map.t.begin(), map.t.end(), finite);
+}
+
 }  // namespace
 
 Mover::Mover(const io::Model& model, const io::Animation& animation) : model_(model), animation_(animation) {
@@ -71,28 +78,47 @@ Mover::Mover(const io::Model& model, const io::Animation& animation) : model_(mo
   rest_ = io::nodes_at(model, {}, 0);
 }
 
+Result<Posed> Mover::place(std::size_t i, const std::vector<Affine>& worlds, double seconds) const {
+  const io::Object& object = model_.objects[i];
+  if (bodies_[i] == 0) return Posed{object.mesh, object.pose, {object.pose.R, object.pose.t}};
+  const auto error = [&](Code code, std::string_view message) {
+    return Error{code, fmt::format("object '{}' at {} s: {}", object.name, seconds, message)};
+  };
+  // A mesh that was mapped by where its node is at rest is first brought back from there.
+  Affine map = worlds[*object.node];
+  if (object.is_baked) {
+    const Affine back = inverse(rest_[*object.node]);
+    if (!is_finite(back))
+      return error(Code::bad_file,
+                   "it is scaled to nothing where it rests, so that no shape of it is left; give its "
+                   "node a scale other than 0");
+    map = product(map, back);
+  }
+  if (is_rigid(map)) return Posed{object.mesh, {map.m, map.t}, map};
+  Result<Mesh> mapped = object.mesh.transformed(map);
+  if (!mapped) return error(mapped.error().code, mapped.error().message);
+  return Posed{std::move(*mapped), Pose{}, map};
+}
+
 Result<std::vector<Posed>> Mover::at(double seconds) const {
   const std::vector<Affine> worlds = io::nodes_at(model_, animation_, seconds);
   std::vector<Posed> posed;
   posed.reserve(model_.objects.size());
   for (std::size_t i = 0; i < model_.objects.size(); ++i) {
-    const io::Object& object = model_.objects[i];
-    posed.push_back({object.mesh, object.pose, {object.pose.R, object.pose.t}});
-    if (bodies_[i] == 0) continue;
-    // A mesh that was mapped by where its node is at rest is first brought back from there.
-    const Affine& world = worlds[*object.node];
-    const Affine map = object.is_baked ? product(world, inverse(rest_[*object.node])) : world;
-    if (is_rigid(map)) {
-      posed.back() = {object.mesh, {map.m, map.t}, map};
-      continue;
-    }
-    Result<Mesh> mapped = object.mesh.transformed(map);
-    if (!mapped)
-      return Error{mapped.error().code,
-                   fmt::format("object '{}' at {} s: {}", object.name, seconds, mapped.error().message)};
-    posed.back() = {std::move(*mapped), Pose{}, map};
+    Result<Posed> placed = place(i, worlds, seconds);
+    if (!placed) return placed.error();
+    posed.push_back(std::move(*placed));
   }
   return posed;
+}
+
+Result<std::array<Posed, 2>> Mover::at(double seconds, const std::array<std::uint32_t, 2>& objects) const {
+  const std::vector<Affine> worlds = io::nodes_at(model_, animation_, seconds);
+  Result<Posed> a = place(objects[0], worlds, seconds);
+  if (!a) return a.error();
+  Result<Posed> b = place(objects[1], worlds, seconds);
+  if (!b) return b.error();
+  return std::array<Posed, 2>{std::move(*a), std::move(*b)};
 }
 
 }  // namespace impinge::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,9 +25,12 @@ class Mover {
   Mover(const io::Model& model, const io::Animation& animation);
 
   /// All objects of the model at a time of the animation. One that the animation moves rigidly keeps its mesh; one that
-  /// it stretches or mirrors gets a mesh of its own at each time. Errors: `bad_file` (coordinates that are not finite),
-  /// with the object's name.
+  /// it stretches or mirrors gets a mesh of its own at each time. Errors: `bad_file` (coordinates that are not finite;
+  /// a part that is flat at rest, of which no shape is left), with the object's name.
   [[nodiscard]] Result<std::vector<Posed>> at(double seconds) const;
+
+  /// Two of them.
+  [[nodiscard]] Result<std::array<Posed, 2>> at(double seconds, const std::array<std::uint32_t, 2>& objects) const;
 
   /// How long the animation runs.
   [[nodiscard]] double seconds() const noexcept { return animation_.seconds; }
@@ -34,6 +39,8 @@ class Mover {
   [[nodiscard]] const std::vector<std::uint32_t>& bodies() const noexcept { return bodies_; }
 
  private:
+  [[nodiscard]] Result<Posed> place(std::size_t object, const std::vector<Affine>& worlds, double seconds) const;
+
   const io::Model& model_;
   const io::Animation& animation_;
   std::vector<std::uint32_t> bodies_;

@@ -88,7 +88,7 @@ class Search {
         ++place;
         continue;
       }
-      const auto moment = moment_between(place->second, timeline_.times.back(), time, true);
+      const auto moment = moment_between(place->first, timeline_.times.back(), time, true);
       if (!moment) return moment.error();
       place->second.to = *moment;
       timeline_.spans.push_back(std::move(place->second));
@@ -100,7 +100,7 @@ class Search {
       if (is_new) span.objects = objects;
       note(span, clash, time);
       if (!is_new || is_first) continue;
-      const auto moment = moment_between(span, timeline_.times.back(), time, false);
+      const auto moment = moment_between(objects, timeline_.times.back(), time, false);
       if (!moment) return moment.error();
       span.from = *moment;
     }
@@ -117,27 +117,27 @@ class Search {
     span.worst = clash.verdict, span.worst_at = time, span.overlap_depth = clash.overlap_depth;
   }
 
-  /// Halves the time between `lo` and `hi`, at which the parts clash first or last.
-  Result<Moment> moment_between(ClashSpan& span, double lo, double hi, bool clashes_first) {
+  /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
+  Result<Moment> moment_between(const Objects& objects, double lo, double hi, bool clashes_first) {
     constexpr int kHalvings = 20;
     Moment moment{lo, hi};
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = moment.lo + (moment.hi - moment.lo) / 2;
       if (!(middle > moment.lo && middle < moment.hi)) break;
-      const Result<Clash> clash = judge_at(span.objects, middle);
+      const Result<Clash> clash = judge_at(objects, middle);
       if (!clash) return clash.error();
-      const bool does_clash = names(options_.fail_on, clash->verdict);
-      if (does_clash) note(span, *clash, middle);
-      (does_clash == clashes_first ? moment.lo : moment.hi) = middle;
+      (names(options_.fail_on, clash->verdict) == clashes_first ? moment.lo : moment.hi) = middle;
     }
     return moment;
   }
 
   Result<Clash> judge_at(const Objects& objects, double time) {
-    const Result<std::vector<Posed>> posed = mover_.at(time);
+    const auto posed = mover_.at(time, objects);
     if (!posed) return posed.error();
-    const Posed &a = (*posed)[objects[0]], &b = (*posed)[objects[1]];
-    return judge(a.mesh, a.pose, b.mesh, b.pose, clash_options());
+    const auto& [a, b] = *posed;
+    ClashOptions options = clash_options();
+    options.depth = false;
+    return judge(a.mesh, a.pose, b.mesh, b.pose, options);
   }
 
   const Mover& mover_;

@@ -25,8 +25,8 @@ struct Moment {
 struct ClashSpan {
   std::array<std::uint32_t, 2> objects{};
   std::optional<Moment> from, to;             ///< nothing: from the first frame, to the last
-  Verdict worst = Verdict::apart;             ///< of the frames and of what was looked at between them
-  double worst_at = 0;                        ///< seconds: there, where it is deepest if depths are measured
+  Verdict worst = Verdict::apart;             ///< of the frames
+  double worst_at = 0;                        ///< seconds: of the first such frame; the deepest if depths are measured
   std::optional<OverlapDepth> overlap_depth;  ///< then
 };
 

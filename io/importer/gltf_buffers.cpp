@@ -25,6 +25,11 @@ struct Component {
   std::size_t bytes;
   double one;
   double (*load)(const char*);
+
+  /// The least whole number is as good as the next one, so that both signs reach as far.
+  [[nodiscard]] double value(const char* from) const {
+    return one == 1 ? load(from) : std::max(load(from) / one, -1.0);
+  }
 };
 
 template <class T, class Bits = std::make_unsigned_t<T>>
@@ -122,7 +127,7 @@ std::vector<double> GltfBuffers::read(const json& accessor, std::size_t componen
   numbers.reserve(*count * components);
   for (std::uint64_t i = 0; i < *count; ++i)
     for (std::size_t k = 0; k < components; ++k)
-      numbers.push_back(component->load(bytes.data() + first + i * step + k * component->bytes) / component->one);
+      numbers.push_back(component->value(bytes.data() + first + i * step + k * component->bytes));
   return numbers;
 }
 

@@ -35,10 +35,10 @@ class Reader {
       warn("its animations are left out: its nodes are not those that were read");
       return;
     }
-    for (const json& animation : animations) add(animation);
+    for (const auto& [key, animation] : animations.items()) add(animation, animations.is_object() ? key : "");
     if (has_weights_) warn("it animates morph targets, which are left out: those parts keep their shape");
     if (has_pointers_) warn("it animates by pointers, which are left out");
-    if (is_skinned()) warn("it has skins, which are left out: those parts keep their shape");
+    if (is_skinned()) warn(kSkins);
   }
 
  private:
@@ -89,9 +89,11 @@ class Reader {
     take("scale", to.scale), take("rotation", to.rotation), take("translation", to.translation);
   }
 
-  void add(const json& from) {
+  /// An animation of glTF 1 is called as its key if it has no name.
+  void add(const json& from, const std::string& key) {
     io::Animation& animation = movement_.animations.emplace_back();
     animation.name = text_of(member(from, "name"));
+    if (animation.name.empty()) animation.name = key;
     for (const json& channel : member(from, "channels")) {
       if (auto track = track_of(from, channel)) animation.tracks.push_back(*std::move(track));
     }

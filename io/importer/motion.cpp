@@ -59,6 +59,11 @@ io::Track track_of(std::uint32_t node, Property property, const Key* keys, unsig
   return track;
 }
 
+bool is_skinned(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                     [](const aiMesh* mesh) { return mesh->mNumBones > 0; });
+}
+
 /// The animations as assimp gives them.
 void take_animations(const aiScene& scene, Movement& movement) {
   constexpr double kTicksUnlessSaid = 25;  // what assimp's own tools take
@@ -72,11 +77,12 @@ void take_animations(const aiScene& scene, Movement& movement) {
       const aiNode* const node = scene.mRootNode->FindNode(channel.mNodeName);
       if (node == nullptr) continue;
       const std::uint32_t number = movement.numbers.at(node);
-      to.tracks.push_back(
-          track_of(number, Property::translation, channel.mPositionKeys, channel.mNumPositionKeys, second));
-      to.tracks.push_back(
-          track_of(number, Property::rotation, channel.mRotationKeys, channel.mNumRotationKeys, second));
-      to.tracks.push_back(track_of(number, Property::scale, channel.mScalingKeys, channel.mNumScalingKeys, second));
+      const auto add = [&](Property property, const auto* keys, unsigned count) {
+        if (count > 0) to.tracks.push_back(track_of(number, property, keys, count, second));
+      };
+      add(Property::translation, channel.mPositionKeys, channel.mNumPositionKeys);
+      add(Property::rotation, channel.mRotationKeys, channel.mNumRotationKeys);
+      add(Property::scale, channel.mScalingKeys, channel.mNumScalingKeys);
     }
   }
 }
@@ -92,7 +98,7 @@ std::string_view problem_of(const io::Track& track) {
   return {};
 }
 
-/// Leaves out tracks that cannot be followed, and animations that then move nothing.
+/// Leaves out tracks that cannot be followed, and animations that then move nothing or last no time.
 void keep_sound(Movement& movement) {
   for (io::Animation& animation : movement.animations) {
     std::string_view problem;
@@ -106,7 +112,7 @@ void keep_sound(Movement& movement) {
                                                ": a channel is left out, for ", problem, "; export it again"));
     for (const io::Track& track : animation.tracks) animation.seconds = std::max(animation.seconds, track.times.back());
   }
-  std::erase_if(movement.animations, [](const io::Animation& animation) { return animation.tracks.empty(); });
+  std::erase_if(movement.animations, [](const io::Animation& animation) { return animation.seconds == 0; });
   if (movement.animations.empty()) movement.nodes.clear(), movement.numbers.clear();
 }
 
@@ -119,6 +125,7 @@ Movement read_movement(const char* file, const aiScene& scene) {
     read_gltf_motion(file, scene, movement);
   } else {
     take_animations(scene, movement);
+    if (!movement.animations.empty() && is_skinned(scene)) movement.warnings.emplace_back(kSkins);
   }
   keep_sound(movement);
   return movement;

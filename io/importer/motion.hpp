@@ -21,6 +21,9 @@ struct Movement {
   std::vector<std::string> warnings;  ///< what moves and cannot be followed
 };
 
+/// The warning about parts whose shape bones would change.
+inline constexpr const char* kSkins = "it has skins, which are left out: those parts keep their shape";
+
 /// What moves in a scene that assimp read from this file; without animations no nodes either. glTF's animations are
 /// read from the file, since assimp keeps neither steps nor splines, nor any of glTF 1; those of other formats as
 /// assimp gives them, keys with straight lines between.

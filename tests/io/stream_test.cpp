@@ -21,6 +21,14 @@ constexpr std::array<double, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0
 const std::vector<double> kXyz{0, 0, 0, 1, 0, 0, 0, 1, 0.1};
 const std::vector<std::uint32_t> kTriangle{0, 1, 2};
 
+const ImportedNode kRoot{kNoNode, kIdentity, {1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0}};
+const ImportedNode kChild{0, {1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6, 0, 0, 0, 1}, {1, 2, 3}, {0, 0, 1, 0}, {4, 5, 6}};
+const Animation kOpening{"opening",
+                         2,
+                         {{1, Track::Property::rotation, Track::Between::linear, {0, 2}, {0, 0, 0, 1, 0, 0, 1, 0}},
+                          {0, Track::Property::scale, Track::Between::cubic, {1}, {0, 0, 0, 1, 2, 3, 0, 0, 0}},
+                          {1, Track::Property::translation, Track::Between::step, {0, 1}, {1, 2, 3, 4, 5, 6}}}};
+
 /// What a writer's calls put on the wire.
 template <class Calls>
 std::string written(const Calls& calls) {
@@ -36,9 +44,12 @@ std::string written(const Calls& calls) {
 std::string small_stream() {
   return written([](ImportWriter& writer) {
     writer.warning("careful");
+    writer.node(kRoot);
+    writer.node(kChild);
+    writer.animation(kOpening);
     writer.mesh(kXyz, kTriangle);
-    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, kIdentity);
-    writer.object("", "", "", 0, kIdentity);
+    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, kIdentity);
+    writer.object("", "", "", 0, kNoNode, kIdentity);
     EXPECT_TRUE(writer.end());
   });
 }
@@ -55,6 +66,27 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   EXPECT_EQ(imported->objects[0].path, "engine/bolt");
   EXPECT_EQ(imported->objects[0].product, "IfcBolt_bolt");
   EXPECT_EQ(imported->objects[0].world, kIdentity);
+  EXPECT_EQ(imported->objects[0].node, 1u);
+  EXPECT_EQ(imported->objects[1].node, kNoNode);
+  ASSERT_EQ(imported->nodes.size(), 2u);
+  EXPECT_EQ(imported->nodes[0].parent, kNoNode);
+  EXPECT_EQ(imported->nodes[1].parent, 0u);
+  EXPECT_EQ(imported->nodes[1].local, kChild.local);
+  EXPECT_EQ(imported->nodes[1].scale, kChild.scale);
+  EXPECT_EQ(imported->nodes[1].rotation, kChild.rotation);
+  EXPECT_EQ(imported->nodes[1].translation, kChild.translation);
+  ASSERT_EQ(imported->animations.size(), 1u);
+  EXPECT_EQ(imported->animations[0].name, "opening");
+  EXPECT_EQ(imported->animations[0].seconds, 2);
+  ASSERT_EQ(imported->animations[0].tracks.size(), kOpening.tracks.size());
+  for (std::size_t i = 0; i < kOpening.tracks.size(); ++i) {
+    const Track &found = imported->animations[0].tracks[i], &expected = kOpening.tracks[i];
+    EXPECT_EQ(found.node, expected.node);
+    EXPECT_EQ(found.property, expected.property);
+    EXPECT_EQ(found.between, expected.between);
+    EXPECT_EQ(found.times, expected.times);
+    EXPECT_EQ(found.values, expected.values);
+  }
   const Result<Imported> failed = decode_import(written([](ImportWriter& writer) { writer.error("why not"); }));
   ASSERT_TRUE(failed.has_value());
   EXPECT_EQ(failed->error, "why not");
@@ -67,6 +99,14 @@ TEST(ImportStream, EveryTruncationIsAnError) {
   }
 }
 
+/// Whatever is in a model's animations, where its nodes are can be asked.
+void follow(const Result<Model>& model) {
+  if (!model) return;
+  for (const Animation& animation : model->animations)
+    for (const double share : {-0.1, 0.0, 0.3, 1.0})
+      EXPECT_EQ(nodes_at(*model, animation, share * animation.seconds).size(), model->nodes.size());
+}
+
 TEST(ImportStream, MutationsAreErrorsOrStreams) {
   const unsigned seed = 77;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -77,21 +117,58 @@ TEST(ImportStream, MutationsAreErrorsOrStreams) {
     std::string mutated = stream;
     for (int k = 0; k < 3; ++k) mutated[random() % mutated.size()] = static_cast<char>(random());
     Result<Imported> imported = decode_import(mutated);
-    if (imported) (void)model_of(std::move(*imported), Source{"mutated", "mutated"});
+    if (imported) follow(model_of(std::move(*imported), Source{"mutated", "mutated"}));
     refused += !imported;
   }
   EXPECT_GT(refused, 1000);
 }
 
 TEST(ImportStream, SizesBeyondTheStreamAreRefused) {
-  std::string stream = "impinge1M";
+  std::string stream = "impinge2M";
   append_bytes(stream, std::uint64_t{1} << 61);
   append_bytes(stream, std::uint64_t{1});
   EXPECT_FALSE(decode_import(stream + std::string(100, 'x')).has_value());
 }
 
+/// A stream with one node, and an animation of one track that says so of itself.
+std::string one_track(std::uint32_t node, std::uint32_t property, std::uint32_t between, std::uint64_t keys) {
+  std::string stream = written([](ImportWriter& writer) {
+    writer.node(kRoot);
+    writer.animation({"", 1, {}});
+    EXPECT_TRUE(writer.end());
+  });
+  stream.back() = 'T';
+  append_bytes(stream, node);
+  append_bytes(stream, property);
+  append_bytes(stream, between);
+  append_bytes(stream, keys);
+  return stream + std::string(4 * sizeof(double), '\0') + "Z";
+}
+
+TEST(ImportStream, TracksThatPointNowhereAreRefused) {
+  EXPECT_TRUE(decode_import(one_track(0, 0, 0, 1)).has_value());
+  EXPECT_FALSE(decode_import(one_track(1, 0, 0, 1)).has_value()) << "no such node";
+  EXPECT_FALSE(decode_import(one_track(0, 3, 0, 1)).has_value()) << "no such property";
+  EXPECT_FALSE(decode_import(one_track(0, 0, 3, 1)).has_value()) << "no such way between";
+  EXPECT_FALSE(decode_import(one_track(0, 0, 0, 0)).has_value()) << "no keys";
+  EXPECT_FALSE(decode_import(one_track(0, 0, 2, 1)).has_value()) << "a cubic key is longer";
+  EXPECT_FALSE(decode_import(one_track(0, 0, 0, std::uint64_t{1} << 59)).has_value());
+  EXPECT_FALSE(decode_import("impinge2" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
+      << "a track before any animation";
+  const auto with_node = [](std::uint32_t parent) {
+    return written([&](ImportWriter& writer) {
+      ImportedNode node = kRoot;
+      node.parent = parent;
+      writer.node(node);
+      EXPECT_TRUE(writer.end());
+    });
+  };
+  EXPECT_TRUE(decode_import(with_node(kNoNode)).has_value());
+  EXPECT_FALSE(decode_import(with_node(0)).has_value()) << "its own parent";
+}
+
 Imported one_object(const std::array<double, 16>& world) {
-  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, world}}, {}, {}};
+  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, kNoNode, world}}, {}, {}, {}, {}};
 }
 
 TEST(ImportedModel, ARotationBecomesThePoseAndAnythingElseIsBaked) {

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// impinge motion: when parts clash, against polygons; and what it says and writes.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <thread>
+
+#include "motion/mover.hpp"
+#include "program.hpp"
+#include "scenes/mechanism.hpp"
+#include "tests/io/animated_gltf.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+/// Two parts of a machine overlap from one time to another; nothing: from the beginning, to the end.
+struct Overlap {
+  std::size_t a, b;
+  std::optional<double> from, to;
+};
+
+namespace geometry = boost::geometry;
+using Polygon = geometry::model::polygon<geometry::model::d2::point_xy<double>, false, false>;
+
+Polygon outline(const scenes::FlatPart& part, double seconds) {
+  const scenes::FlatPose pose = scenes::at(part, seconds);
+  const double c = std::cos(pose.angle), s = std::sin(pose.angle);
+  Polygon polygon;
+  for (const scenes::Flat& p : part.outline)
+    geometry::append(polygon.outer(), geometry::model::d2::point_xy<double>(c * p[0] - s * p[1] + pose.place[0],
+                                                                            s * p[0] + c * p[1] + pose.place[1]));
+  return polygon;
+}
+
+bool overlap(const scenes::FlatPart& a, const scenes::FlatPart& b, double seconds) {
+  if (a.low >= b.high || b.low >= a.high) return false;
+  std::vector<Polygon> common;
+  geometry::intersection(outline(a, seconds), outline(b, seconds), common);
+  double area = 0;
+  for (const Polygon& polygon : common) area += geometry::area(polygon);
+  return area > 1e-12;
+}
+
+/// By many steps and halvings, on polygons alone.
+std::vector<Overlap> overlaps(const std::vector<scenes::FlatPart>& parts, double seconds) {
+  constexpr int kSteps = 1500;
+  std::vector<Overlap> found;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    for (std::size_t b = a + 1; b < parts.size(); ++b) {
+      bool was = overlap(parts[a], parts[b], 0);
+      if (was) found.push_back({a, b, std::nullopt, std::nullopt});
+      for (int i = 1; i <= kSteps; ++i) {
+        double lo = seconds * (i - 1) / kSteps, hi = seconds * i / kSteps;
+        const bool is = overlap(parts[a], parts[b], hi);
+        if (is == was) continue;
+        for (int k = 0; k < 40; ++k) {
+          const double middle = (lo + hi) / 2;
+          (overlap(parts[a], parts[b], middle) == was ? lo : hi) = middle;
+        }
+        if (is) found.push_back({a, b, lo, std::nullopt});
+        if (!is) found.back().to = lo;
+        was = is;
+      }
+    }
+  }
+  return found;
+}
+
+constexpr double kSeconds = 4;
+
+class Motion : public testing::Test {
+ protected:
+  void write(const std::vector<scenes::FlatPart>& parts) { folder.write("case.glb", scenes::animated_glb(parts)); }
+  [[nodiscard]] Ended run(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words{"motion", "case.glb"};
+    words.insert(words.end(), more.begin(), more.end());
+    return impinge(folder, words);
+  }
+  [[nodiscard]] json report(std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"--json", "-"});
+    const Ended ended = run(more);
+    EXPECT_EQ(ended.err, "");
+    json report = json::parse(ended.out, nullptr, false);
+    EXPECT_FALSE(report.is_discarded()) << ended.out;
+    if (report.is_object()) {
+      EXPECT_EQ(ended.code, report.at("spans").empty() ? 0 : 1);
+    }
+    return report;
+  }
+  Folder folder;
+};
+
+void expect_moment(const json& found, const std::optional<double>& expected, double most) {
+  ASSERT_EQ(found.is_null(), !expected.has_value());
+  if (!expected) return;
+  EXPECT_LE(found.at(0), found.at(1));
+  EXPECT_LT(found.at(1).get<double>() - found.at(0).get<double>(), kSeconds * 1e-6);
+  EXPECT_NEAR(found.at(0), *expected, most);
+}
+
+/// What is nearer than `most` seconds to the true time is right: outlines reach into each other by 0.1 a second and
+/// more where they begin to, single precision moves them by 1e-6, and a tolerance excuses itself.
+void expect_spans(const json& report, const std::vector<Overlap>& expected, double most) {
+  const json& spans = report.at("spans");
+  ASSERT_EQ(spans.size(), expected.size()) << report.dump();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(spans[i].at("a"), expected[i].a);
+    EXPECT_EQ(spans[i].at("b"), expected[i].b);
+    expect_moment(spans[i].at("from"), expected[i].from, most);
+    expect_moment(spans[i].at("to"), expected[i].to, most);
+    EXPECT_EQ(spans[i].at("worst"), "penetrating");
+    EXPECT_GE(spans[i].at("worst_at"), expected[i].from.value_or(0));
+    EXPECT_LE(spans[i].at("worst_at"), expected[i].to.value_or(kSeconds));
+  }
+}
+
+constexpr double kExactly = 2e-5, kAutomatically = 2e-4;
+
+TEST_F(Motion, TheRockerRunsIntoItsStopWhenThePolygonsDo) {
+  const auto parts = scenes::four_bar_linkage(kSeconds);
+  write(parts);
+  const auto expected = overlaps(parts, kSeconds);
+  ASSERT_EQ(expected.size(), 1u);
+  expect_spans(report(), expected, kAutomatically);
+  expect_spans(report({"--tolerance", "0"}), expected, kExactly);
+  expect_spans(report({"--frames", "7"}), expected, kAutomatically);
+}
+
+TEST_F(Motion, GearsClashWhenTheirPolygonsDo) {
+  for (const double distance : {7.875, 7.859375, 7.84765625, 7.75}) {
+    SCOPED_TRACE(distance);
+    const auto parts = scenes::gear_pair(kSeconds, distance);
+    write(parts);
+    const auto expected = overlaps(parts, kSeconds);
+    // 12 teeth, twice each; at 7.84765625 they clash in the beginning and in the end, and less long apart than a step.
+    const std::size_t count = distance > 7.86 ? 0 : distance > 7.85 ? 24 : distance > 7.8 ? 37 : 1;
+    EXPECT_EQ(expected.size(), count);
+    const auto frames = distance > 7.85 || distance < 7.8 ? "120" : "600";
+    expect_spans(report({"--frames", frames, "--tolerance", "0"}), expected, 1e-4);
+  }
+}
+
+/// The limit that is stated: what is over within a step.
+TEST_F(Motion, ShortClashesNeedShortSteps) {
+  const auto parts = scenes::gear_pair(kSeconds, 7.859375);
+  write(parts);
+  const auto expected = overlaps(parts, kSeconds);
+  for (const Overlap& overlap : expected) ASSERT_LT(*overlap.to - *overlap.from, 0.05);
+  const json coarse = report({"--frames", "20", "--tolerance", "0"});
+  EXPECT_EQ(coarse.at("animation").at("step"), 0.2);
+  std::size_t seen = 0;
+  for (const Overlap& overlap : expected)
+    for (int frame = 0; frame <= 20; ++frame)
+      seen += kSeconds * frame / 20 >= *overlap.from && kSeconds * frame / 20 <= *overlap.to;
+  ASSERT_LT(seen, expected.size());
+  EXPECT_EQ(coarse.at("spans").size(), seen);
+}
+
+TEST_F(Motion, SaysTheSameOnAnyNumberOfThreads) {
+  write(scenes::four_bar_linkage(kSeconds));
+  const std::string one = run({"--json", "-", "--depth", "--threads", "1"}).out;
+  EXPECT_TRUE(json::accept(one));
+  EXPECT_EQ(run({"--json", "-", "--depth", "--threads", "4"}).out, one);
+  EXPECT_EQ(run({"--json", "-", "--depth"}).out, one);
+}
+
+/// A cube of edge 2 goes through another one: they touch at x = -2, overlap until 2, and are one at 0.
+void write_passing(const Folder& folder) {
+  AnimatedGltf file;
+  const int still = file.node({{"name", "still"}, {"mesh", 0}});
+  const int moving = file.node({{"name", "moving"}, {"mesh", 0}});
+  file.roots({still, moving});
+  file.animation("pass");
+  file.channel(moving, "translation", {0, 8}, {-4, 0, 0, 4, 0, 0});
+  file.animation("stay away");
+  file.channel(moving, "translation", {0, 1}, {4, 0, 0, 5, 0, 0});
+  file.animation("2");
+  file.channel(moving, "translation", {0, 1}, {0, 0.5, 0, 0, 1, 0});
+  folder.write("case.glb", file.glb());
+}
+
+TEST_F(Motion, OptionsSayWhatIsAClash) {
+  write_passing(folder);
+  const json passing = report({"--frames", "16", "--tolerance", "0", "--depth"});
+  ASSERT_EQ(passing.at("spans").size(), 1u);
+  const json& span = passing["spans"][0];
+  expect_moment(span.at("from"), 2, 1e-5);
+  expect_moment(span.at("to"), 6, 1e-5);
+  EXPECT_EQ(span.at("worst"), "duplicate");
+  EXPECT_EQ(span.at("worst_at"), 4);
+  EXPECT_EQ(passing.at("settings").at("fail_on"), (json{"penetration", "inside"}));
+  EXPECT_EQ(passing.at("objects").at(0).at("moves"), false);
+  EXPECT_EQ(passing.at("objects").at(1).at("moves"), true);
+
+  // By contact they clash at the frames 2 and 6 as well, between which and the next ones they part at once.
+  const json contact = report({"--frames", "16", "--tolerance", "0", "--fail-on", "contact"});
+  expect_moment(contact.at("spans").at(0).at("from"), 2, 1e-5);
+  EXPECT_EQ(run({"--fail-on", "inside"}).code, 0);
+  EXPECT_EQ(run({"--ignore", "still", "mov*"}).code, 0);
+  EXPECT_EQ(run({"--ignore", "still", "moved"}).code, 2);
+  // A tolerance of a quarter of the wall, 2 * 8 / 24, is the greatest: it excuses so much of the way.
+  expect_moment(report({"--tolerance", "0.1"}).at("spans").at(0).at("from"), 2.1, 1e-5);
+}
+
+TEST_F(Motion, OneOfSeveralAnimationsIsChosen) {
+  write_passing(folder);
+  EXPECT_EQ(report().at("animation").at("name"), "pass");
+  EXPECT_EQ(report({"--animation", "stay away"}).at("spans").size(), 0u);
+  EXPECT_EQ(report({"--animation", "1"}).at("animation").at("name"), "stay away");
+  EXPECT_EQ(report({"--animation", "0"}).at("animation").at("name"), "pass");
+  const json named = report({"--animation", "2"});
+  EXPECT_EQ(named.at("animation").at("name"), "2") << "a name goes before a number";
+  EXPECT_TRUE(named.at("spans").at(0).at("from").is_null());
+  EXPECT_TRUE(named.at("spans").at(0).at("to").is_null());
+  const Ended none = run({"--animation", "3"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("has no such animation, but 0 'pass', 1 'stay away', 2 '2'"), std::string::npos) << none.err;
+}
+
+TEST_F(Motion, WrongWordsAreErrors) {
+  write_passing(folder);
+  const std::vector<std::vector<std::string>> kWrong{{"--frames", "0"},      {"--frames", "1000001"},
+                                                     {"--frames", "x"},      {"--fail-on", "clearance"},
+                                                     {"--tolerance", "-1"},  {"case.glb"},
+                                                     {"--json", "case.glb"}, {"--html", "no/such/folder.html"}};
+  for (const auto& words : kWrong) EXPECT_EQ(run(words).code, 2) << words[0] << " " << words.back();
+  EXPECT_EQ(run({"--frames", "1"}).code, 0) << "the cubes are apart in the beginning and in the end";
+  AnimatedGltf still;
+  still.roots({still.node({{"mesh", 0}})});
+  folder.write("case.glb", still.glb());
+  const Ended ended = run();
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("nothing moves in it"), std::string::npos) << ended.err;
+}
+
+/// Nothing is left of a part that is scaled to nothing where it rests.
+TEST_F(Motion, APartWithoutAShapeIsAnError) {
+  AnimatedGltf file;
+  const int part = file.node({{"name", "seed"}, {"mesh", 0}, {"scale", {0, 0, 0}}});
+  file.roots({part});
+  file.animation("grow");
+  file.channel(part, "scale", {0, 1}, {0, 0, 0, 1, 1, 1});
+  folder.write("case.glb", file.glb());
+  const Ended ended = run();
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("'seed'"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("scale other than 0"), std::string::npos) << ended.err;
+}
+
+/// A bar that is stretched while it turns reaches what it would not otherwise.
+TEST_F(Motion, StretchedPartsAreMappedAtEachTime) {
+  AnimatedGltf file;
+  const int bar = file.node({{"name", "bar"}, {"mesh", 0}});
+  const int frame = file.node({{"name", "frame"}, {"scale", {3, 1, 1}}, {"children", {bar}}});
+  const int post = file.node({{"name", "post"}, {"mesh", 0}, {"translation", {0, 3, 0}}});
+  file.roots({frame, post});
+  file.animation("stretch");
+  file.channel(bar, "scale", {0, 4}, {1, 1, 1, 1, 3, 1});  // its top is at 1 + t / 2: at 2 it meets the post
+  folder.write("case.glb", file.glb());
+  const json out = report({"--tolerance", "0", "--frames", "7"});
+  ASSERT_EQ(out.at("spans").size(), 1u);
+  expect_moment(out["spans"][0].at("from"), 2, 1e-5);
+  EXPECT_TRUE(out["spans"][0].at("to").is_null());
+  // Turned by a quarter within the frame it is 3 wide and 1 high, as before, but on the way its corners go up to where
+  // |(sin u, cos u)| of (1, 1) reaches: the square root of 2, at half time.
+  AnimatedGltf other;
+  const int square = other.node({{"name", "square"}, {"mesh", 0}});
+  other.roots({other.node({{"scale", {3, 1, 1}}, {"children", {square}}}),
+               other.node({{"name", "post"}, {"mesh", 0}, {"translation", {0, 2.25, 0}}})});
+  other.animation("turn");
+  const double half = std::sqrt(0.5);
+  other.channel(square, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half});
+  folder.write("case.glb", other.glb());
+  // Its top at the angle u is sin u + cos u = sqrt 2 cos (u - 45 degrees), at x = 3 (cos u - sin u): the post reaches
+  // from -1 to 1 there. Its lower side is at 1.25.
+  const double begin = (std::numbers::pi / 4 - std::acos(1.25 / std::numbers::sqrt2)) / (std::numbers::pi / 2);
+  const json turned = report({"--tolerance", "0", "--frames", "50"});
+  ASSERT_EQ(turned.at("spans").size(), 1u);
+  // The corner comes over the post where 3 (cos u - sin u) is 1; its edges reach it before that, so it is no earlier
+  // than the corner's height and no later than when the corner is over it.
+  const double over = (std::numbers::pi / 4 - std::asin(1 / (3 * std::numbers::sqrt2))) / (std::numbers::pi / 2);
+  const double from = turned["spans"][0].at("from").at(0), to = turned["spans"][0].at("to").at(0);
+  EXPECT_GE(from, begin - 1e-5);
+  EXPECT_LE(from, over + 1e-5);
+  EXPECT_NEAR(from + to, 1, 1e-5) << "it is the same backwards";
+}
+
+TEST_F(Motion, TheTableSaysWhatItCannotSee) {
+  write(scenes::four_bar_linkage(kSeconds));
+  const Ended ended = run({"--frames", "40"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.out.find("rocker"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("5 parts, 3 of them moving"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("Looked at 40 steps of 0.1"), std::string::npos) << ended.out;
+  EXPECT_EQ(run({"--quiet"}).out, "");
+}
+
+TEST_F(Motion, AnInterruptLeavesNoFile) {
+  write(scenes::gear_pair(kSeconds, 7.75));
+  const auto before = folder.names();
+  Running running(folder, {IMPINGE_PROGRAM, "motion", "case.glb", "--frames", "1000000", "--json", "out.json"});
+  ASSERT_TRUE(running.handles(SIGINT, 20s));
+  std::this_thread::sleep_for(300ms);
+  running.send(SIGINT);
+  const Ended ended = running.wait();
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.err, "impinge: interrupted; there is no result\n");
+  EXPECT_EQ(folder.names(), before);
+}
+
+/// Corners on a page, in single precision about their mesh's middle, and where its poses put them.
+class MotionPage : public Motion {
+ protected:
+  void SetUp() override {
+    folder.write("page.html", "<!doctype html><title>t</title>\n<!-- impinge: data -->\n");
+    launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
+  }
+  Launch launch;
+};
+
+TEST_F(MotionPage, ItsPosesPutWhatIsDrawnWhereItIs) {
+  AnimatedGltf file;
+  const int hand = file.node({{"name", "hand"}, {"mesh", 0}, {"translation", {0, 3, 0}}});
+  const int arm =
+      file.node({{"name", "arm"}, {"mesh", 0}, {"scale", {1, 2, 1}}, {"translation", {9, 0, 0}}, {"children", {hand}}});
+  file.roots({arm, file.node({{"name", "still"}, {"mesh", 0}})});
+  file.animation("swing");
+  const double half = std::sqrt(0.5);
+  file.channel(arm, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half});
+  file.channel(hand, "rotation", {0, 1}, {0, 0, 0, 1, half, 0, 0, half});
+  folder.write("case.glb", file.glb());
+  const Ended ended = impinge(folder, {"motion", "case.glb", "--html", "out.html", "--frames", "4"}, launch);
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  const std::string page = folder.read("out.html");
+  const auto block = [&](const std::string& id) {
+    const std::string start = "<script type=\"application/json\" id=\"" + id + "\">\n";
+    const std::size_t from = page.find(start);
+    EXPECT_NE(from, std::string::npos) << id;
+    if (from == std::string::npos) return json();
+    return json::parse(page.substr(from + start.size(), page.find("</script", from) - from - start.size()));
+  };
+  const json motion = block("motion"), scene = block("scene");
+  ASSERT_TRUE(motion.is_object());
+  EXPECT_EQ(motion.at("times"), (json{0, 0.25, 0.5, 0.75, 1}));
+
+  const Result<io::Model> model = io::read(folder.path() / "case.glb");
+  ASSERT_TRUE(model);
+  const cli::Mover mover(*model, model->animations[0]);
+  std::vector<std::uint32_t> ids;
+  for (const json& object : motion.at("objects")) {
+    const auto id = object.at("id").get<std::uint32_t>();
+    ids.push_back(id);
+    const Mesh& mesh = model->objects[id].mesh;
+    const auto poses = object.at("poses").get<std::vector<std::array<double, 12>>>();
+    ASSERT_EQ(poses.size(), 5u);
+    // What is drawn are the corners about the middle of their box.
+    Point lo = mesh.vertices()[0], hi = lo;
+    for (const Point& p : mesh.vertices()) {
+      lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+      hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+    }
+    const Point middle{(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
+    for (std::size_t frame = 0; frame < 5; ++frame) {
+      const auto posed = mover.at(0.25 * static_cast<double>(frame));
+      ASSERT_TRUE(posed);
+      const cli::Posed& where = (*posed)[id];
+      for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const Point& p = mesh.vertices()[v];
+        const Point& q = where.mesh.vertices()[v];
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double* const row = &poses[frame][4 * k];
+          const double* const r = &where.pose.R[3 * k];
+          EXPECT_NEAR(row[0] * (p.x - middle.x) + row[1] * (p.y - middle.y) + row[2] * (p.z - middle.z) + row[3],
+                      r[0] * q.x + r[1] * q.y + r[2] * q.z + where.pose.t[k], 1e-9);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(ids, (std::vector<std::uint32_t>{0, 1})) << "what stands still has no poses";
+}
+
+}  // namespace
+}  // namespace impinge::test
