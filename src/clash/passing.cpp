@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
+#include <vector>
 
+#include "clash/fold_side.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/pseudo_normal.hpp"
 #include "clash/sheets.hpp"
 #include "clash/slab.hpp"
 #include "core/disjoint_sets.hpp"
@@ -35,16 +37,17 @@ class Passing {
 
   /// Grows the box of what `own` has near the other's triangle, and returns the sides of the triangle on which it goes
   /// on. They are not looked for on those that are `known`.
-  std::uint8_t see(const Triangle& own, const LinkedPart& others, std::uint32_t other, std::uint8_t known,
-                   Box& near) const {
-    const Triangle seen_from = frame_.to_local(others.part.body.triangle(other));
-    const auto slab = make_slab(seen_from, frame_.unit * tolerance_, frame_.scale);
+  std::uint8_t see(const Triangle& own, const PartTriangle& other, bool is_bent, std::uint8_t known, Box& near) const {
+    const auto slab = make_slab(other.local, frame_.unit * tolerance_, frame_.scale);
     if (!slab || !slab->has_plane) return 0;
-    const Triangle local = frame_.to_local(own);
-    for (const Vec3& point : cut(cut(between(local, *slab), slab->top).within, slab->bottom).within)
-      near.lo = min(near.lo, point), near.hi = max(near.hi, point);
-    const std::uint8_t found = over(local, *slab, seen_from, others.part.body, known);
-    return found | around(local, *slab, others, other, known | found);
+    const Polygon piece = between(Polygon(own), *slab);
+    for (const Vec3& point : along(piece, *slab)) near.lo = min(near.lo, point), near.hi = max(near.hi, point);
+    const std::uint8_t found = over(piece, *slab, other, known);
+    return is_bent ? found | around(own, *slab, other, known | found) : found;
+  }
+
+  [[nodiscard]] PartTriangle triangle(const LinkedPart& part, std::uint32_t id) const {
+    return {part, frame_, id, frame_.to_local(part.part.body.triangle(id))};
   }
 
   /// A point has no length: what two sheets that meet in one have near each other is longer than the tolerance only as
@@ -57,40 +60,41 @@ class Passing {
  private:
   static constexpr std::uint8_t kBoth = kAbove | kBelow;
 
-  static Polygon between(const Triangle& triangle, const Slab& slab) {
-    Polygon piece(triangle);
+  static Polygon between(Polygon piece, const Slab& slab) {
     for (std::size_t i = 0; i < slab.size && piece.size() > 0; ++i) piece = cut(piece, slab.sides[i]).within;
     return piece;
   }
+  static Polygon along(const Polygon& piece, const Slab& slab) {
+    return cut(cut(piece, slab.top).within, slab.bottom).within;
+  }
 
   /// What goes on over the triangle, however far.
-  [[nodiscard]] std::uint8_t over(const Triangle& own, const Slab& slab, const Triangle& seen_from,
-                                  const solid::Body& others, std::uint8_t known) const {
-    Polygon piece = between(own, slab);
-    const auto sides = sides_of(seen_from);
+  [[nodiscard]] std::uint8_t over(Polygon piece, const Slab& slab, const PartTriangle& other,
+                                  std::uint8_t known) const {
+    const auto sides = sides_of(other.local);
     for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
     if (piece.size() == 0) return 0;
     const Cut top = cut(piece, slab.top), bottom = cut(piece, slab.bottom);
     std::uint8_t found = 0;
     for (const auto& [side, beyond] : {std::pair(kAbove, &top.beyond), {kBelow, &bottom.beyond}})
-      if ((known & side) == 0 && beyond->size() > 0 && goes_on(*beyond, seen_from, others)) found |= side;
+      if ((known & side) == 0 && beyond->size() > 0 && goes_on(*beyond, other)) found |= side;
     return found;
   }
 
-  /// What goes on close to the triangle, but perhaps beyond its edges: over none of the triangles there, if they are
-  /// the legs of a fold.
-  [[nodiscard]] std::uint8_t around(const Triangle& own, const Slab& slab, const LinkedPart& others,
-                                    std::uint32_t other, std::uint8_t known) const {
+  /// What goes on close to the triangle, but beyond its edges: over none of those that meet there, if it is on the
+  /// outer side of a fold.
+  [[nodiscard]] std::uint8_t around(const Triangle& own, Slab slab, const PartTriangle& other,
+                                    std::uint8_t known) const {
     if (known == kBoth) return 0;
-    constexpr double kWider = 3;
-    Slab wide = slab;
-    for (HalfSpace* side : {&wide.top, &wide.bottom}) side->offset += kWider * frame_.unit * tolerance_;
-    for (std::size_t i = 0; i < wide.size; ++i) wide.sides[i].offset += kWider * frame_.unit * tolerance_;
-    const Polygon piece = cut(cut(between(own, wide), wide.top).within, wide.bottom).within;
+    const double wider = 3 * frame_.unit * tolerance_;
+    slab.top.offset += wider, slab.bottom.offset += wider;
+    for (std::size_t i = 0; i < slab.size; ++i) slab.sides[i].offset += wider;
+    const Polygon piece = along(between(Polygon(own), slab), slab);
     if (piece.size() == 0) return 0;
     std::uint8_t found = 0;
     const auto try_at = [&](const Vec3& point) {
-      if ((known | found) != kBoth) found |= side_of(point, others, other, static_cast<std::uint8_t>(known | found));
+      const std::uint8_t side = side_of_fold(other, point, frame_.unit * tolerance_);
+      if ((side & ~(known | found)) != 0 && is_seen(point, other)) found |= side;
     };
     try_at(piece.middle());
     for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -98,22 +102,6 @@ class Passing {
       try_at(vertex), try_at(0.5 * (vertex + next));
     }
     return found;
-  }
-
-  /// On which side of the other body a point is that is farther than the tolerance from it and has its nearest point on
-  /// a triangle of it; 0 if that is none or one of those that are `known`.
-  [[nodiscard]] std::uint8_t side_of(const Vec3& point, const LinkedPart& others, std::uint32_t other,
-                                     std::uint8_t known) const {
-    const Triangle triangle = frame_.to_local(others.part.body.triangle(other));
-    const measure::TriangleDistance nearest = measure::point_distance(point, triangle, kFarthest);
-    if (!(nearest.distance > frame_.unit * tolerance_)) return 0;
-    const auto normal = pseudo_normal(others, frame_, {other, nearest.b, frame_.unit * tolerance_ / 64});
-    if (!normal) return 0;
-    const double height = dot(*normal, point - nearest.b);
-    // In a face's plane, or that of two which are folded up flat, there are no sides.
-    if (!(std::abs(height) > 0x1p-10 * nearest.distance)) return 0;
-    const std::uint8_t side = height > 0 ? kAbove : kBelow;
-    return (known & side) == 0 && is_seen(point, triangle, others.part.body) ? side : std::uint8_t{0};
   }
 
   /// Across the triangle's plane along its edges, a little wider than it: what runs along an edge is seen from one of
@@ -131,17 +119,18 @@ class Passing {
 
   /// Whether a point is farther than the tolerance from the other body, and of that body no nearer to another triangle:
   /// what passes beyond the triangle's end, before another face, is that one's to tell.
-  [[nodiscard]] bool is_seen(const Vec3& point, const Triangle& triangle, const solid::Body& body) const {
+  [[nodiscard]] bool is_seen(const Vec3& point, const PartTriangle& triangle) const {
+    const hierarchy::PlacedTree& body = triangle.part.part.body.placed;
     const Vec3 world = frame_.to_world(point);
-    if (measure::nearest_point(body.placed, world, tolerance_, tolerance_)) return false;
+    if (measure::nearest_point(body, world, tolerance_, tolerance_)) return false;
     constexpr double kNearer = 1 - 0x1p-20;
-    const double distance = measure::point_distance(point, triangle, kFarthest).distance / frame_.unit;
-    return !measure::nearest_point(body.placed, world, kNearer * distance, kNearer * distance);
+    const double distance = measure::point_distance(point, triangle.local, kFarthest).distance / frame_.unit;
+    return !measure::nearest_point(body, world, kNearer * distance, kNearer * distance);
   }
 
   /// Whether some of the points that are tried is seen from the triangle.
-  [[nodiscard]] bool goes_on(const Polygon& piece, const Triangle& triangle, const solid::Body& body) const {
-    const auto seen = [&](const Vec3& point) { return is_seen(point, triangle, body); };
+  [[nodiscard]] bool goes_on(const Polygon& piece, const PartTriangle& triangle) const {
+    const auto seen = [&](const Vec3& point) { return is_seen(point, triangle); };
     const Vec3 middle = piece.middle();
     if (seen(middle)) return true;
     return std::any_of(piece.begin(), piece.end(), [&](const Vec3& vertex) {
@@ -157,6 +146,19 @@ class Passing {
   const solid::Body &a_, &b_;
   double tolerance_;
   LocalFrame frame_;
+};
+
+/// Around which triangles of some sheets the surface is bent, looked up once.
+class Bends {
+ public:
+  explicit Bends(const Sheets& sheets) : bent_(sheets.ids.size()) {}
+  bool operator()(std::uint32_t index, const PartTriangle& triangle) {
+    if (!bent_[index]) bent_[index] = is_bent_around(triangle);
+    return *bent_[index];
+  }
+
+ private:
+  std::vector<std::optional<bool>> bent_;
 };
 
 /// Every near pair, those that the encounter left out too.
@@ -186,16 +188,17 @@ bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, co
   each_near(a, b, tolerance, encounter, join, stop);
 
   const Passing passing(a, b, tolerance);
+  Bends bent_a(of_a), bent_b(of_b);
   std::map<std::array<std::uint32_t, 3>, Place> places;
   bool pass = false;
   const auto look_at = [&](const TrianglePair& pair) {
     if (!is_proper(pair)) return true;
     const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
     Place& place = places[{groups.find(i), of_a.cluster[i], of_b.cluster[j]}];
-    const Triangle own_a = a.part.body.triangle(pair.a), own_b = b.part.body.triangle(pair.b);
+    const PartTriangle of_pair_a = passing.triangle(a, pair.a), of_pair_b = passing.triangle(b, pair.b);
     const std::uint8_t known_a = place.b_at_a.from(of_a, i), known_b = place.a_at_b.from(of_b, j);
-    place.b_at_a.add(of_a, i, passing.see(own_b, a, pair.a, known_a, place.box));
-    place.a_at_b.add(of_b, j, passing.see(own_a, b, pair.b, known_b, place.box));
+    place.b_at_a.add(of_a, i, passing.see(of_pair_b.local, of_pair_a, bent_a(i, of_pair_a), known_a, place.box));
+    place.a_at_b.add(of_b, j, passing.see(of_pair_a.local, of_pair_b, bent_b(j, of_pair_b), known_b, place.box));
     pass = place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box);
     return !pass;
   };
