@@ -17,15 +17,15 @@ struct PartTriangle {
   Triangle local;
 };
 
-/// Whether the surface leaves the triangle's plane by an angle above 2^-6 at one of its edges or corners.
+/// Whether the surface is bent by more than an angle of 2^-6 at one of the triangle's edges.
 bool is_bent_around(const PartTriangle& triangle);
 
-/// On which side of the surface, as the triangle looks, a point is which has, of all triangles there, its nearest point
-/// on an edge or in a corner of this one: before the sum of the normals that meet there, by their angles in a corner,
-/// or behind (Baerentzen and Aanaes, Signed distance computation using the angle weighted pseudonormal, 2005).
+/// On which side of the surface, as the triangle looks, a point is that is farther than `beyond` from one of the
+/// triangle's edges and, of both triangles there, has its nearest point on that edge: the side of the sum of their
+/// normals (Baerentzen and Aanaes, Signed distance computation using the angle weighted pseudonormal, 2005).
 ///
-/// 0 for all other points and those that are no farther than `beyond`; also where the surface ends or branches, where
-/// it is folded up flat or a normal is not known well enough, and in corners of very many triangles.
+/// 0 for all other points; also where the surface ends or branches, is folded up flat, or a normal is not known well
+/// enough. So it is at corners: what is near in a corner alone is near in a point.
 std::uint8_t side_of_fold(const PartTriangle& triangle, const Vec3& point, double beyond);
 
 }  // namespace impinge::clash

@@ -120,7 +120,7 @@ class Passing {
   /// Whether a point is farther than the tolerance from the other body, and of that body no nearer to another triangle:
   /// what passes beyond the triangle's end, before another face, is that one's to tell.
   [[nodiscard]] bool is_seen(const Vec3& point, const PartTriangle& triangle) const {
-    const hierarchy::PlacedTree& body = triangle.part.part.body.placed;
+    const auto& body = triangle.part.part.body.placed;
     const Vec3 world = frame_.to_world(point);
     if (measure::nearest_point(body, world, tolerance_, tolerance_)) return false;
     constexpr double kNearer = 1 - 0x1p-20;
@@ -148,7 +148,9 @@ class Passing {
   LocalFrame frame_;
 };
 
-/// Around which triangles of some sheets the surface is bent, looked up once.
+/// Around which triangles of some sheets the surface is bent; looked up once. Elsewhere what goes on beyond an edge is
+/// over one of the triangles there, as wide as they are taken: a bend of 2^-6 makes room for 1/16 of the tolerance in
+/// four.
 class Bends {
  public:
   explicit Bends(const Sheets& sheets) : bent_(sheets.ids.size()) {}
