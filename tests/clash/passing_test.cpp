@@ -129,6 +129,21 @@ TEST(Passing, ARibOutsideOfAnAcuteFold) {
   expect_verdict(Verdict::crossing, pyramid, plate({{3, 3, 0}, {0, 0, 0}, {0, 0, 9}, {3, 3, 9}}), "along an edge");
 }
 
+/// Between the ridge and a sheet behind it nothing is farther than the tolerance from both.
+TEST(Passing, APlateThroughARidgeUpToTheNextSheet) {
+  constexpr double kTolerance = 1e-2;
+  const MeshData roof = swept({{-2, -4}, {0, 0}, {2, -4}}, {0, 8});
+  for (const double gap : {1.8, 8.0}) {
+    const double height = gap * kTolerance;
+    const MeshData both = scenes::joined(roof, swept({{-2, height}, {2, height}}, {0, 8}));
+    const MeshData post = swept({{0, -3}, {0, height}}, {2, 6});
+    const Verdict expected = gap < 2 ? Verdict::touching : Verdict::crossing;
+    EXPECT_EQ(verdict(both, post, {}, kTolerance), name(expected)) << gap;
+    EXPECT_EQ(verdict(post, both, {}, kTolerance), name(expected)) << gap;
+    EXPECT_EQ(verdict(roof, post, {}, kTolerance), name(Verdict::crossing)) << gap;
+  }
+}
+
 /// Half-planes that begin at one line, in the order of their angles: two sheets of two each pass through each other if
 /// and only if one's are on different sides of the other's.
 TEST(Passing, TwoSheetsAroundALine) {
