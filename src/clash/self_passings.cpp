@@ -111,8 +111,7 @@ class SelfPassings {
       const auto near = clipped({of_a[e], of_a[(e + 1) % 3]}, *slab);
       if (!near || norm(near->to - near->from) <= kFarther * tolerance_) continue;
       const auto sheet = sheet_at(a, e);
-      if (sheet && passes_at(*sheet, key(corners(a)[e], corners(a)[(e + 1) % 3]), *near, b, *slab))
-        return true;
+      if (sheet && passes_at(*sheet, key(corners(a)[e], corners(a)[(e + 1) % 3]), *near, b, *slab)) return true;
     }
     return false;
   }
