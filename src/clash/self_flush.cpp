@@ -12,6 +12,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/near_part.hpp"
 #include "clash/slab.hpp"
+#include "core/disjoint_sets.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {
@@ -50,23 +51,31 @@ class SelfFlush {
  public:
   SelfFlush(const solid::Body& body, const solid::Topology& topology, double tolerance)
       : body_(body), topology_(topology), setting_{local_frame(body.box, body.box), tolerance} {
-    const double unit = setting_.frame.unit;
-    double area = 0, volume = 0;
-    std::vector<Shell> shells(topology.shells);
-    for (std::uint32_t t = 0; t < body.size(); ++t) {
-      if (topology.shell[t] == solid::Topology::kNoShell) continue;
+    DisjointSets pieces(topology.positions);
+    const auto each_proper = [&](const auto& look_at) {
+      for (std::uint32_t t = 0; t < body.size(); ++t)
+        if (is_proper(t)) look_at(t);
+    };
+    each_proper([&](std::uint32_t t) {
+      const auto& [i, j, k] = body.placed.mesh->triangles[t];
+      pieces.join(topology.position[i], topology.position[j]), pieces.join(topology.position[i], topology.position[k]);
+    });
+    std::vector<Measure> measures(topology.positions);
+    Measure whole;
+    piece_.resize(body.size());
+    each_proper([&](std::uint32_t t) {
       const Triangle triangle = setting_.frame.to_local(body.triangle(t));
       const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-      Shell& shell = shells[topology.shell[t]];
-      shell.area += norm(normal) / 2, shell.volume += dot(triangle[0], normal) / 6;
-    }
-    for (const Shell& shell : shells) {
-      area += shell.area, volume += shell.volume;
-      most_.push_back(shell.area > 0 ? 2 * std::abs(shell.volume) / shell.area / unit / kOfWall : 0);
-    }
-    is_outward_ = volume > 0;
-    // The whole's wall is that between a shell and its cavity; a shell's own, that of a foil on a block.
-    whole_ = area > 0 ? 2 * std::abs(volume) / area / unit / kOfWall : 0;
+      piece_[t] = pieces.find(topology.position[body.placed.mesh->triangles[t][0]]);
+      for (Measure* const measure : {&measures[piece_[t]], &whole})
+        measure->area += norm(normal) / 2, measure->volume += dot(triangle[0], normal) / 6;
+    });
+    const auto most = [&](const Measure& m) {
+      return m.area > 0 ? 2 * std::abs(m.volume) / m.area / setting_.frame.unit / kOfWall : 0;
+    };
+    is_outward_ = whole.volume > 0;
+    whole_ = most(whole);
+    for (const Measure& measure : measures) most_.push_back(most(measure));
   }
 
   /// Of all pairs: how far triangles may be from each other to be of interest.
@@ -79,14 +88,13 @@ class SelfFlush {
   }
 
   [[nodiscard]] bool is_one(const TrianglePair& pair) const {
-    const std::uint32_t shell_a = topology_.shell[pair.a], shell_b = topology_.shell[pair.b];
-    if (shell_a == solid::Topology::kNoShell || shell_b == solid::Topology::kNoShell) return false;
+    if (!is_proper(pair.a) || !is_proper(pair.b)) return false;
     const Triangle a = body_.triangle(pair.a), b = body_.triangle(pair.b), local_a = setting_.frame.to_local(a);
     const Vec3 normal = normal_of(local_a);
     const double cosine = dot(normal, normal_of(setting_.frame.to_local(b)));
     if (std::abs(cosine) < kParallel) return false;
     NearSetting setting = setting_;
-    setting.tolerance = std::min({setting.tolerance, most_[shell_a], most_[shell_b]});
+    setting.tolerance = std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
     if (!is_told(setting.tolerance)) return false;
     const NearPart near = flush_part(a, b, setting);
     std::array<Vec3, 6> corners;
@@ -99,9 +107,10 @@ class SelfFlush {
   }
 
  private:
-  struct Shell {
+  struct Measure {
     double area = 0, volume = 0;
   };
+  [[nodiscard]] bool is_proper(std::uint32_t t) const { return topology_.shell[t] != solid::Topology::kNoShell; }
 
   /// Whether what lies half-way to the other triangle is before this one, and not behind it.
   [[nodiscard]] bool is_in_front(std::span<const Vec3> polygon, const Triangle& a, const Vec3& normal) const {
@@ -113,9 +122,12 @@ class SelfFlush {
   const solid::Body& body_;
   const solid::Topology& topology_;
   NearSetting setting_;
-  bool is_outward_;           ///< normals point away from what is enclosed
-  double whole_;              ///< of the body's wall, what the tolerance may be at most
-  std::vector<double> most_;  ///< likewise, of each shell's
+  bool is_outward_;  ///< normals point away from what is enclosed
+  /// What the tolerance may be at most: of the whole's wall, which is that between a shell and its cavity; and of that
+  /// of each piece, such as a foil on a block. A piece hangs together by positions, and is closed as the whole is.
+  double whole_;
+  std::vector<double> most_;
+  std::vector<std::uint32_t> piece_;  ///< per proper triangle
 };
 
 }  // namespace
