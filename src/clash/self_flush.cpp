@@ -47,6 +47,16 @@ bool is_wider(std::span<const Vec3> polygon, const Vec3& normal, double width) {
   return polygon.size() > 2;
 }
 
+/// Whether another triangle lies beside this one, but for a seam, as seen along the normal: so do most neighbours.
+bool is_beside(const Triangle& a, const Vec3& normal, const Triangle& b, double seam) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = a[(i + 1) % 3] - a[i], out = cross(edge, normal);
+    const double most = seam * norm(edge);
+    if (std::all_of(b.begin(), b.end(), [&](const Vec3& p) { return dot(out, p - a[i]) >= -most; })) return true;
+  }
+  return false;
+}
+
 class SelfFlush {
  public:
   SelfFlush(const solid::Body& body, const solid::Topology& topology, double tolerance)
@@ -89,19 +99,22 @@ class SelfFlush {
 
   [[nodiscard]] bool is_one(const TrianglePair& pair) const {
     if (!is_proper(pair.a) || !is_proper(pair.b)) return false;
-    const Triangle a = body_.triangle(pair.a), b = body_.triangle(pair.b), local_a = setting_.frame.to_local(a);
-    const Vec3 normal = normal_of(local_a);
-    const double cosine = dot(normal, normal_of(setting_.frame.to_local(b)));
-    if (std::abs(cosine) < kParallel) return false;
     NearSetting setting = setting_;
     setting.tolerance = std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
-    if (!is_told(setting.tolerance)) return false;
+    const double least_width = kLeastWidth * setting.frame.unit * setting.tolerance;
+    const Triangle a = body_.triangle(pair.a), b = body_.triangle(pair.b);
+    const Triangle local_a = setting.frame.to_local(a), local_b = setting.frame.to_local(b);
+    const Vec3 normal = normal_of(local_a);
+    // Half of the width, since flush parts are found along another direction than the normal.
+    if (is_beside(local_a, normal, local_b, least_width / 2)) return false;
+    const double cosine = dot(normal, normal_of(local_b));
+    if (std::abs(cosine) < kParallel || !is_told(setting.tolerance)) return false;
     const NearPart near = flush_part(a, b, setting);
     std::array<Vec3, 6> corners;
     for (std::size_t i = 0; i < near.shared.size; ++i)
       corners[i] = setting.frame.to_local(near.shared.corners[i].point);
     const std::span<const Vec3> polygon = std::span(corners).first(near.shared.size);
-    if (!is_wider(polygon, normal, kLeastWidth * setting.frame.unit * setting.tolerance)) return false;
+    if (!is_wider(polygon, normal, least_width)) return false;
     return near.gap <= std::min(setting.tolerance, whole_) / kThinWall ||
            (cosine < 0 && is_in_front(polygon, local_a, normal));
   }
