@@ -94,25 +94,24 @@ Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const Clash
   const double tolerance = clash::defect_tolerance(body, topology, most);
   std::optional<std::vector<TrianglePair>> flush;
   if (topology.closed && most > 0) flush = clash::self_flush(body, topology, most, options.stop);
-  const std::uint8_t kinds = flush ? kCrossing | kTouching : topology.closed ? kAllKinds : kCrossing | kCoplanar;
+  const std::uint8_t kinds = flush ? kCrossing : kCrossing | kCoplanar;
   const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
                                 {.kinds = kinds, .threads = threads, .stop = options.stop});
   if (!contacts) return contacts.error();
-  std::vector<TrianglePair> defects, others;
+  std::vector<TrianglePair> defects;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
     if (options.stop.stop_requested()) return cancelled();
     const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a >= pair.b) continue;
-    const bool is_defect =
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance);
-    if (is_defect) defects.push_back(pair);
-    if (!is_defect && contacts->kinds[i] != Kind::coplanar) others.push_back(pair);
+    if (pair.a < pair.b &&
+        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
+      defects.push_back(pair);
   }
   if (flush) {
     const std::vector<TrianglePair> crossing = std::exchange(defects, {});
     std::set_union(crossing.begin(), crossing.end(), flush->begin(), flush->end(), std::back_inserter(defects), before);
   }
-  if (defects.empty() && topology.closed) return clash::self_passings(body, topology, others, tolerance);
+  if (defects.empty() && topology.closed) defects = clash::self_passings(body, topology, tolerance, options.stop);
+  if (options.stop.stop_requested()) return cancelled();
   return defects;
 }
 

@@ -6,14 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
+#include "measure/nearest.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -39,8 +40,12 @@ class SelfPassings {
     is_told_ = tolerance_ <= 4 * most;
   }
 
+  /// Whether the tolerance is so far below the wall that what passes can be told from what is there.
+  [[nodiscard]] bool is_told() const { return is_told_; }
+  /// In the world.
+  [[nodiscard]] double reach() const { return tolerance_ / frame_.unit; }
+
   bool is_one(std::uint32_t a, std::uint32_t b) {
-    if (!is_told_) return false;
     if (!is_proper(a) || !is_proper(b) || common_positions(a, b) > 1) return false;
     return passes(a, b) || passes(b, a);
   }
@@ -207,18 +212,24 @@ class SelfPassings {
   const solid::Topology& topology_;
   LocalFrame frame_;
   double tolerance_;  ///< in local units
-  bool is_told_;      ///< the tolerance is so far below the wall that what passes can be told from what is there
+  bool is_told_;
   std::unordered_map<std::uint64_t, Pair> pairs_;
 };
 
 }  // namespace
 
-std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology,
-                                        std::span<const TrianglePair> pairs, double tolerance) {
+std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology, double tolerance,
+                                        const std::stop_token& stop) {
   SelfPassings search(body, topology, tolerance);
   std::vector<TrianglePair> found;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(found),
-               [&](const TrianglePair& pair) { return search.is_one(pair.a, pair.b); });
+  if (!search.is_told()) return found;
+  const auto take = [&](const TrianglePair& pair) {
+    if (pair.a < pair.b && search.is_one(pair.a, pair.b)) found.push_back(pair);
+    return true;
+  };
+  measure::candidate_pairs(body.placed, body.placed, search.reach(), take, stop);
+  std::sort(found.begin(), found.end(),
+            [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   return found;
 }
 
