@@ -13,6 +13,7 @@
 #include "impinge/clash.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solid_pairs.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 
@@ -242,6 +243,12 @@ TEST(Noise, ThinWallsShareNoArea) {
         joined(box({0, 0, 0}, {1, 1, 1}), inverted(box({thick, thick, thick}, {1 - thick, 1 - thick, 1 - thick}, 2))),
         what, 10, 0.1);
   }
+}
+
+TEST(Noise, WhatPassesThroughItselfIsASurfaceHoweverItIsTurned) {
+  for (const scenes::SolidPair& pair : scenes::self_passing_pairs())
+    if (pair.name.ends_with(": itself"))
+      for (const double reach : {10.0, 1e4}) expect_solid(pair.solids, pair.a, pair.name, reach);
 }
 
 MeshData cut_sheet(double thick, int across, int through) {
