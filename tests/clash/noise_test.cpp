@@ -245,6 +245,15 @@ TEST(Noise, ThinWallsShareNoArea) {
   }
 }
 
+/// One thin wall of a thick block: less than the tolerance, and far more than rounding.
+TEST(Noise, AThinWallBesideACavityIsNoGap) {
+  const auto hollow = [](double wall) {
+    return joined(box({0, 0, 0}, {4, 4, 4}), inverted(box({1, 1, 2}, {3, 3, 4 - wall}, 2)));
+  };
+  expect_solid(true, hollow(5e-4), "a wall", 10, 1e-3);
+  expect_solid(false, hollow(1e-9), "none", 10, 1e-3);
+}
+
 TEST(Noise, WhatPassesThroughItselfIsASurfaceHoweverItIsTurned) {
   for (const scenes::SolidPair& pair : scenes::self_passing_pairs())
     if (pair.name.ends_with(": itself"))
