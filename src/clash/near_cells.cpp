@@ -93,6 +93,8 @@ class OneSide {
   /// In tolerances: pieces of at most this radius are told by distances alone, without slabs; and those of at most that
   /// are halved until they are, rather than cut by a great many slabs.
   static constexpr double kSmall = 4, kHalved = 32;
+  /// Of the tolerance: a triangle so near leaves room for the piece itself; where none is, the nearest is the best.
+  static constexpr double kNotTooNear = 0.75;
 
   /// One triangle, with all that is near it.
   bool look_at(std::span<const TrianglePair> near) {
@@ -232,17 +234,14 @@ class OneSide {
     const auto found = measure::nearest_point(other_.body.placed, world, within, enough, setting_.stop);
     if (!found) return bits_ |= locate(world), true;
     const double farthest = setting_.frame.unit * (found->distance + found->error);
-    if (farthest + reach <= most_ || is_near(piece, setting_.frame.to_local(other_.body.triangle(found->triangle))))
-      return bits_ |= kNear, true;
+    if (farthest + reach <= most_ || is_near(piece, found->triangle)) return bits_ |= kNear, true;
     if (farthest > most_) {
       const bool is_all = reach <= 1.5 * tolerance_;
       if (is_all) bits_ |= locate(world);
       return is_all;
     }
     if (2 * reach > 1.5 * tolerance_) return false;
-    const auto* const far = std::find_if(piece.begin(), piece.end(), [&](const Vec3& point) { return is_far(point); });
-    if (far == piece.end()) return false;
-    return bits_ |= locate(setting_.frame.to_world(*far)), true;
+    return is_told_by_corners(piece);
   }
 
   /// What is left of a piece outside of all slabs is evaluated: each part that a slab's side cuts off goes on alone.
@@ -283,13 +282,27 @@ class OneSide {
     });
   }
 
+  [[nodiscard]] bool is_near(const Polygon& piece, std::uint32_t triangle) const {
+    return is_near(piece, setting_.frame.to_local(other_.body.triangle(triangle)));
+  }
+
   /// Of the other part, certainly within the tolerance but for the roundings of a point.
   [[nodiscard]] std::optional<measure::NearestPoint> nearest(const Vec3& point, double enough) const {
     const Vec3 world = setting_.frame.to_world(point);
     const double within = most_ / setting_.frame.unit;
     return measure::nearest_point(other_.body.placed, world, within, enough, setting_.stop);
   }
-  [[nodiscard]] bool is_far(const Vec3& point) const { return !nearest(point, setting_.tolerance); }
+
+  /// Of a piece that is on one side where it is far: whether some corner is far, or what is nearest to it near to all
+  /// of the piece. Where faces meet, that need not be what is nearest to the middle.
+  bool is_told_by_corners(const Polygon& piece) {
+    for (const Vec3& corner : piece) {
+      const auto found = nearest(corner, kNotTooNear * setting_.tolerance);
+      if (!found) return bits_ |= locate(setting_.frame.to_world(corner)), true;
+      if (is_near(piece, found->triangle)) return bits_ |= kNear, true;
+    }
+    return false;
+  }
 
   /// A piece outside of the slabs, or what is left of it, or a small one, is on one side where it is far: near where
   /// all of it is near one triangle; else some point of it is farther than the tolerance from all, or halving it goes
@@ -305,19 +318,17 @@ class OneSide {
       bits_ |= kNear;
       return;
     }
-    // Not so near as to leave no room for the piece itself, if there is any that is nearer.
     const Vec3 middle = piece.middle();
-    const auto by_middle = nearest(middle, 0.75 * setting_.tolerance);
-    if (by_middle && is_near(piece, setting_.frame.to_local(other_.body.triangle(by_middle->triangle)))) {
+    const auto by_middle = nearest(middle, kNotTooNear * setting_.tolerance);
+    if (!by_middle) {
+      bits_ |= locate(setting_.frame.to_world(middle));
+      return;
+    }
+    if (is_near(piece, by_middle->triangle)) {
       bits_ |= kNear;
       return;
     }
-    const Vec3* far = &middle;
-    if (by_middle) far = std::find_if(piece.begin(), piece.end(), [&](const Vec3& point) { return is_far(point); });
-    if (far != piece.end()) {
-      bits_ |= locate(setting_.frame.to_world(*far));
-      return;
-    }
+    if (is_told_by_corners(piece)) return;
     if (depth == kDeep) {
       bits_ |= locate(setting_.frame.to_world(middle));
       return;
