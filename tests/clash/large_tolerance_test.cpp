@@ -86,6 +86,43 @@ TEST(LargeTolerance, ATipOrAnEdgeReachesIn) {
         }
 }
 
+/// Each triangle in n * n, the lowest corner last; coordinates are multiples of n, so that corners stay common.
+MeshData cut_finer(const MeshData& mesh, int n) {
+  MeshData finer;
+  const auto corner_at = [&](std::size_t i, std::size_t axis) { return mesh.xyz[3 * mesh.triangles[i] + axis]; };
+  const auto add = [&](std::size_t first, int i, int j) {
+    std::size_t lowest = 0;
+    for (const std::size_t k : {1, 2})
+      if (corner_at(first + k, 2) < corner_at(first + lowest, 2)) lowest = k;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = [&](std::size_t k) { return corner_at(first + (lowest + 1 + k) % 3, axis); };
+      finer.xyz.push_back((at(0) * (n - i - j) + at(1) * i + at(2) * j) / n);
+    }
+    finer.triangles.push_back(static_cast<std::uint32_t>(finer.triangles.size()));
+  };
+  for (std::size_t first = 0; first < mesh.triangles.size(); first += 3)
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        add(first, i, j), add(first, i + 1, j), add(first, i, j + 1);
+        if (i + j + 1 < n) add(first, i + 1, j + 1), add(first, i, j + 1), add(first, i + 1, j);
+      }
+  return finer;
+}
+
+/// Of its triangles, of a few tolerances, one corner is deep; the middle and the other corners are near, or far
+/// outside.
+TEST(LargeTolerance, OnlyACornerIsDeep) {
+  const MeshData octahedron =
+      scenes::hull({{0, 0, 0}, {60, 0, 60}, {-60, 0, 60}, {0, 60, 60}, {0, -60, 60}, {0, 0, 120}});
+  for (const int n : {1, 2, 3, 4, 5, 6, 10})
+    for (const double part : {0.9, 1.1}) {
+      SCOPED_TRACE("in " + std::to_string(n) + ", depth " + std::to_string(part));
+      const MeshData tip = scaled(cut_finer(octahedron, n), 1.0 / 6, 1.0 / 6, 1.0 / 6);
+      expect_verdict(part < 1 ? Verdict::touching : Verdict::penetrating, box({0, 0, 0}, {10, 10, 10}, 5),
+                     shifted(tip, 5.2, 5.1, 10 - part * 0.8), 0.8);
+    }
+}
+
 /// A point and the same point scaled by s are (1 - s) of its distance from the middle apart.
 TEST(LargeTolerance, SpheresAreNested) {
   const double flatness = std::cos(std::numbers::pi / 40) * std::cos(std::numbers::pi / 40);  // at least, of the radius
