@@ -254,6 +254,15 @@ class OneSide {
         if (half->size() > 0) subtract(*half, slabs, next);
       return;
     }
+    const auto misses = [&](const HalfSpace& half_space) {
+      return std::all_of(piece.begin(), piece.end(),
+                         [&](const Vec3& p) { return dot(half_space.normal, p) > half_space.offset; });
+    };
+    const auto is_missed = [&](const Slab& slab) {
+      return misses(slab.top) || misses(slab.bottom) ||
+             std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses);
+    };
+    for (; next < slabs.size() && is_missed(slabs_[slabs[next]].slab); ++next) ++effort_;
     if (next == slabs.size()) return evaluate(piece, slabs, 0);
     const Slab& slab = slabs_[slabs[next]].slab;
     const auto go_on = [&](const HalfSpace& half_space) {
@@ -262,13 +271,6 @@ class OneSide {
       piece = parts.within;
       return piece.size() > 0;
     };
-    const auto misses = [&](const HalfSpace& half_space) {
-      return std::all_of(piece.begin(), piece.end(),
-                         [&](const Vec3& p) { return dot(half_space.normal, p) > half_space.offset; });
-    };
-    if (misses(slab.top) || misses(slab.bottom) ||
-        std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses))
-      return subtract(piece, slabs, next + 1);
     for (std::size_t i = 0; i < slab.size; ++i)
       if (!go_on(slab.sides[i])) return;
     if (go_on(slab.top) && go_on(slab.bottom)) bits_ |= kNear;
