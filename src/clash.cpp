@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "broad/box_tree.hpp"
@@ -17,6 +19,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/region_side.hpp"
 #include "clash/self_crossings.hpp"
+#include "clash/self_flush.hpp"
 #include "clash/self_passings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
@@ -58,6 +61,8 @@ solid::Body body_of(const Mesh& mesh, const Pose& pose) {
   return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
 }
 
+bool before(const TrianglePair& x, const TrianglePair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
+
 Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
 
 Result<void> validate(const ClashOptions& options) {
@@ -82,27 +87,32 @@ double tolerance_of(const ClashOptions& options, double largest) {
   return options.tolerance.value_or(0x1p-20 * largest);
 }
 
-/// The pairs of a placed mesh's own triangles that keep it from being a solid.
+/// The pairs of a placed mesh's own triangles that keep it from being a solid, in order.
 Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
   const solid::Body body = body_of(*placed.mesh, placed.pose);
   const solid::Topology topology = solid::examine(body);
-  const std::uint8_t kinds = topology.closed ? kAllKinds : kCrossing | kCoplanar;
+  const double most = tolerance_of(options, clash::largest_coordinate(body.box));
+  const double tolerance = clash::defect_tolerance(body, topology, most);
+  std::optional<std::vector<TrianglePair>> flush;
+  if (topology.closed && most > 0) flush = clash::self_flush(body, topology, most, options.stop);
+  const std::uint8_t kinds = flush ? kCrossing : kCrossing | kCoplanar;
   const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
                                 {.kinds = kinds, .threads = threads, .stop = options.stop});
   if (!contacts) return contacts.error();
-  const double tolerance =
-      clash::defect_tolerance(body, topology, tolerance_of(options, clash::largest_coordinate(body.box)));
-  std::vector<TrianglePair> defects, others;
+  std::vector<TrianglePair> defects;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
     if (options.stop.stop_requested()) return cancelled();
     const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a >= pair.b) continue;
-    const bool is_defect =
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance);
-    if (is_defect) defects.push_back(pair);
-    if (!is_defect && contacts->kinds[i] != Kind::coplanar) others.push_back(pair);
+    if (pair.a < pair.b &&
+        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
+      defects.push_back(pair);
   }
-  if (defects.empty() && topology.closed) return clash::self_passings(body, topology, others, tolerance);
+  if (flush) {
+    const std::vector<TrianglePair> crossing = std::exchange(defects, {});
+    std::set_union(crossing.begin(), crossing.end(), flush->begin(), flush->end(), std::back_inserter(defects), before);
+  }
+  if (defects.empty() && topology.closed) defects = clash::self_passings(body, topology, tolerance, options.stop);
+  if (options.stop.stop_requested()) return cancelled();
   return defects;
 }
 

@@ -74,12 +74,8 @@ class OneSide {
       std::size_t last = first;
       while (last < near_.size() && near_[last].a == near_[first].a) ++last;
       if (counts(near_[first].a)) {
-        if (!make_slabs(std::span(near_).subspan(first, last - first))) return false;
         bits_ = 0, effort_ = 0;
-        std::vector<std::uint32_t> all(slabs_.size());
-        std::iota(all.begin(), all.end(), 0u);
-        divide(Polygon(setting_.frame.to_local(own_.part.body.triangle(near_[first].a))), all, {all.size(), 0});
-        if (is_exhausted()) return false;
+        if (!look_at(std::span(near_).subspan(first, last - first)) || is_exhausted()) return false;
         if (so_far(bits_)) return true;
       }
       first = last;
@@ -94,19 +90,35 @@ class OneSide {
     std::optional<Triangle> triangle;
   };
 
+  /// In tolerances: pieces of at most this radius are told by distances alone, without slabs; and those of at most that
+  /// are halved until they are, rather than cut by a great many slabs.
+  static constexpr double kSmall = 4, kHalved = 32;
+  /// Of the tolerance: a triangle so near leaves room for the piece itself; where none is, the nearest is the best.
+  static constexpr double kNotTooNear = 0.75;
+
+  /// One triangle, with all that is near it.
+  bool look_at(std::span<const TrianglePair> near) {
+    slabs_.clear();
+    const Polygon whole(setting_.frame.to_local(own_.part.body.triangle(near[0].a)));
+    if (radius(whole, whole.middle()) <= kSmall * tolerance_) return settle(whole), true;
+    if (!make_slabs(near)) return false;
+    std::vector<std::uint32_t> all(slabs_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    divide(whole, all, {all.size(), 0});
+    return true;
+  }
+
   /// Those that reach one triangle. What is left of it outside of them all meets nothing of the other part.
   bool make_slabs(std::span<const TrianglePair> near) {
-    const double tolerance = setting_.frame.unit * setting_.tolerance;
-    slabs_.clear();
     for (const TrianglePair& pair : near) {
       const Triangle triangle = setting_.frame.to_local(other_.body.triangle(pair.b));
-      const auto slab = make_slab(triangle, tolerance, setting_.frame.scale);
+      const auto slab = make_slab(triangle, tolerance_, setting_.frame.scale);
       if (!slab) return false;
       slabs_.push_back({*slab, triangle});
     }
     const Triangle own = setting_.frame.to_local(own_.part.body.triangle(near[0].a));
     for (std::size_t corner = 0; corner < 3; ++corner)
-      if (left_out_.at(near[0].a, corner)) slabs_.push_back({make_corner_slab(own[corner], tolerance), std::nullopt});
+      if (left_out_.at(near[0].a, corner)) slabs_.push_back({make_corner_slab(own[corner], tolerance_), std::nullopt});
     return true;
   }
 
@@ -170,7 +182,10 @@ class OneSide {
       return;
     }
     if (4 * slabs.size() <= 3 * before.slabs) before = {slabs.size(), 0};
-    if (slabs.size() <= kFew || before.halvings == kPatience) return subtract(piece, slabs, 0);
+    if (slabs.size() <= kFew) return subtract(piece, slabs, 0);
+    const double size = radius(piece, piece.middle());
+    if (size <= kSmall * tolerance_) return settle(piece);
+    if (before.halvings == kPatience && size > kHalved * tolerance_) return subtract(piece, slabs, 0);
     const Cut halves = halve(piece);
     for (const Polygon* half : {&halves.within, &halves.beyond}) {
       if (half->size() == 0) continue;
@@ -179,8 +194,54 @@ class OneSide {
       std::vector<std::uint32_t> reaching;
       std::copy_if(slabs.begin(), slabs.end(), std::back_inserter(reaching),
                    [&](std::uint32_t i) { return overlap(slabs_[i].slab.box, box); });
-      divide(*half, reaching, {before.slabs, before.halvings + 1});
+      divide(*half, reaching, {before.slabs, std::min(before.halvings + 1, kPatience)});
     }
+  }
+
+  static double radius(const Polygon& piece, const Vec3& middle) {
+    double most = 0;
+    for (const Vec3& point : piece) most = std::max(most, norm(point - middle));
+    return most;
+  }
+
+  /// A piece that is small beside the tolerance, whatever slabs reach it: in halves until each is told.
+  void settle(const Polygon& piece) {
+    constexpr double kSmallest = 0x1p-4;
+    ++effort_;
+    if (is_exhausted()) return;
+    const Vec3 middle = piece.middle();
+    const double size = radius(piece, middle);
+    if (size <= kSmallest * tolerance_) return evaluate(piece, {}, 0);
+    if (is_told(piece, middle, size)) return;
+    const Cut halves = halve(piece);
+    for (const Polygon* half : {&halves.within, &halves.beyond})
+      if (half->size() > 0) settle(*half);
+  }
+
+  /// Distances to a boundary differ by no more than their points do. With the middle in the distance d, all of a piece
+  /// of radius r is near where d + r <= t, and far, on one side, where d - r > t. And of two points on different sides
+  /// the boundary meets the way from one to the other: if both are farther than t from it, they are more than 2 t
+  /// apart. So where one point is far, all far ones within 2 t of it are on its side, whatever lies between.
+  ///
+  /// Points are off by a few roundings of the largest coordinate for each time that their piece was halved: less than
+  /// the slack, which is 2^-11 t at most. A point is far here if it is not certainly near, in a distance of more than
+  /// (1 - 2^-10) t: 1.5 t stand for 2 t.
+  bool is_told(const Polygon& piece, const Vec3& middle, double size) {
+    const double reach = size * (1 + 0x1p-40) + 0x1p-47 * setting_.frame.scale;
+    const Vec3 world = setting_.frame.to_world(middle);
+    const double within = (tolerance_ + reach) / setting_.frame.unit;
+    const double enough = std::max(most_ - reach, 0.0) / setting_.frame.unit;
+    const auto found = measure::nearest_point(other_.body.placed, world, within, enough, setting_.stop);
+    if (!found) return bits_ |= locate(world), true;
+    const double farthest = setting_.frame.unit * (found->distance + found->error);
+    if (farthest + reach <= most_ || is_near(piece, found->triangle)) return bits_ |= kNear, true;
+    if (farthest > most_) {
+      const bool is_all = reach <= 1.5 * tolerance_;
+      if (is_all) bits_ |= locate(world);
+      return is_all;
+    }
+    if (2 * reach > 1.5 * tolerance_) return false;
+    return is_told_by_corners(piece);
   }
 
   /// What is left of a piece outside of all slabs is evaluated: each part that a slab's side cuts off goes on alone.
@@ -193,6 +254,15 @@ class OneSide {
         if (half->size() > 0) subtract(*half, slabs, next);
       return;
     }
+    const auto misses = [&](const HalfSpace& half_space) {
+      return std::all_of(piece.begin(), piece.end(),
+                         [&](const Vec3& p) { return dot(half_space.normal, p) > half_space.offset; });
+    };
+    const auto is_missed = [&](const Slab& slab) {
+      return misses(slab.top) || misses(slab.bottom) ||
+             std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses);
+    };
+    for (; next < slabs.size() && is_missed(slabs_[slabs[next]].slab); ++next) ++effort_;
     if (next == slabs.size()) return evaluate(piece, slabs, 0);
     const Slab& slab = slabs_[slabs[next]].slab;
     const auto go_on = [&](const HalfSpace& half_space) {
@@ -201,13 +271,6 @@ class OneSide {
       piece = parts.within;
       return piece.size() > 0;
     };
-    const auto misses = [&](const HalfSpace& half_space) {
-      return std::all_of(piece.begin(), piece.end(),
-                         [&](const Vec3& p) { return dot(half_space.normal, p) > half_space.offset; });
-    };
-    if (misses(slab.top) || misses(slab.bottom) ||
-        std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses))
-      return subtract(piece, slabs, next + 1);
     for (std::size_t i = 0; i < slab.size; ++i)
       if (!go_on(slab.sides[i])) return;
     if (go_on(slab.top) && go_on(slab.bottom)) bits_ |= kNear;
@@ -215,21 +278,37 @@ class OneSide {
 
   /// The farthest that the piece's points are from a triangle: at its vertices, for the triangle is convex.
   [[nodiscard]] bool is_near(const Polygon& piece, const Triangle& triangle) const {
-    const double most = setting_.frame.unit * setting_.tolerance * (1 - 0x1p-16);
     return std::all_of(piece.begin(), piece.end(), [&](const Vec3& p) {
       const auto found = measure::point_distance(p, triangle, kFar);
-      return found.distance + found.margin <= most;
+      return found.distance + found.margin <= most_;
     });
   }
 
-  /// Of the other part, within the tolerance.
-  [[nodiscard]] std::optional<measure::NearestPoint> nearest(const Vec3& point, double enough) const {
-    const Vec3 world = setting_.frame.to_world(point);
-    return measure::nearest_point(other_.body.placed, world, setting_.tolerance, enough, setting_.stop);
+  [[nodiscard]] bool is_near(const Polygon& piece, std::uint32_t triangle) const {
+    return is_near(piece, setting_.frame.to_local(other_.body.triangle(triangle)));
   }
 
-  /// A piece outside of the slabs, or what is left of it: near where all of it is near one triangle; else some point
-  /// of it is farther than the tolerance from all, or halving it goes on.
+  /// Of the other part, certainly within the tolerance but for the roundings of a point.
+  [[nodiscard]] std::optional<measure::NearestPoint> nearest(const Vec3& point, double enough) const {
+    const Vec3 world = setting_.frame.to_world(point);
+    const double within = most_ / setting_.frame.unit;
+    return measure::nearest_point(other_.body.placed, world, within, enough, setting_.stop);
+  }
+
+  /// Of a piece that is on one side where it is far: whether some corner is far, or what is nearest to it near to all
+  /// of the piece. Where faces meet, that need not be what is nearest to the middle.
+  bool is_told_by_corners(const Polygon& piece) {
+    for (const Vec3& corner : piece) {
+      const auto found = nearest(corner, kNotTooNear * setting_.tolerance);
+      if (!found) return bits_ |= locate(setting_.frame.to_world(corner)), true;
+      if (is_near(piece, found->triangle)) return bits_ |= kNear, true;
+    }
+    return false;
+  }
+
+  /// A piece outside of the slabs, or what is left of it, or a small one, is on one side where it is far: near where
+  /// all of it is near one triangle; else some point of it is farther than the tolerance from all, or halving it goes
+  /// on.
   void evaluate(const Polygon& piece, const std::vector<std::uint32_t>& slabs, int depth) {
     constexpr int kDeep = 10;
     ++effort_;
@@ -241,19 +320,17 @@ class OneSide {
       bits_ |= kNear;
       return;
     }
-    // Not so near as to leave no room for the piece itself, if there is any that is nearer.
     const Vec3 middle = piece.middle();
-    const auto by_middle = nearest(middle, 0.75 * setting_.tolerance);
-    if (by_middle && is_near(piece, setting_.frame.to_local(other_.body.triangle(by_middle->triangle)))) {
+    const auto by_middle = nearest(middle, kNotTooNear * setting_.tolerance);
+    if (!by_middle) {
+      bits_ |= locate(setting_.frame.to_world(middle));
+      return;
+    }
+    if (is_near(piece, by_middle->triangle)) {
       bits_ |= kNear;
       return;
     }
-    const auto is_far = [&](const Vec3& point) { return !nearest(point, setting_.tolerance); };
-    const Vec3* far = !by_middle ? &middle : std::find_if(piece.begin(), piece.end(), is_far);
-    if (far != piece.end()) {
-      bits_ |= locate(setting_.frame.to_world(*far));
-      return;
-    }
+    if (is_told_by_corners(piece)) return;
     if (depth == kDeep) {
       bits_ |= locate(setting_.frame.to_world(middle));
       return;
@@ -266,7 +343,9 @@ class OneSide {
   const LinkedPart& own_;
   const solid::Part& other_;
   const Setting& setting_;
-  std::vector<TrianglePair> near_;  ///< own first, sorted
+  double tolerance_ = setting_.frame.unit * setting_.tolerance;  ///< in local units, as what follows
+  double most_ = tolerance_ * (1 - 0x1p-16);                     ///< certainly within the tolerance
+  std::vector<TrianglePair> near_;                               ///< own first, sorted
   std::vector<std::uint32_t> near_triangles_;
   const LeftOut& left_out_;
   std::vector<NearSlab> slabs_;  ///< of the triangle at work

@@ -153,6 +153,10 @@ double length_of(const SharedPart& part, double unit) {
 
 }  // namespace
 
+NearPart flush_part(const Triangle& a, const Triangle& b, const NearSetting& setting) {
+  return Near(a, b, setting).flush_part();
+}
+
 NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting) {
   const Near near(a, b, setting);
   const NearPart flush = near.flush_part();

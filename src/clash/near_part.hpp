@@ -28,4 +28,7 @@ struct NearPart {
 ///   - All others share what they share exactly or, if that is nothing, the point between their nearest points.
 NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
 
+/// The first of these alone: the polygon of flush ones, or what it has shrunk to. Empty of others.
+NearPart flush_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
+
 }  // namespace impinge::clash

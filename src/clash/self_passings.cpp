@@ -6,18 +6,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
+#include "measure/nearest.hpp"
 
 namespace impinge::clash {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
+/// What passes goes on by so many tolerances on all four sides, and along the line. Less is a sliver's height, or the
+/// end of a triangle where the next one bends away.
+constexpr double kFarther = 16;
 
 /// Part of an edge.
 struct Stretch {
@@ -28,11 +33,17 @@ class SelfPassings {
  public:
   SelfPassings(const solid::Body& body, const solid::Topology& topology, double tolerance)
       : body_(body), topology_(topology), frame_(local_frame(body.box, body.box)) {
-    // Far less than a wall, for one face does not pass through the other; and twice what slabs need at least, so that
-    // their planes can be told.
-    tolerance_ = std::min(frame_.unit * tolerance, wall() / 16);
-    tolerance_ = std::max(tolerance_, 2 * kLeastTolerance * frame_.scale);
+    // Twice what slabs need at least, so that their planes can be told; and what is passed by must be far less than a
+    // wall, for one face does not pass through the other.
+    const double least = 2 * kLeastTolerance * frame_.scale, most = wall() / 16 / kFarther;
+    tolerance_ = std::max(std::min(frame_.unit * tolerance, most), least);
+    is_told_ = tolerance_ <= 4 * most;
   }
+
+  /// Whether the tolerance is so far below the wall that what passes can be told from what is there.
+  [[nodiscard]] bool is_told() const { return is_told_; }
+  /// In the world.
+  [[nodiscard]] double reach() const { return tolerance_ / frame_.unit; }
 
   bool is_one(std::uint32_t a, std::uint32_t b) {
     if (!is_proper(a) || !is_proper(b) || common_positions(a, b) > 1) return false;
@@ -103,9 +114,9 @@ class SelfPassings {
     if (!slab || !slab->has_plane) return false;
     for (std::size_t e = 0; e < 3; ++e) {
       const auto near = clipped({of_a[e], of_a[(e + 1) % 3]}, *slab);
-      if (!near || norm(near->to - near->from) <= 4 * tolerance_) continue;
+      if (!near || norm(near->to - near->from) <= kFarther * tolerance_) continue;
       const auto sheet = sheet_at(a, e);
-      if (sheet && passes_at(*sheet, key(corners(a)[e], corners(a)[(e + 1) % 3]), *near, b)) return true;
+      if (sheet && passes_at(*sheet, key(corners(a)[e], corners(a)[(e + 1) % 3]), *near, b, *slab)) return true;
     }
     return false;
   }
@@ -130,9 +141,9 @@ class SelfPassings {
   }
 
   /// The sheets around the middle of what two triangles share: whether they alternate.
-  bool passes_at(const Pair& sheet, std::uint64_t edge, const Stretch& near, std::uint32_t b) {
+  bool passes_at(const Pair& sheet, std::uint64_t edge, const Stretch& near, std::uint32_t b, const Slab& slab) {
     const Vec3 middle = 0.5 * (near.from + near.to), along = near.to - near.from;
-    std::array<Vec3, 2> own{apex(sheet[0], edge) - middle, apex(sheet[1], edge) - middle};
+    const std::array<Vec3, 2> own{apex(sheet[0], edge) - middle, apex(sheet[1], edge) - middle};
     std::array<Vec3, 2> other;
     const Triangle of_b = local(b);
     const Vec3 normal = cross(of_b[1] - of_b[0], of_b[2] - of_b[0]);
@@ -143,14 +154,22 @@ class SelfPassings {
       const std::uint64_t edge_b = key(corners(b)[e], corners(b)[(e + 1) % 3]);
       if (!sheet_b || edge_b == edge) return false;
       other = {apex((*sheet_b)[0], edge_b) - middle, apex((*sheet_b)[1], edge_b) - middle};
-      // What is less than the tolerance off the other sheet lies on it.
       return alternate(along, own, other);
     }
     const double length = norm(other[0]);
-    const double reach = norm(own[0]) + norm(own[1]);  // far enough not to count as near
     if (!(length > 0)) return false;
-    for (Vec3& ray : other) ray = (reach / length) * ray;
+    for (Vec3& ray : other) ray = (reach(slab, middle, (1 / length) * ray) / length) * ray;
     return alternate(along, own, other);
+  }
+
+  /// How far it is from a point of a triangle to its end.
+  static double reach(const Slab& slab, const Vec3& from, const Vec3& direction) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < slab.size; ++i) {
+      const double speed = dot(slab.sides[i].normal, direction);
+      if (speed > 0) least = std::min(least, (slab.sides[i].offset - dot(slab.sides[i].normal, from)) / speed);
+    }
+    return std::isfinite(least) ? std::max(0.0, least) : 0;
   }
 
   /// Whether the ends of a stretch are on the line through an edge, within the tolerance.
@@ -165,6 +184,9 @@ class SelfPassings {
                                const std::array<Vec3, 2>& other) const {
     const Vec3 axis = (1 / norm(along)) * along;
     const auto across = [&](const Vec3& ray) { return ray - dot(axis, ray) * axis; };
+    for (const auto& rays : {own, other})
+      for (const Vec3& ray : rays)
+        if (norm(across(ray)) <= kFarther * tolerance_) return false;
     const Vec3 first = across(own[0]);
     const Vec3 u = (1 / norm(first)) * first, v = cross(axis, u);
     const auto angle = [&](const Vec3& ray) {
@@ -183,24 +205,31 @@ class SelfPassings {
   /// Whether the shorter of two rays from a point ends near the other.
   [[nodiscard]] bool are_near(const Vec3& p, const Vec3& q) const {
     if (dot(p, q) <= 0) return false;
-    return norm(cross(p, q)) <= tolerance_ * std::max(norm(p), norm(q));
+    return norm(cross(p, q)) <= kFarther * tolerance_ * std::max(norm(p), norm(q));
   }
 
   const solid::Body& body_;
   const solid::Topology& topology_;
   LocalFrame frame_;
   double tolerance_;  ///< in local units
+  bool is_told_;
   std::unordered_map<std::uint64_t, Pair> pairs_;
 };
 
 }  // namespace
 
-std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology,
-                                        std::span<const TrianglePair> pairs, double tolerance) {
+std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology, double tolerance,
+                                        const std::stop_token& stop) {
   SelfPassings search(body, topology, tolerance);
   std::vector<TrianglePair> found;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(found),
-               [&](const TrianglePair& pair) { return search.is_one(pair.a, pair.b); });
+  if (!search.is_told()) return found;
+  const auto take = [&](const TrianglePair& pair) {
+    if (pair.a < pair.b && search.is_one(pair.a, pair.b)) found.push_back(pair);
+    return true;
+  };
+  measure::candidate_pairs(body.placed, body.placed, search.reach(), take, stop);
+  std::sort(found.begin(), found.end(),
+            [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   return found;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "impinge/contacts.hpp"
@@ -11,11 +11,11 @@
 
 namespace impinge::clash {
 
-/// Of pairs of a closed body's own triangles that share a point, those at which it passes through itself along an edge
+/// Pairs of a closed body's own triangles that touch or almost do, and at which it passes through itself along an edge
 /// of the one that lies in the other, or on an edge of the other that is not the same: then what it winds around
 /// changes within a shell, and there is no inside to a triangle's side. Up to the tolerance, and in floating point:
-/// what passes on all four sides farther than that is no matter of rounding.
-std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology,
-                                        std::span<const TrianglePair> pairs, double tolerance);
+/// what passes on all four sides many times farther than that is no matter of rounding. In order; not all if stopped.
+std::vector<TrianglePair> self_passings(const solid::Body& body, const solid::Topology& topology, double tolerance,
+                                        const std::stop_token& stop = {});
 
 }  // namespace impinge::clash

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "impinge/clash.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solid_pairs.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 
@@ -146,6 +149,143 @@ TEST(Noise, APartThatCrossesItselfIsNoSolidFarOut) {
       EXPECT_TRUE(examine(test::mesh_of(turned))->solid) << far;
     }
   }
+}
+
+/// What examining a part says, whether it is moved by its pose or its vertices are, near and far.
+void expect_solid(bool solid, const MeshData& mesh, const std::string& what, double reach = 10,
+                  std::optional<double> tolerance = std::nullopt) {
+  for (std::uint64_t seed = 0; seed <= 6; ++seed) {
+    test::Seeded seeded(seed);
+    const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, reach);
+    const auto posed = examine(test::mesh_of(mesh), pose, {.tolerance = tolerance});
+    const auto moved = examine(test::mesh_of(scenes::baked(mesh, pose)), {}, {.tolerance = tolerance});
+    EXPECT_EQ(posed->solid, solid) << what << ", posed, seed " << seed;
+    EXPECT_EQ(moved->solid, solid) << what << ", baked, seed " << seed;
+    EXPECT_EQ(posed->self_crossing.has_value(), !solid) << what;
+    EXPECT_EQ(moved->self_crossing.has_value(), !solid) << what;
+  }
+}
+
+/// Two blocks one on the other, cut into so many cells, and the second lifted.
+MeshData stacked(int below, int above, double lift = 0) {
+  return joined(box({0, 0, 0}, {4, 4, 2}, below), box({1, 1, 2 + lift}, {3, 3, 5}, above));
+}
+
+TEST(Noise, ShellsOfOnePartThatLieFaceOnFaceAreASurface) {
+  for (const int below : {1, 3})
+    for (const int above : {1, 2}) {
+      const std::string what = std::to_string(below) + " on " + std::to_string(above);
+      for (const double reach : {10.0, 1e4}) expect_solid(false, stacked(below, above), what, reach);
+      expect_solid(false, inverted(stacked(below, above)), what + ", inverted");
+    }
+  expect_solid(false, joined(box({0, 0, 0}, {4, 4, 4}), box({0, 0, 4}, {4, 4, 8})), "equal faces");
+  expect_solid(false, joined(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 2}, {3, 3, 4})), "one in the other, flush");
+  expect_solid(false, joined(box({0, 0, 0}, {4, 4, 4}), inverted(box({1, 1, 2}, {3, 3, 4}))), "a cavity to the face");
+}
+
+TEST(Noise, AGapBetweenShellsCountsUpToTheTolerance) {
+  constexpr double kTolerance = 1e-3;
+  expect_solid(false, stacked(1, 1, 9e-4), "within", 10, kTolerance);
+  expect_solid(true, stacked(1, 1, 1.1e-3), "beyond", 10, kTolerance);
+  expect_solid(true, stacked(1, 1, 1e-4), "a gap");
+}
+
+/// The verdict is the same, and the one on a surface: a part in it is not in its interior.
+TEST(Noise, WhatIsInStackedBlocksIsJudgedAlikeHoweverTheyAreTurned) {
+  const MeshData within = box({1.5, 1.5, 0.5}, {2.5, 2.5, 1.5}), poking = box({2, 2, -1}, {3, 3, 1});
+  for (std::uint64_t seed = 0; seed <= 6; ++seed) {
+    test::Seeded seeded(seed);
+    const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 10);
+    const MeshData part = scenes::baked(stacked(3, 2), pose);
+    EXPECT_EQ(name(judged(part, scenes::baked(within, pose), {}, std::nullopt).verdict), name(Verdict::apart));
+    EXPECT_EQ(name(judged(part, scenes::baked(poking, pose), {}, std::nullopt).verdict), name(Verdict::crossing));
+  }
+}
+
+/// A bar bent to a square ring, one shell, of which one end is lower than the other that it faces.
+MeshData closed_ring(double gap) {
+  const auto is_bar = [](int x, int y, int z) {
+    const bool is_rim = x == 0 || x == 2 || y == 0 || y == 4;
+    return z == 0 && x >= 0 && x <= 2 && y >= 0 && y <= 4 && is_rim && !(x == 0 && y == 2);
+  };
+  MeshData ring = scenes::boundary({{0, 0.5, 3.5, 4}, {0, 0.5, 2, 3, 3.5, 4}, {0, 1}, is_bar});
+  for (std::size_t i = 0; i < ring.xyz.size(); i += 3)
+    if (ring.xyz[i] <= 0.5 && ring.xyz[i + 1] == 3)
+      ring.xyz[i + 1] = 2 + gap, ring.xyz[i + 2] = 0.1 + 0.8 * ring.xyz[i + 2];
+  return ring;
+}
+
+TEST(Noise, AShellThatFoldsOnItselfIsASurface) {
+  expect_solid(false, closed_ring(0), "ends that meet");
+  expect_solid(true, closed_ring(0.01), "ends apart");
+  expect_solid(false, closed_ring(9e-4), "ends within", 10, 1e-3);
+  expect_solid(true, closed_ring(1.1e-3), "ends beyond", 10, 1e-3);
+}
+
+/// Edges and corners are no area, and a step as narrow as rounding is none.
+TEST(Noise, ShellsThatShareALineAreASolid) {
+  const MeshData first = box({0, 0, 0}, {2, 2, 2}, 2);
+  expect_solid(true, joined(first, box({2, 2, 0}, {4, 4, 2}, 3)), "an edge");
+  expect_solid(true, joined(first, box({2, 2, 2}, {4, 4, 4}, 3)), "a corner");
+  expect_solid(true, joined(first, box({2 - 0x1p-40, 0, 2}, {4, 2, 4}, 3)), "an edge and a rounding");
+  expect_solid(true, joined(first, scenes::prism({{2, 1}, {3, 0}, {3, 2}}, 0, 2)), "an edge on a face");
+}
+
+/// Walls thinner than the tolerance: of a foil, and between a shell and its cavity.
+TEST(Noise, ThinWallsShareNoArea) {
+  for (const double thick : {1e-3, 1e-4, 1e-5}) {
+    const std::string what = std::to_string(thick);
+    const MeshData foil = box({0, 0, 0}, {1, 1, thick}, 2);
+    expect_solid(true, foil, what, 10, 0.1);
+    expect_solid(true, foil, what, 100);
+    expect_solid(
+        true,
+        joined(box({0, 0, 0}, {1, 1, 1}), inverted(box({thick, thick, thick}, {1 - thick, 1 - thick, 1 - thick}, 2))),
+        what, 10, 0.1);
+  }
+}
+
+/// One thin wall of a thick block: less than the tolerance, and far more than rounding.
+TEST(Noise, AThinWallBesideACavityIsNoGap) {
+  const auto hollow = [](double wall) {
+    return joined(box({0, 0, 0}, {4, 4, 4}), inverted(box({1, 1, 2}, {3, 3, 4 - wall}, 2)));
+  };
+  expect_solid(true, hollow(5e-4), "a wall", 10, 1e-3);
+  expect_solid(false, hollow(1e-9), "none", 10, 1e-3);
+}
+
+TEST(Noise, WhatPassesThroughItselfIsASurfaceHoweverItIsTurned) {
+  for (const scenes::SolidPair& pair : scenes::self_passing_pairs())
+    if (pair.name.ends_with(": itself"))
+      for (const double reach : {10.0, 1e4}) expect_solid(pair.solids, pair.a, pair.name, reach);
+}
+
+MeshData cut_sheet(double thick, int across, int through) {
+  const auto cut = [](double length, int n) {
+    std::vector<double> at;
+    for (int i = 0; i <= n; ++i) at.push_back(length * i / n);
+    return at;
+  };
+  return scenes::block(cut(10, across), cut(10, across), cut(thick, through), 3);
+}
+
+/// Far more narrow than long are the triangles of its rim.
+TEST(Noise, ThinPartsCutIntoSliversAreSolids) {
+  for (const double reach : {1e2, 1e4, 5e5})
+    for (const double thick : {1e-3, 5e-4}) expect_solid(true, cut_sheet(thick, 9, 9), "slivers", reach);
+  for (const double thick : {1e-3, 1e-4}) expect_solid(true, cut_sheet(thick, 9, 1), "a foil", 5e6);
+}
+
+/// A triangle that is folded back over its neighbour by less than files are precise to.
+TEST(Noise, ASliverThatIsFoldedBackIsNoArea) {
+  const auto dented = [](double depth) {
+    MeshData mesh{{0, 0, 0, 100, 0, 0, 100, 100, 0, 0, 100, 0, 50, depth, 0, 50, 50, 40}, {}};
+    // A pyramid over a square of which one side is a sliver (0, 4, 1) in the plane of the base, which ends beyond it.
+    mesh.triangles = {0, 2, 1, 0, 3, 2, 0, 1, 4, 0, 4, 5, 4, 1, 5, 1, 2, 5, 2, 3, 5, 3, 0, 5};
+    return mesh;
+  };
+  expect_solid(true, dented(3e-4), "a sliver");
+  expect_solid(false, dented(3), "an area");
 }
 
 }  // namespace

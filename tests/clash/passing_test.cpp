@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// Surfaces at each other's edges: whether they pass through each other is plain, and must not change with a tolerance
+/// nor with what a motion rounds.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+using scenes::MeshData;
+
+/// Points (x, z), one after the other.
+using Profile = std::vector<std::array<double, 2>>;
+
+/// A profile along y, cut at each of `places`.
+MeshData swept(const Profile& profile, const std::vector<double>& places) {
+  MeshData mesh;
+  for (const double y : places)
+    for (const auto& [x, z] : profile) mesh.xyz.insert(mesh.xyz.end(), {x, y, z});
+  const auto n = static_cast<std::uint32_t>(profile.size());
+  for (std::uint32_t j = 0; j + 1 < places.size(); ++j)
+    for (std::uint32_t i = 0; i + 1 < n; ++i) {
+      const std::uint32_t a = j * n + i, b = a + 1, c = b + n, d = a + n;
+      mesh.triangles.insert(mesh.triangles.end(), {a, b, c, a, c, d});
+    }
+  return mesh;
+}
+
+/// A convex plate, as a fan from its first corner.
+MeshData plate(const std::vector<std::array<double, 3>>& corners) {
+  MeshData mesh;
+  for (const auto& corner : corners) mesh.xyz.insert(mesh.xyz.end(), corner.begin(), corner.end());
+  for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) mesh.triangles.insert(mesh.triangles.end(), {0, i, i + 1});
+  return mesh;
+}
+
+/// Without the triangles that lie in the plane z = `height`.
+MeshData open_at(MeshData mesh, double height) {
+  std::vector<std::uint32_t> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    const auto is_there = [&](std::size_t k) { return mesh.xyz[3 * mesh.triangles[t + k] + 2] == height; };
+    if (is_there(0) && is_there(1) && is_there(2)) continue;
+    for (std::size_t k = 0; k < 3; ++k) kept.push_back(mesh.triangles[t + k]);
+  }
+  mesh.triangles = kept;
+  return mesh;
+}
+
+/// Every other triangle looks the other way.
+MeshData mixed_up(MeshData mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 6) std::swap(mesh.triangles[t], mesh.triangles[t + 1]);
+  return mesh;
+}
+
+std::string_view verdict(const MeshData& a, const MeshData& b, const Pose& pose, std::optional<double> tolerance) {
+  ClashOptions options;
+  options.tolerance = tolerance;
+  return name(judge(test::mesh_of(a), pose, test::mesh_of(b), pose, options).value().verdict);
+}
+
+void expect_verdict(Verdict expected, const MeshData& a, const MeshData& b, const char* what) {
+  EXPECT_EQ(verdict(a, b, {}, 0), name(expected)) << what << ", exactly";
+  for (const std::optional<double> tolerance : {std::optional<double>(), {1e-3}})
+    for (std::uint64_t seed = 0; seed <= 4; ++seed) {
+      test::Seeded seeded(seed);
+      const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 10);
+      const MeshData baked_a = scenes::baked(a, pose), baked_b = scenes::baked(b, pose);
+      EXPECT_EQ(verdict(a, b, pose, tolerance), name(expected)) << what << ", seed " << seed;
+      EXPECT_EQ(verdict(b, a, pose, tolerance), name(expected)) << what << ", swapped, seed " << seed;
+      EXPECT_EQ(verdict(baked_a, mixed_up(baked_b), {}, tolerance), name(expected)) << what << ", baked, seed " << seed;
+      EXPECT_EQ(verdict(baked_b, mixed_up(baked_a), {}, tolerance), name(expected))
+          << what << ", baked and swapped, seed " << seed;
+    }
+}
+
+TEST(Passing, APlateThroughAFold) {
+  const Profile corner{{0, 4}, {0, 0}, {4, 0}}, straight{{-4, -4}, {4, 4}}, cut{{-4, -4}, {0, 0}, {4, 4}};
+  const MeshData fold = swept(corner, {0, 8});
+  expect_verdict(Verdict::crossing, fold, swept(straight, {2, 6}), "a plate");
+  expect_verdict(Verdict::crossing, fold, swept(cut, {2, 6}), "one that is cut there");
+  expect_verdict(Verdict::crossing, fold, swept(straight, {-2, 10}), "one that is longer");
+  expect_verdict(Verdict::crossing, swept(corner, {0, 2, 3, 6, 8}), swept(cut, {2, 3, 6}), "both in pieces");
+  expect_verdict(Verdict::touching, fold, swept({{-4, -4}, {0, 0}}, {2, 6}), "one that ends there, from without");
+  expect_verdict(Verdict::touching, fold, swept({{0, 0}, {4, 4}}, {2, 6}), "one that ends there, from within");
+  expect_verdict(Verdict::touching, fold, swept({{-4, 4}, {0, 0}, {4, -4}}, {2, 6}), "one on its back");
+  expect_verdict(Verdict::touching, fold, swept({{-4, 4}, {4, -4}}, {2, 6}), "one on its back, in one piece");
+  expect_verdict(Verdict::touching, fold, swept({{0, -4}, {0, 0}, {-4, 0}}, {2, 6}), "a fold back to back");
+  expect_verdict(Verdict::touching, fold, swept({{1, 4}, {0, 0}, {4, 1}}, {2, 6}), "a fold in it");
+}
+
+TEST(Passing, PlatesAtTheEdgesOfATank) {
+  const MeshData tank = open_at(scenes::box({0, 0, 0}, {10, 10, 10}), 10);
+  expect_verdict(Verdict::crossing, tank, plate({{-2, 5, -2}, {3, 5, 3}, {3, 7, 3}, {-2, 7, -2}}), "at the bottom");
+  expect_verdict(Verdict::crossing, tank, plate({{-2, -2, 1}, {5, 5, 1}, {5, 5, 6}, {-2, -2, 6}}), "upright");
+  expect_verdict(Verdict::touching, tank, plate({{0, 0, 1}, {5, 5, 1}, {5, 5, 6}, {0, 0, 6}}), "upright, within");
+  expect_verdict(Verdict::touching, tank, plate({{0, 0, 1}, {-5, -5, 1}, {-5, -5, 6}, {0, 0, 6}}), "a fin");
+  expect_verdict(Verdict::touching, tank, plate({{0, 0, 1}, {-5, 0, 1}, {-5, 0, 6}, {0, 0, 6}}), "a fin along a wall");
+  expect_verdict(Verdict::touching, tank, plate({{0, 0, 0}, {10, 10, 0}, {10, 10, 10}, {0, 0, 10}}), "a partition");
+}
+
+/// The ribs' ends lie on one leg, behind which the other one is near at the ridge.
+TEST(Passing, ARibOutsideOfAnAcuteFold) {
+  for (const double width : {0.5, 2.0, 3.9, 4.0, 4.1}) {
+    const MeshData fold = swept({{-width, 4}, {0, 0}, {width, 4}}, {0, 8});
+    expect_verdict(Verdict::touching, fold, plate({{0, 4, 0}, {10, 4, 0}, {10, 4, 4}, {width, 4, 4}}), "a rib");
+    expect_verdict(Verdict::touching, fold, plate({{0, 4, -2}, {10, 4, -2}, {10, 4, 4}, {width, 4, 4}, {0, 4, 0}}),
+                   "one that goes on past the ridge");
+    expect_verdict(Verdict::crossing, fold, plate({{0, 4, -2}, {10, 4, -2}, {10, 4, 4}, {0, 4, 4}}), "a wall");
+  }
+  const MeshData roof = swept({{-2, 0}, {0, 6}, {2, 0}}, {0, 10});
+  expect_verdict(Verdict::touching, roof, plate({{0, 3, 6}, {2, 3, 0}, {6, 3, 0}, {6, 3, 6}}), "a gable outside");
+  expect_verdict(Verdict::touching, roof, plate({{-2, 3, 0}, {2, 3, 0}, {0, 3, 6}}), "a gable within");
+  const MeshData pyramid = open_at(scenes::hull({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {0, 0, 9}}), 0);
+  expect_verdict(Verdict::touching, pyramid, plate({{2, 0, 0}, {0, 0, 9}, {8, 0, 9}, {8, 0, 0}}), "a fin on a face");
+  expect_verdict(Verdict::touching, pyramid, plate({{2, 2, 0}, {0, 0, 9}, {8, 8, 9}}), "a fin on an edge");
+  expect_verdict(Verdict::crossing, pyramid, plate({{3, 3, 0}, {0, 0, 0}, {0, 0, 9}, {3, 3, 9}}), "along an edge");
+}
+
+/// Between the ridge and a sheet behind it nothing is farther than the tolerance from both.
+TEST(Passing, APlateThroughARidgeUpToTheNextSheet) {
+  constexpr double kTolerance = 1e-2;
+  const MeshData roof = swept({{-2, -4}, {0, 0}, {2, -4}}, {0, 8});
+  for (const double gap : {1.8, 8.0}) {
+    const double height = gap * kTolerance;
+    const MeshData both = scenes::joined(roof, swept({{-2, height}, {2, height}}, {0, 8}));
+    const MeshData post = swept({{0, -3}, {0, height}}, {2, 6});
+    const Verdict expected = gap < 2 ? Verdict::touching : Verdict::crossing;
+    EXPECT_EQ(verdict(both, post, {}, kTolerance), name(expected)) << gap;
+    EXPECT_EQ(verdict(post, both, {}, kTolerance), name(expected)) << gap;
+    EXPECT_EQ(verdict(roof, post, {}, kTolerance), name(Verdict::crossing)) << gap;
+  }
+}
+
+/// Half-planes that begin at one line, in the order of their angles: two sheets of two each pass through each other if
+/// and only if one's are on different sides of the other's.
+TEST(Passing, TwoSheetsAroundALine) {
+  const Profile rays{{4, 0},  {4, 2},   {4, 4},   {2, 4},   {0, 4},  {-2, 4}, {-4, 4}, {-4, 2},
+                     {-4, 0}, {-4, -2}, {-4, -4}, {-2, -4}, {0, -4}, {2, -4}, {4, -4}, {4, -2}};
+  test::Seeded seeded(1);
+  const auto judged = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const MeshData a = swept({rays[0], {0, 0}, rays[i]}, {0, 8}), b = swept({rays[j], {0, 0}, rays[k]}, {2, 6});
+    const Verdict expected = (j < i) != (k < i) ? Verdict::crossing : Verdict::touching;
+    const std::string what = std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(k);
+    const Pose pose = scenes::random_motion(seeded.random, 10);
+    EXPECT_EQ(verdict(a, b, {}, 0), name(expected)) << what;
+    EXPECT_EQ(verdict(a, b, {}, std::nullopt), name(expected)) << what;
+    EXPECT_EQ(verdict(b, a, pose, std::nullopt), name(expected)) << what << ", moved";
+    EXPECT_EQ(verdict(scenes::baked(a, pose), mixed_up(scenes::baked(b, pose)), {}, 1e-3), name(expected)) << what;
+  };
+  for (std::size_t i = 2; i < rays.size(); ++i)
+    for (std::size_t j = 1; j < rays.size(); ++j)
+      for (std::size_t k = j + 1; k < rays.size(); ++k)
+        if (j != i && k != i) judged(i, j, k);
+}
+
+}  // namespace
+}  // namespace impinge
