@@ -5,65 +5,29 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
 #include "clash/judge.hpp"
-#include "clash/known_part.hpp"
 #include "clash/local_frame.hpp"
 #include "clash/region_side.hpp"
-#include "clash/self_crossings.hpp"
-#include "clash/self_flush.hpp"
-#include "clash/self_passings.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
 #include "domain_error.hpp"
-#include "impinge/collide.hpp"
 #include "measure/nearest.hpp"
 #include "on_threads.hpp"
 #include "pipeline.hpp"
 #include "scene/validate_pose.hpp"
 #include "scene_state.hpp"
+#include "seen_part.hpp"
 #include "solid/locate.hpp"
 #include "stage_clock.hpp"
 
 namespace impinge {
 namespace {
-
-/// A mesh that was placed somewhere.
-struct Placed {
-  const Mesh* mesh;  ///< null: nothing is here
-  Pose pose;
-};
-
-/// What is done and what is to be done, if somebody wants to know.
-class Steps {
- public:
-  explicit Steps(Progress* progress) : progress_(progress) {}
-  void begin(std::uint64_t total) const {
-    if (progress_ != nullptr) progress_->done = 0, progress_->total = total;
-  }
-  void step() const {
-    if (progress_ != nullptr) progress_->done.fetch_add(1, std::memory_order_relaxed);
-  }
-
- private:
-  Progress* progress_;
-};
-
-solid::Body body_of(const Mesh& mesh, const Pose& pose) {
-  return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
-}
-
-bool before(const TrianglePair& x, const TrianglePair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
-
-Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
 
 Result<void> validate(const ClashOptions& options) {
   if (auto valid = impinge::validate(Options{.threads = options.threads}); !valid) return valid;
@@ -81,141 +45,6 @@ Result<void> check_domain(const std::vector<Placed>& objects) {
     return out_of_domain("object " + std::to_string(i));
   }
   return {};
-}
-
-double tolerance_of(const ClashOptions& options, double largest) {
-  return options.tolerance.value_or(0x1p-20 * largest);
-}
-
-/// The pairs of a placed mesh's own triangles that keep it from being a solid, in order.
-Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
-  const solid::Body body = body_of(*placed.mesh, placed.pose);
-  const solid::Topology topology = solid::examine(body);
-  const double most = tolerance_of(options, clash::largest_coordinate(body.box));
-  const double tolerance = clash::defect_tolerance(body, topology, most);
-  std::optional<std::vector<TrianglePair>> flush;
-  if (topology.closed && most > 0) flush = clash::self_flush(body, topology, most, options.stop);
-  const std::uint8_t kinds = flush ? kCrossing : kCrossing | kCoplanar;
-  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
-                                {.kinds = kinds, .threads = threads, .stop = options.stop});
-  if (!contacts) return contacts.error();
-  std::vector<TrianglePair> defects;
-  for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
-    if (options.stop.stop_requested()) return cancelled();
-    const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a < pair.b &&
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
-      defects.push_back(pair);
-  }
-  if (flush) {
-    const std::vector<TrianglePair> crossing = std::exchange(defects, {});
-    std::set_union(crossing.begin(), crossing.end(), flush->begin(), flush->end(), std::back_inserter(defects), before);
-  }
-  if (defects.empty() && topology.closed) defects = clash::self_passings(body, topology, tolerance, options.stop);
-  if (options.stop.stop_requested()) return cancelled();
-  return defects;
-}
-
-/// What is to be looked through for defects: a mesh as it was made, once however often it is placed; or each object
-/// where it is, if every rounding counts.
-struct Checks {
-  std::vector<Placed> placed;
-  std::vector<std::size_t> of_object;
-};
-
-Checks list_checks(const std::vector<Placed>& objects, const ClashOptions& options) {
-  Checks checks;
-  std::map<const MeshState*, std::size_t> known;
-  for (const Placed& object : objects) {
-    checks.of_object.push_back(checks.placed.size());
-    if (object.mesh == nullptr) continue;
-    const MeshState& mesh = object.mesh->state();
-    if (options.tolerance.value_or(1) > 0 && in_exact_domain(Pose{}, mesh.data)) {
-      const auto [place, is_new] = known.emplace(&mesh, checks.placed.size());
-      checks.of_object.back() = place->second;
-      if (is_new) checks.placed.push_back({object.mesh, Pose{}});
-    } else {
-      checks.placed.push_back(object);
-    }
-  }
-  return checks;
-}
-
-/// Large meshes one after the other, each by all threads; small ones side by side.
-Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vector<Placed>& placed,
-                                                                const ClashOptions& options) {
-  constexpr std::size_t kLarge = 1 << 16;
-  const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
-  std::vector<Result<std::vector<TrianglePair>>> found(placed.size(), std::vector<TrianglePair>());
-  const auto look_through = [&](std::size_t i, int threads) {
-    if (options.stop.stop_requested()) return;
-    found[i] = find_defects(placed[i], options, threads);
-    Steps(options.progress).step();
-  };
-  run_each(on_threads(options.threads), placed.size(), [&](std::size_t i) {
-    if (!is_large(i)) look_through(i, 1);
-  });
-  for (std::size_t i = 0; i < placed.size(); ++i)
-    if (is_large(i)) look_through(i, options.threads);
-  if (options.stop.stop_requested()) return cancelled();
-  std::vector<std::vector<TrianglePair>> defects;
-  for (auto& some : found) {
-    if (!some) return some.error();
-    defects.push_back(*std::move(some));
-  }
-  return defects;
-}
-
-/// A part as the verdicts see it, which is its boundary alone, and as it is.
-struct SeenPart {
-  clash::KnownPart known;
-  std::optional<Mesh> boundary;      ///< without the shells that are none, where there are such
-  std::optional<solid::Part> whole;  ///< and then the part with them
-
-  [[nodiscard]] const solid::Part& part() const { return whole ? *whole : known.linked.part; }
-};
-
-SeenPart see(const Placed& placed, solid::Body&& body, const std::vector<TrianglePair>& defects) {
-  SeenPart seen{clash::know(std::move(body), defects), {}, {}};
-  const solid::Part& part = seen.known.linked.part;
-  const auto is_inner = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
-  if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_inner)) return seen;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t t = 0; t < part.body.size(); ++t)
-    if (part.is_boundary(t))
-      triangles.insert(triangles.end(), placed.mesh->triangles()[t].begin(), placed.mesh->triangles()[t].end());
-  std::vector<double> xyz;
-  for (const Point& vertex : placed.mesh->vertices()) xyz.insert(xyz.end(), {vertex.x, vertex.y, vertex.z});
-  seen.boundary = Mesh::create(xyz, triangles).value();
-  clash::KnownPart boundary = clash::know(body_of(*seen.boundary, placed.pose), {});
-  boundary.facts = seen.known.facts;
-  seen.whole = std::move(seen.known.linked.part);
-  seen.known = std::move(boundary);
-  return seen;
-}
-
-/// Where nothing is placed there is an empty one.
-std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threads) {
-  std::vector<solid::Body> bodies(objects.size());
-  run_each(on_threads(threads), objects.size(), [&](std::size_t i) {
-    if (objects[i].mesh != nullptr) bodies[i] = body_of(*objects[i].mesh, objects[i].pose);
-  });
-  return bodies;
-}
-
-/// `bodies` are the objects', of which the parts are made.
-Result<std::vector<SeenPart>> see_all(const std::vector<Placed>& objects, std::vector<solid::Body> bodies,
-                                      const Checks& checks, const ClashOptions& options) {
-  const auto defects = find_all_defects(checks.placed, options);
-  if (!defects) return defects.error();
-  std::vector<SeenPart> parts(objects.size());
-  run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
-    if (options.stop.stop_requested()) return;
-    if (objects[i].mesh != nullptr) parts[i] = see(objects[i], std::move(bodies[i]), (*defects)[checks.of_object[i]]);
-    Steps(options.progress).step();
-  });
-  if (options.stop.stop_requested()) return cancelled();
-  return parts;
 }
 
 std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const clash::Judgement& judgement,
