@@ -44,7 +44,7 @@ std::vector<SolidPair> inverted_pairs();
 std::vector<SolidPair> shell_pairs();    ///< several shells in a part
 std::vector<SolidPair> concave_pairs();  ///< notches, grooves, tubes and rods
 std::vector<SolidPair> thin_pairs();
-std::vector<SolidPair> surface_pairs();  ///< one or both are no solids
+std::vector<SolidPair> surface_pairs();     ///< one or both are no solids
 std::vector<SolidPair> passing_pairs();     ///< surfaces through each other along edges, and what looks like it
 std::vector<SolidPair> degenerate_pairs();  ///< segments with solids and with surfaces, alone and as parts of surfaces
 /// The same of points. A point has no extent that a tolerance could be small against: they are judged exactly.
