@@ -136,6 +136,7 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
   const auto written = documents.write(
       kJson, [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });
   if (!written) return written.error();
+  if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_answer(*answer, arguments, stop); !printed) return printed.error();
   }

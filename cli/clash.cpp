@@ -131,6 +131,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
   if (auto written = write_exports(documents, *review, arguments, stop); !written) return written.error();
+  if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();
   }

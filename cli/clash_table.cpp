@@ -30,6 +30,8 @@ std::string note_text(Note note) {
       return kNothing;
     case Note::overlap_within_tolerance:
       return "overlap within tolerance";
+    case Note::outside_within_tolerance:
+      return "outside within tolerance";
     case Note::gap_within_tolerance:
       return "gap within tolerance";
     case Note::equal_within_tolerance:

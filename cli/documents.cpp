@@ -37,7 +37,14 @@ Result<void> Documents::order(const DocumentKind& kind, const std::optional<std:
                                                  *place == "-" ? "standard output" : *place)};
   Result<Target> target = Target::check(*place, kind);
   if (!target) return target.error();
-  ordered_.push_back({&kind, *place, *std::move(target)});
+  ordered_.push_back({&kind, *place, *std::move(target), {}});
+  return {};
+}
+
+Result<void> Documents::put() {
+  // JSON, which is ordered first and is what the next run compares with, comes last.
+  for (auto ordered = ordered_.rbegin(); ordered != ordered_.rend(); ++ordered)
+    if (auto put = ordered->written.put(); !put) return put;
   return {};
 }
 

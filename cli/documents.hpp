@@ -11,8 +11,8 @@
 
 namespace impinge::cli {
 
-/// The documents that a call is asked for. Their places are looked at before long work begins; each appears whole or
-/// not at all.
+/// The documents that a call is asked for. Their places are looked at before long work begins, and what was in them
+/// stays until all documents are complete: an earlier run's JSON is not lost to a disk that is too full for the page.
 class Documents {
  public:
   /// `files` are those that the call reads, which no document may replace.
@@ -27,17 +27,25 @@ class Documents {
 
   /// Writes the document of this kind if it was ordered, by `fill(sink)`. Errors: as `Target::write`.
   template <class Fill>
-  Result<void> write(const DocumentKind& kind, Fill&& fill) const {
-    for (const Ordered& ordered : ordered_)
-      if (ordered.kind == &kind) return ordered.target.write(std::forward<Fill>(fill));
+  Result<void> write(const DocumentKind& kind, Fill&& fill) {
+    for (Ordered& ordered : ordered_) {
+      if (ordered.kind != &kind) continue;
+      Result<Written> written = ordered.target.write(std::forward<Fill>(fill));
+      if (!written) return written.error();
+      ordered.written = *std::move(written);
+    }
     return {};
   }
+
+  /// Puts all of them in their places. Errors: `bad_file`.
+  Result<void> put();
 
  private:
   struct Ordered {
     const DocumentKind* kind;
     std::string place;
     Target target;
+    Written written{};
   };
   const std::vector<std::string>& files_;
   std::vector<Ordered> ordered_;

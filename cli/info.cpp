@@ -179,6 +179,7 @@ Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
   if (auto flushed = out.flush(); !flushed) return flushed.error();
   if (auto written = documents.write(kJson, [&](Sink& sink) { return write_info_json(sink, files); }); !written)
     return written.error();
+  if (auto put = documents.put(); !put) return put.error();
   return all_read;
 }
 

@@ -59,6 +59,7 @@ Interrupt::Interrupt() {
   for (const int signal : kSignals) handle(signal, wake, SA_RESTART | static_cast<unsigned>(SA_RESETHAND));
   // Not SIG_IGN: the child would inherit that.
   handle(SIGPIPE, do_nothing, SA_RESTART);
+  handle(SIGXFSZ, do_nothing, SA_RESTART);
 }
 
 Interrupt::~Interrupt() {

@@ -152,14 +152,32 @@ Result<Target::Opened> Target::open() const {
   return Opened{descriptor, in_quotes(place_), std::move(temporary)};
 }
 
-Result<void> Target::close(const Opened& opened, Result<void> filled) const {
-  if (standard_output_) return filled;
+Result<Written> Target::close(const Opened& opened, Result<void> filled) const {
+  Written written = opened.temporary.empty() ? Written() : Written(opened.temporary, place_);
   // A full disk or a lost network drive may show only here.
-  if (::close(opened.descriptor) != 0 && filled) filled = cannot_write(opened.name, errno);
-  if (opened.temporary.empty()) return filled;
-  if (filled && ::rename(opened.temporary.c_str(), place_.c_str()) != 0) filled = cannot_write(opened.name, errno);
-  if (!filled) ::unlink(opened.temporary.c_str());
-  return filled;
+  if (!standard_output_ && ::close(opened.descriptor) != 0 && filled) filled = cannot_write(opened.name, errno);
+  if (!filled) return filled.error();
+  return written;
+}
+
+Written::~Written() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Written::Written(Written&& other) noexcept
+    : temporary_(std::exchange(other.temporary_, {})), place_(std::exchange(other.place_, {})) {}
+
+Written& Written::operator=(Written&& other) noexcept {
+  std::swap(temporary_, other.temporary_);
+  std::swap(place_, other.place_);
+  return *this;
+}
+
+Result<void> Written::put() {
+  if (temporary_.empty()) return {};
+  if (::rename(temporary_.c_str(), place_.c_str()) != 0) return cannot_write(in_quotes(place_), errno);
+  temporary_.clear();
+  return {};
 }
 
 void complain(std::string_view sentence) {

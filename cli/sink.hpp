@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "impinge/result.hpp"
 
@@ -45,6 +46,26 @@ struct DocumentKind {
 };
 extern const DocumentKind kJson, kPage, kCsv, kBcf, kGltf;
 
+/// A document that is complete, and beside its place rather than in it. Without `put` it vanishes, and what was in the
+/// place stays. Where bytes go straight to their place there is nothing left to do.
+class Written {
+ public:
+  Written() = default;
+  Written(std::filesystem::path temporary, std::filesystem::path place)
+      : temporary_(std::move(temporary)), place_(std::move(place)) {}
+  ~Written();
+  Written(Written&& other) noexcept;
+  Written& operator=(Written&& other) noexcept;
+  Written(const Written&) = delete;
+  Written& operator=(const Written&) = delete;
+
+  /// Errors: `bad_file`.
+  Result<void> put();
+
+ private:
+  std::filesystem::path temporary_, place_;  ///< both empty: nothing to put
+};
+
 /// The place that a document is written to. A regular file is written beside itself and renamed at the end, so
 /// that nobody sees half of it; a device or a pipe is written directly; "-" is standard output.
 class Target {
@@ -55,10 +76,10 @@ class Target {
 
   [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
 
-  /// Calls `fill(sink)`, which says whether the document is complete, and puts the document in its place.
-  /// Errors: those of `fill`; `bad_file` where it cannot be written. The old file then stays.
+  /// Calls `fill(sink)`, which says whether the document is complete. Errors: those of `fill`; `bad_file` where it
+  /// cannot be written. The old file stays in any case.
   template <class Fill>
-  Result<void> write(Fill&& fill) const {
+  Result<Written> write(Fill&& fill) const {
     Result<Opened> opened = open();
     if (!opened) return opened.error();
     Sink sink(opened->descriptor, opened->name);
@@ -74,7 +95,7 @@ class Target {
     std::string temporary;  ///< empty where the bytes go straight to their place
   };
   Result<Opened> open() const;
-  Result<void> close(const Opened& opened, Result<void> filled) const;
+  Result<Written> close(const Opened& opened, Result<void> filled) const;
 
   bool standard_output_ = false;
   bool direct_ = false;

@@ -34,6 +34,7 @@ Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
     const auto write_report = [&](Sink& to) { return write_view_json(to, *assembly); };
     return write_page(sink, *page, title_of(arguments.files), *scene, write_report, stop);
   });
+  if (written) written = documents.put();
   if (!written || arguments.quiet || documents.on_standard_output()) return written;
   Sink out(STDOUT_FILENO, "standard output");
   out.write(fmt::format("{}: {}, {}\n", printable(*arguments.html), counted(assembly->objects.size(), "part"),

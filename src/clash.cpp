@@ -301,8 +301,11 @@ std::string_view name(Verdict verdict) {
 }
 
 std::string_view sentence(Note note) {
-  constexpr std::array<std::string_view, 5> kSentences{
-      "", "they overlap by no more than the tolerance", "they are apart by no more than the tolerance",
+  constexpr std::array<std::string_view, 6> kSentences{
+      "",
+      "they overlap by no more than the tolerance",
+      "the inner part sticks out of the other by no more than the tolerance",
+      "they are apart by no more than the tolerance",
       "they differ by no more than the tolerance",
       "the tolerance is too large for a part so thin, or too small for its coordinates: the verdict is the exact one"};
   return kSentences[static_cast<std::size_t>(note)];

@@ -124,6 +124,7 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   if (auto written = documents.write(kJson, write_json); !written) return written.error();
   const auto write_html = [&](Sink& sink) { return write_motion_page(sink, report, *page, arguments, stop); };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
+  if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     Sink out(STDOUT_FILENO, "standard output");
     print_motion(report, arguments, out, width_of(STDOUT_FILENO), stop);

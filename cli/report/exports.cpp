@@ -38,7 +38,7 @@ Result<void> order_exports(Documents& documents, const ClashArguments& arguments
   return documents.order(kGltf, arguments.gltf);
 }
 
-Result<void> write_exports(const Documents& documents, const Review& review, const ClashArguments& arguments,
+Result<void> write_exports(Documents& documents, const Review& review, const ClashArguments& arguments,
                            const std::stop_token& stop) {
   const auto csv = [&](Sink& sink) { return write_csv(sink, review, stop); };
   if (auto written = documents.write(kCsv, csv); !written) return written;

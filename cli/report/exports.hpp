@@ -14,7 +14,7 @@ namespace impinge::cli {
 Result<void> order_exports(Documents& documents, const ClashArguments& arguments);
 
 /// Writes those that were ordered. Errors: as `Documents::write`; `cancelled`.
-Result<void> write_exports(const Documents& documents, const Review& review, const ClashArguments& arguments,
+Result<void> write_exports(Documents& documents, const Review& review, const ClashArguments& arguments,
                            const std::stop_token& stop);
 
 }  // namespace impinge::cli

@@ -79,10 +79,13 @@ Result<std::string> read_page_template() {
   const std::vector<std::filesystem::path> places = places_of_template();
   std::string looked;
   for (const auto& place : places) {
+    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(place, unknown)) continue;
     std::ifstream file(place, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
     if (file && text.find(kMark) != std::string::npos) return text;
-    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
+    looked += " (another file)";
   }
   return Error{
       Code::bad_file,

@@ -36,6 +36,7 @@ enum class Verdict : std::uint8_t {
 enum class Note : std::uint8_t {
   none,
   overlap_within_tolerance,  ///< exactly they overlap, by no more than the tolerance
+  outside_within_tolerance,  ///< exactly some of the inner part is outside, by no more than the tolerance
   gap_within_tolerance,      ///< exactly they are apart, by no more than the tolerance
   equal_within_tolerance,    ///< exactly they are not the same, but no point of one is farther from the other
   tolerance_not_applied,     ///< it is above a quarter of one part's wall, or below what rounding leaves of such

@@ -113,6 +113,7 @@ class Case {
     if (verdict == Verdict::penetrating || verdict == Verdict::crossing) return Note::none;
     if (verdict == Verdict::duplicate) return is_exact(verdict) ? Note::none : Note::equal_within_tolerance;
     if (met_.contacts.empty()) return verdict == Verdict::touching ? Note::gap_within_tolerance : Note::none;
+    if (verdict == Verdict::inside) return some_cross() ? Note::outside_within_tolerance : Note::none;
     const auto& contacts = met_.contacts;
     const auto overlap = [&](const exact::Contact& contact) { return has_interiors_on_one_side(contact); };
     const bool do_overlap = verdict == Verdict::touching && std::any_of(contacts.begin(), contacts.end(), overlap);

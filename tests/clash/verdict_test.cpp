@@ -251,6 +251,19 @@ TEST(Tolerance, ExcusesWhatOverlapsByLess) {
   EXPECT_EQ(clash->tolerance, 0.11);
 }
 
+TEST(Tolerance, ExcusesWhatSticksOutByLess) {
+  const auto judged_at = [](double low) {
+    return judged({mesh_of(scenes::box({0, 0, 0}, {8, 8, 8}))}, {mesh_of(scenes::box({2, low, 2}, {4, 4, 4}))}, 0.1);
+  };
+  const auto within = judged_at(-0.05), beyond = judged_at(-0.15), flush = judged_at(0);
+  ASSERT_TRUE(within && beyond && flush);
+  EXPECT_EQ(within->verdict, Verdict::inside);
+  EXPECT_EQ(within->note, Note::outside_within_tolerance);
+  EXPECT_EQ(beyond->verdict, Verdict::penetrating);
+  EXPECT_EQ(flush->verdict, Verdict::inside);
+  EXPECT_EQ(flush->note, Note::none);
+}
+
 TEST(Tolerance, DoesNotExcuseWhatOverlapsByMore) {
   const auto clash = plates(0.4, 0.09);
   ASSERT_TRUE(clash);

@@ -147,14 +147,16 @@ TEST(Zip, IsReadBackByAnother) {
   const auto write = [&](const std::string& name) {
     const Result<Target> target = Target::check((folder.path() / name).string(), kBcf);
     ASSERT_TRUE(target);
-    EXPECT_TRUE(target->write([&](Sink& sink) -> Result<void> {
+    Result<Written> written = target->write([&](Sink& sink) -> Result<void> {
       Zip zip(sink);
       for (const bool packed : {true, false})
         for (const std::string& bytes : {std::string(), std::string("x"), large})
           if (auto added = zip.add((packed ? "a/" : "b/") + std::to_string(bytes.size()), bytes, packed); !added)
             return added;
       return zip.finish();
-    }));
+    });
+    ASSERT_TRUE(written);
+    EXPECT_TRUE(written->put());
   };
   write("one.zip");
   const std::string archive = folder.read("one.zip");
@@ -175,7 +177,7 @@ TEST(Zip, RefusesWhatItCannotHold) {
   const test::Folder folder;
   const Result<Target> target = Target::check("/dev/null", kBcf);
   ASSERT_TRUE(target);
-  const Result<void> written = target->write([&](Sink& sink) -> Result<void> {
+  const Result<Written> written = target->write([&](Sink& sink) -> Result<void> {
     Zip zip(sink);
     for (int i = 0; i < 70'000; ++i)
       if (auto added = zip.add(std::to_string(i), "", false); !added) return added;
