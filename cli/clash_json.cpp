@@ -42,15 +42,6 @@ void write_parts(Sink& sink, const Review& review) {
   sink.write("\n],\n");
 }
 
-std::string json_interval(const Interval& interval) {
-  return fmt::format("[{},{}]", json_number(interval.lo), json_number(interval.hi));
-}
-
-std::string json_depth(const std::optional<OverlapDepth>& depth) {
-  if (!depth) return "null";
-  return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", json_interval(depth->a_in_b), json_interval(depth->b_in_a));
-}
-
 /// Members of a pair. Null of what touches: where it does, the regions tell.
 std::string json_distance(const Clash& pair) {
   if (!pair.nearest) return "\"distance\":null,\"distance_error\":null,\"nearest\":null";

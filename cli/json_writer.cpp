@@ -112,6 +112,21 @@ std::string json_number(double value) {
   return fmt::format("{}", value == 0 ? 0.0 : value);
 }
 
+std::string json_map(const Affine& map) {
+  std::string text = "[";
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) text += json_number(map.m[3 * row + column]) + ",";
+    text += json_number(map.t[row]) + (row < 2 ? "," : "]");
+  }
+  return text;
+}
+
+std::string json_depth(const std::optional<OverlapDepth>& depth) {
+  if (!depth) return "null";
+  const auto interval = [](const Interval& i) { return fmt::format("[{},{}]", json_number(i.lo), json_number(i.hi)); };
+  return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", interval(depth->a_in_b), interval(depth->b_in_a));
+}
+
 std::string json_identity(const Assembly& assembly, std::size_t object) {
   const io::Object& about = assembly.objects[object];
   return fmt::format("\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}", object,

@@ -33,6 +33,12 @@ std::string json_list(const auto& items, auto text_of) {
   return text += ']';
 }
 
+/// A map as a page has it: [r00,r01,r02,tx, r10,...], 3 rows of 4.
+std::string json_map(const Affine& map);
+
+/// {"a_in_b":[lo,hi],"b_in_a":[lo,hi]}, or null where there is none.
+std::string json_depth(const std::optional<OverlapDepth>& depth);
+
 /// What an object is called and where it comes from, as members of a JSON object, without braces: "id" to "triangles".
 std::string json_identity(const Assembly& assembly, std::size_t object);
 

@@ -16,12 +16,6 @@ std::string json_moment(const std::optional<Moment>& moment) {
   return moment ? fmt::format("[{},{}]", json_number(moment->lo), json_number(moment->hi)) : "null";
 }
 
-std::string json_depth(const std::optional<OverlapDepth>& depth) {
-  if (!depth) return "null";
-  const auto interval = [](const Interval& i) { return fmt::format("[{},{}]", json_number(i.lo), json_number(i.hi)); };
-  return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", interval(depth->a_in_b), interval(depth->b_in_a));
-}
-
 void write_spans(Sink& sink, const std::vector<ClashSpan>& spans, bool depth) {
   sink.write("\"spans\":[");
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -40,16 +34,6 @@ void write_animation(Sink& sink, const MotionReport& report) {
   sink.write(fmt::format("\"animation\":{{\"name\":{},\"seconds\":{},\"frames\":{},\"step\":{}}},\n",
                          json_string(report.animation.name), json_number(report.animation.seconds), steps,
                          json_number(report.animation.seconds / static_cast<double>(steps))));
-}
-
-/// 3 rows of 4, as the poses of a page are.
-std::string json_map(const Affine& map) {
-  std::string text = "[";
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) text += json_number(map.m[3 * row + column]) + ",";
-    text += json_number(map.t[row]) + (row < 2 ? "," : "]");
-  }
-  return text;
 }
 
 }  // namespace

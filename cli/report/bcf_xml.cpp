@@ -82,7 +82,9 @@ std::string description(const Assembly& assembly, const Clash& clash) {
   if (clash.regions.size() > kMostRegions)
     text += fmt::format("{} more\n", counted(clash.regions.size() - kMostRegions, "region"));
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
-  return text + "Lengths and places are in the files' unit and axes.";
+  return text +
+         "Lengths and places are in the unit and axes of the files as they were read; impinge info says where that "
+         "changed them.";
 }
 
 std::string header(const Assembly& assembly, const Clash& clash) {

@@ -38,15 +38,6 @@ std::vector<std::filesystem::path> places_of_template() {
   return places;
 }
 
-std::string json_pose(const Pose& pose) {
-  std::string text = "[";
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) text += json_number(pose.R[3 * row + column]) + ",";
-    text += json_number(pose.t[row]) + (row < 2 ? "," : "]");
-  }
-  return text;
-}
-
 void write_scene(Sink& sink, const std::string& title, const DrawnScene& scene) {
   sink.write(fmt::format("{{\"version\":1,\"title\":{},\"triangles\":{},\"shown\":{},\n\"meshes\":[",
                          json_string(title), scene.triangles, scene.shown));
@@ -57,7 +48,8 @@ void write_scene(Sink& sink, const std::string& title, const DrawnScene& scene) 
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const DrawnObject& object = scene.objects[i];
     sink.write(fmt::format("{}\n{{\"mesh\":{},\"pose\":{}}}", i > 0 ? "," : "",
-                           object.mesh ? fmt::format("{}", *object.mesh) : "-1", json_pose(object.pose)));
+                           object.mesh ? fmt::format("{}", *object.mesh) : "-1",
+                           json_map({object.pose.R, object.pose.t})));
   }
   sink.write("\n]}");
 }
