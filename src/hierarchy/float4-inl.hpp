@@ -20,6 +20,9 @@ namespace impinge::hierarchy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Operators stand outside of their types: g++ 12 does not apply the instruction set to friends defined within, and without
+// optimisation they would be called with their vectors in the wrong place.
+
 /// Four floats, mostly x, y, z and something else.
 #if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
 struct Float4 {
@@ -50,32 +53,32 @@ struct Float4 {
   HWY_INLINE Float4 picked(const Pick& pick) const {
     return {{lane[pick.from[0]], lane[pick.from[1]], lane[pick.from[2]], lane[pick.from[3]]}};
   }
-  /// Bit i says whether lane i of a is at least that of b.
-  friend HWY_INLINE unsigned at_least(const Float4& a, const Float4& b) {
-    unsigned bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(a.lane[i] >= b.lane[i]) << i;
-    return bits;
-  }
-  template <class Op>
-  static HWY_INLINE Float4 each(const Float4& a, const Float4& b, const Op& op) {
-    return {{op(a.lane[0], b.lane[0]), op(a.lane[1], b.lane[1]), op(a.lane[2], b.lane[2]), op(a.lane[3], b.lane[3])}};
-  }
-  friend HWY_INLINE Float4 operator+(const Float4& a, const Float4& b) {
-    return each(a, b, [](float x, float y) { return x + y; });
-  }
-  friend HWY_INLINE Float4 operator-(const Float4& a, const Float4& b) {
-    return each(a, b, [](float x, float y) { return x - y; });
-  }
-  friend HWY_INLINE Float4 operator*(const Float4& a, const Float4& b) {
-    return each(a, b, [](float x, float y) { return x * y; });
-  }
-  friend HWY_INLINE Float4 min(const Float4& a, const Float4& b) {
-    return each(a, b, [](float x, float y) { return x < y ? x : y; });
-  }
-  friend HWY_INLINE Float4 max(const Float4& a, const Float4& b) {
-    return each(a, b, [](float x, float y) { return x > y ? x : y; });
-  }
 };
+/// Bit i says whether lane i of a is at least that of b.
+HWY_INLINE unsigned at_least(const Float4& a, const Float4& b) {
+  unsigned bits = 0;
+  for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(a.lane[i] >= b.lane[i]) << i;
+  return bits;
+}
+template <class Op>
+HWY_INLINE Float4 each(const Float4& a, const Float4& b, const Op& op) {
+  return {{op(a.lane[0], b.lane[0]), op(a.lane[1], b.lane[1]), op(a.lane[2], b.lane[2]), op(a.lane[3], b.lane[3])}};
+}
+HWY_INLINE Float4 operator+(const Float4& a, const Float4& b) {
+  return each(a, b, [](float x, float y) { return x + y; });
+}
+HWY_INLINE Float4 operator-(const Float4& a, const Float4& b) {
+  return each(a, b, [](float x, float y) { return x - y; });
+}
+HWY_INLINE Float4 operator*(const Float4& a, const Float4& b) {
+  return each(a, b, [](float x, float y) { return x * y; });
+}
+HWY_INLINE Float4 min(const Float4& a, const Float4& b) {
+  return each(a, b, [](float x, float y) { return x < y ? x : y; });
+}
+HWY_INLINE Float4 max(const Float4& a, const Float4& b) {
+  return each(a, b, [](float x, float y) { return x > y ? x : y; });
+}
 #else
 struct Float4 {
   using Tag = hn::FixedTag<float, 4>;
@@ -104,15 +107,15 @@ struct Float4 {
     decltype(hn::SetTableIndices(Tag(), static_cast<const std::int32_t*>(nullptr))) from;
   };
   HWY_INLINE Float4 picked(const Pick& pick) const { return {hn::TableLookupLanes(v, pick.from)}; }
-  friend HWY_INLINE unsigned at_least(const Float4& a, const Float4& b) {
-    return impinge::HWY_NAMESPACE::mask_bits(Tag(), hn::Ge(a.v, b.v));
-  }
-  friend HWY_INLINE Float4 operator+(const Float4& a, const Float4& b) { return {hn::Add(a.v, b.v)}; }
-  friend HWY_INLINE Float4 operator-(const Float4& a, const Float4& b) { return {hn::Sub(a.v, b.v)}; }
-  friend HWY_INLINE Float4 operator*(const Float4& a, const Float4& b) { return {hn::Mul(a.v, b.v)}; }
-  friend HWY_INLINE Float4 min(const Float4& a, const Float4& b) { return {hn::Min(a.v, b.v)}; }
-  friend HWY_INLINE Float4 max(const Float4& a, const Float4& b) { return {hn::Max(a.v, b.v)}; }
 };
+HWY_INLINE unsigned at_least(const Float4& a, const Float4& b) {
+  return impinge::HWY_NAMESPACE::mask_bits(Float4::Tag(), hn::Ge(a.v, b.v));
+}
+HWY_INLINE Float4 operator+(const Float4& a, const Float4& b) { return {hn::Add(a.v, b.v)}; }
+HWY_INLINE Float4 operator-(const Float4& a, const Float4& b) { return {hn::Sub(a.v, b.v)}; }
+HWY_INLINE Float4 operator*(const Float4& a, const Float4& b) { return {hn::Mul(a.v, b.v)}; }
+HWY_INLINE Float4 min(const Float4& a, const Float4& b) { return {hn::Min(a.v, b.v)}; }
+HWY_INLINE Float4 max(const Float4& a, const Float4& b) { return {hn::Max(a.v, b.v)}; }
 #endif
 
 /// Two of them side by side; in memory aligned to 32 bytes.
@@ -136,12 +139,12 @@ struct Float8 {
     alignas(32) constexpr std::int32_t kOrder[8] = {1, 2, 0, 3, 5, 6, 4, 7};
     return {hn::TableLookupLanes(v, hn::SetTableIndices(Tag(), kOrder))};
   }
-  friend HWY_INLINE Float8 operator+(const Float8& a, const Float8& b) { return {hn::Add(a.v, b.v)}; }
-  friend HWY_INLINE Float8 operator-(const Float8& a, const Float8& b) { return {hn::Sub(a.v, b.v)}; }
-  friend HWY_INLINE Float8 operator*(const Float8& a, const Float8& b) { return {hn::Mul(a.v, b.v)}; }
-  friend HWY_INLINE Float8 min(const Float8& a, const Float8& b) { return {hn::Min(a.v, b.v)}; }
-  friend HWY_INLINE Float8 max(const Float8& a, const Float8& b) { return {hn::Max(a.v, b.v)}; }
 };
+HWY_INLINE Float8 operator+(const Float8& a, const Float8& b) { return {hn::Add(a.v, b.v)}; }
+HWY_INLINE Float8 operator-(const Float8& a, const Float8& b) { return {hn::Sub(a.v, b.v)}; }
+HWY_INLINE Float8 operator*(const Float8& a, const Float8& b) { return {hn::Mul(a.v, b.v)}; }
+HWY_INLINE Float8 min(const Float8& a, const Float8& b) { return {hn::Min(a.v, b.v)}; }
+HWY_INLINE Float8 max(const Float8& a, const Float8& b) { return {hn::Max(a.v, b.v)}; }
 #else
 struct Float8 {
   Float4 half[2];
@@ -160,22 +163,22 @@ struct Float8 {
   }
   HWY_INLINE Float8 rotated() const { return {{half[0].rotated(), half[1].rotated()}}; }
   HWY_INLINE Float8 yzx() const { return {{half[0].yzx(), half[1].yzx()}}; }
-  friend HWY_INLINE Float8 operator+(const Float8& a, const Float8& b) {
-    return {{a.half[0] + b.half[0], a.half[1] + b.half[1]}};
-  }
-  friend HWY_INLINE Float8 operator-(const Float8& a, const Float8& b) {
-    return {{a.half[0] - b.half[0], a.half[1] - b.half[1]}};
-  }
-  friend HWY_INLINE Float8 operator*(const Float8& a, const Float8& b) {
-    return {{a.half[0] * b.half[0], a.half[1] * b.half[1]}};
-  }
-  friend HWY_INLINE Float8 min(const Float8& a, const Float8& b) {
-    return {{min(a.half[0], b.half[0]), min(a.half[1], b.half[1])}};
-  }
-  friend HWY_INLINE Float8 max(const Float8& a, const Float8& b) {
-    return {{max(a.half[0], b.half[0]), max(a.half[1], b.half[1])}};
-  }
 };
+HWY_INLINE Float8 operator+(const Float8& a, const Float8& b) {
+  return {{a.half[0] + b.half[0], a.half[1] + b.half[1]}};
+}
+HWY_INLINE Float8 operator-(const Float8& a, const Float8& b) {
+  return {{a.half[0] - b.half[0], a.half[1] - b.half[1]}};
+}
+HWY_INLINE Float8 operator*(const Float8& a, const Float8& b) {
+  return {{a.half[0] * b.half[0], a.half[1] * b.half[1]}};
+}
+HWY_INLINE Float8 min(const Float8& a, const Float8& b) {
+  return {{min(a.half[0], b.half[0]), min(a.half[1], b.half[1])}};
+}
+HWY_INLINE Float8 max(const Float8& a, const Float8& b) {
+  return {{max(a.half[0], b.half[0]), max(a.half[1], b.half[1])}};
+}
 #endif
 
 }  // namespace impinge::hierarchy::HWY_NAMESPACE
