@@ -239,7 +239,6 @@ Result<Configuration> parse_configuration(std::string name, std::string text) {
     read_clash_sets(reader, configuration);
   else
     read_object(reader, configuration);
-  reader.end();
   if (reader.failed()) return reader.error();
   return configuration;
 }

@@ -91,7 +91,7 @@ struct Configuration {
     return mode_of(test) == Mode::clearance ? test.terms.clearance.value_or(terms.clearance.value_or(0)) : 0;
   }
   [[nodiscard]] Error error_at(const JsonReader::Place& place, std::string_view what) const {
-    return JsonReader(text, name).error_at(place, what);
+    return JsonReader::error_in(text, name, place, what);
   }
 };
 

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 #include "text.hpp"
 
@@ -34,282 +34,151 @@ std::string_view in_words(Kind kind) {
   return "";
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
-  if (code < 0x80) {
-    add(code);
-  } else if (code < 0x800) {
-    add(0xC0 | code >> 6), add(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    add(0xE0 | code >> 12), add(0x80 | (code >> 6 & 0x3F)), add(0x80 | (code & 0x3F));
-  } else {
-    add(0xF0 | code >> 18), add(0x80 | (code >> 12 & 0x3F)), add(0x80 | (code >> 6 & 0x3F)), add(0x80 | (code & 0x3F));
-  }
-}
-
 /// Whatever a file holds, a message stays one short line.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 80;
-  return fit(printable(text.substr(0, 4 * kLongest)), kLongest);
+std::string shown(std::string_view text, std::size_t longest = 80) {
+  return fit(printable(text.substr(0, 4 * longest)), longest);
 }
+
+/// Where the parser is, seen from outside of it.
+struct Cursor {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char** at;
+
+  reference operator*() const { return **at; }
+  Cursor& operator++() { return ++*at, *this; }
+  friend bool operator!=(const Cursor& a, const Cursor& b) { return *a.at != *b.at; }
+};
 
 }  // namespace
 
-JsonReader::JsonReader(std::string_view text, std::string_view name) : text_(text), name_(name) {
-  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-}
+/// Keeps what a text says, in its order.
+class JsonReader::Parser final : public nlohmann::json::json_sax_t {
+ public:
+  explicit Parser(JsonReader& to) : to_(to), at_(to.text_.data()), end_(at_ + to.text_.size()) {}
 
-void JsonReader::skip_space() {
-  while (here() == ' ' || here() == '\t' || here() == '\n' || here() == '\r') ++at_;
+  void parse() { nlohmann::json::sax_parse(Cursor{&at_}, Cursor{&end_}, this); }
+
+  bool null() override { return add({.kind = Kind::null}); }
+  bool boolean(bool truth) override { return add({.number = truth ? 1.0 : 0.0, .kind = Kind::boolean}); }
+  bool number_integer(number_integer_t value) override { return add_number(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return add_number(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t&) override { return add_number(value); }
+  bool string(string_t& text) override {
+    if (text.size() > std::numeric_limits<std::uint32_t>::max()) return fail("this text in quotes is too long");
+    const std::size_t begin = to_.strings_.size();
+    to_.strings_ += text;
+    return add({.link = begin, .size = static_cast<std::uint32_t>(text.size()), .kind = Kind::string});
+  }
+  bool key(string_t& text) override { return string(text); }
+  bool binary(binary_t&) override { return false; }  // no JSON text has any
+  bool start_object(std::size_t) override { return open(Kind::object); }
+  bool start_array(std::size_t) override { return open(Kind::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& problem) override {
+    if (problem.id == kOverflow) return fail("this number is too large");
+    // After the words that name the exception and count lines and columns.
+    const std::string_view what = problem.what();
+    const std::size_t colon = what.find(": ");
+    return fail(shown(colon == std::string_view::npos ? what : what.substr(colon + 2), 160));
+  }
+
+ private:
+  static constexpr int kOverflow = 406;  // nlohmann-json's number for it
+
+  /// A value has just been read: the parser stands behind it, one further behind a number.
+  [[nodiscard]] std::size_t here() const {
+    const auto read = static_cast<std::size_t>(at_ - to_.text_.data());
+    return read == 0 ? 0 : read - 1;
+  }
+  bool fail(std::string_view what) {
+    to_.last_ = here();
+    to_.fail(what);
+    return false;
+  }
+  bool add(Token token) {
+    if (to_.tokens_.size() >= kMostValues) return fail(fmt::format("there are more than {} values here", kMostValues));
+    token.at = here();
+    if (token.kind != Kind::string) token.link = to_.tokens_.size() + 1;
+    to_.tokens_.push_back(token);
+    return true;
+  }
+  bool add_number(double value) { return add({.number = value, .kind = Kind::number}); }
+  bool open(Kind kind) {
+    if (open_.size() >= kDeepest) return fail(fmt::format("this is nested deeper than {} levels", kDeepest));
+    open_.push_back(to_.tokens_.size());
+    return add({.kind = kind});
+  }
+  bool close() {
+    to_.tokens_[open_.back()].link = to_.tokens_.size();
+    open_.pop_back();
+    return true;
+  }
+
+  JsonReader& to_;
+  const char *at_, *end_;
+  std::vector<std::size_t> open_;
+};
+
+JsonReader::JsonReader(std::string_view text, std::string_view name) : text_(text), name_(name) {
+  Parser(*this).parse();
 }
 
 Kind JsonReader::kind() {
-  skip_space();
-  if (failed_) return Kind::null;
-  last_ = at_;
-  switch (here()) {
-    case '{':
-      return Kind::object;
-    case '[':
-      return Kind::array;
-    case '"':
-      return Kind::string;
-    case 't':
-    case 'f':
-      return Kind::boolean;
-    case 'n':
-      return Kind::null;
-    default:
-      if (here() == '-' || is_digit(here())) return Kind::number;
-  }
-  fail(at_ >= text_.size() ? "the text ends where a value should stand" : "no JSON value begins so");
-  return Kind::null;
+  if (failed_ || next_ >= tokens_.size()) return Kind::null;
+  last_ = tokens_[next_].at;
+  return tokens_[next_].kind;
 }
 
-void JsonReader::expect(Kind wanted, std::string_view what) {
+/// Null after a mistake.
+const JsonReader::Token* JsonReader::take(Kind wanted, std::string_view what) {
   const Kind found = kind();
   if (found != wanted) fail(fmt::format("{} should stand here, not {}", what, in_words(found)));
+  return failed_ ? nullptr : &tokens_[next_++];
 }
 
-bool JsonReader::enter(char open, std::string_view what) {
-  expect(open == '[' ? Kind::array : Kind::object, what);
-  if (path_.size() >= kDeepest) fail(fmt::format("this is nested deeper than {} levels", kDeepest));
-  if (failed_) return false;
-  ++at_;
-  return true;
-}
-
-bool JsonReader::leave_at_once(char close) {
-  skip_space();
-  if (here() != close) return false;
-  ++at_;
-  return true;
-}
-
-bool JsonReader::goes_on(char close) {
-  skip_space();
-  if (failed_) return false;
-  last_ = at_;
-  const char c = here();
-  if (c != ',' && c != close) {
-    fail(at_ >= text_.size() ? fmt::format("the text ends before a closing '{}'", close)
-                             : fmt::format("a ',' or a '{}' should stand here", close));
-    return false;
-  }
-  ++at_;
-  return c == ',';
-}
-
-std::string JsonReader::take_key(std::unordered_set<std::string>& seen) {
-  expect(Kind::string, "a key in quotes");
-  std::string key;
-  if (!failed_) take_string(&key);
-  if (failed_) return key;
-  const std::size_t began = last_;
-  path_.push_back({key, 0});
-  if (!seen.insert(key).second) fail("this key stands here twice");
-  take_colon();
-  last_ = began;
-  return key;
-}
-
-void JsonReader::take_word(std::string_view word) {
-  if (text_.substr(at_).starts_with(word))
-    at_ += word.size();
-  else
-    fail("no JSON value begins so");
-}
-
-std::string_view JsonReader::take_number() {
-  const std::size_t began = at_;
-  const auto digits = [&] {
-    if (!is_digit(here())) fail("a digit is missing in this number");
-    while (is_digit(here())) ++at_;
-  };
-  if (here() == '-') ++at_;
-  if (here() == '0')
-    ++at_;
-  else
-    digits();
-  if (here() == '.') ++at_, digits();
-  if (here() == 'e' || here() == 'E') {
-    ++at_;
-    if (here() == '+' || here() == '-') ++at_;
-    digits();
-  }
-  return text_.substr(began, at_ - began);
-}
-
-std::uint32_t JsonReader::take_hex() {
-  std::uint32_t code = 0;
-  for (int i = 0; i < 4; ++i, ++at_) {
-    const char c = here();
-    const int digit = is_digit(c)            ? c - '0'
-                      : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                      : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                             : -1;
-    if (digit < 0) {
-      fail("\\u takes four hexadecimal digits");
-      return 0;
-    }
-    code = code << 4 | static_cast<std::uint32_t>(digit);
-  }
-  return code;
-}
-
-/// After the backslash.
-void JsonReader::take_escape(std::string* to) {
-  constexpr std::string_view kLetters = "\"\\/bfnrt", kMeant = "\"\\/\b\f\n\r\t";
-  const char c = here();
-  ++at_;
-  if (const std::size_t i = kLetters.find(c); i != std::string_view::npos) {
-    if (to != nullptr) *to += kMeant[i];
-    return;
-  }
-  if (c != 'u') return fail("there is no such escape in a JSON text");
-  std::uint32_t code = take_hex();
-  if (code >= 0xD800 && code < 0xDC00 && text_.substr(at_).starts_with("\\u")) {
-    at_ += 2;
-    const std::uint32_t low = take_hex();
-    if (low < 0xDC00 || low > 0xDFFF) return fail("half of a surrogate pair is missing");
-    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
-  } else if (code >= 0xD800 && code <= 0xDFFF) {
-    return fail("half of a surrogate pair is missing");
-  }
-  if (to != nullptr) append_utf8(*to, code);
-}
-
-/// `to` may be null.
-void JsonReader::take_string(std::string* to) {
-  ++at_;
-  while (!failed_) {
-    if (at_ >= text_.size()) return fail("this text in quotes never ends");
-    const auto byte = static_cast<unsigned char>(text_[at_]);
-    if (byte == '"') {
-      ++at_;
-      return;
-    }
-    if (byte < 0x20) return fail("a control character stands in this text in quotes; write it as an escape");
-    if (byte == '\\') {
-      ++at_;
-      take_escape(to);
-      continue;
-    }
-    const Character character = decode(text_, at_);
-    if (!character.valid) return fail("this text in quotes is not UTF-8");
-    if (to != nullptr) to->append(text_.substr(at_, character.length));
-    at_ += character.length;
-  }
+std::string_view JsonReader::string_of(const Token& token) const {
+  return std::string_view(strings_).substr(token.link, token.size);
 }
 
 std::string JsonReader::string() {
-  std::string text;
-  expect(Kind::string, in_words(Kind::string));
-  if (!failed_) take_string(&text);
-  return text;
+  const Token* const token = take(Kind::string, in_words(Kind::string));
+  return token == nullptr ? std::string() : std::string(string_of(*token));
 }
 
 double JsonReader::number() {
-  expect(Kind::number, in_words(Kind::number));
-  if (failed_) return 0;
-  const std::string_view digits = take_number();
-  if (failed_) return 0;
-  double value = 0;
-  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  // What is too small becomes 0 or nearly so, as in every other reader; the program never leaves the locale "C".
-  if (problem == std::errc::result_out_of_range) value = std::strtod(std::string(digits).c_str(), nullptr);
-  if (!std::isfinite(value)) fail("this number is too large");
-  return value;
+  const Token* const token = take(Kind::number, in_words(Kind::number));
+  return token == nullptr ? 0 : token->number;
 }
 
 bool JsonReader::boolean() {
-  expect(Kind::boolean, in_words(Kind::boolean));
-  if (failed_) return false;
-  const bool value = here() == 't';
-  take_word(value ? "true" : "false");
-  return value;
+  const Token* const token = take(Kind::boolean, in_words(Kind::boolean));
+  return token != nullptr && token->number != 0;
 }
 
 void JsonReader::skip() {
-  std::string open;  // what closes the brackets that are open
-  while (true) {
-    switch (kind()) {
-      case Kind::null:
-        if (!failed_) take_word("null");
-        break;
-      case Kind::boolean:
-        take_word(here() == 't' ? "true" : "false");
-        break;
-      case Kind::number:
-        take_number();
-        break;
-      case Kind::string:
-        take_string(nullptr);
-        break;
-      case Kind::array:
-      case Kind::object:
-        if (path_.size() + open.size() >= kDeepest)
-          return fail(fmt::format("this is nested deeper than {} levels", kDeepest));
-        open += here() == '[' ? ']' : '}';
-        ++at_;
-        if (leave_at_once(open.back())) {
-          open.pop_back();
-          break;
-        }
-        if (open.back() == '}') skip_key();
-        if (failed_) return;
-        continue;
-    }
-    while (!failed_ && !open.empty() && !goes_on(open.back())) open.pop_back();
-    if (failed_ || open.empty()) return;
-    if (open.back() == '}') skip_key();
-    if (failed_) return;
-  }
+  const Kind found = kind();
+  if (failed_ || next_ >= tokens_.size()) return;
+  next_ = found == Kind::string ? next_ + 1 : tokens_[next_].link;
 }
 
-void JsonReader::skip_key() {
-  expect(Kind::string, "a key in quotes");
-  if (!failed_) take_string(nullptr);
-  take_colon();
+/// Returns the token after all that is within; nothing after a mistake.
+std::size_t JsonReader::enter(Kind wanted) {
+  const Token* const token = take(wanted, in_words(wanted));
+  return token == nullptr ? 0 : token->link;
 }
 
-void JsonReader::take_colon() {
-  if (failed_) return;
-  skip_space();
-  if (here() == ':') {
-    ++at_;
-    return;
-  }
-  last_ = at_;
-  fail("a ':' should stand after a key");
-}
-
-void JsonReader::end() {
-  skip_space();
-  last_ = at_;
-  if (!failed_ && at_ < text_.size()) fail("something stands after the end of the JSON text");
+std::string JsonReader::take_key(std::unordered_set<std::string>& seen) {
+  last_ = tokens_[next_].at;
+  std::string key(string_of(tokens_[next_++]));
+  path_.push_back({key, 0});
+  if (!seen.insert(key).second) fail("this key stands here twice");
+  return key;
 }
 
 JsonReader::Place JsonReader::place() const {
@@ -319,10 +188,10 @@ JsonReader::Place JsonReader::place() const {
   return place;
 }
 
-Error JsonReader::error_at(const Place& place, std::string_view what) const {
-  const auto line = 1 + std::count(text_.begin(),
-                                   text_.begin() + static_cast<std::ptrdiff_t>(std::min(place.at, text_.size())), '\n');
-  return {Code::bad_file, fmt::format("{}:{}: {}{}", name_, line, place.path.empty() ? "" : place.path + ": ", what)};
+Error JsonReader::error_in(std::string_view text, std::string_view name, const Place& place, std::string_view what) {
+  const std::string_view before = text.substr(0, std::min(place.at, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  return {Code::bad_file, fmt::format("{}:{}: {}{}", name, line, place.path.empty() ? "" : place.path + ": ", what)};
 }
 
 void JsonReader::fail(std::string_view what) {

@@ -13,13 +13,14 @@
 
 namespace impinge::cli {
 
-/// Reads a JSON text (RFC 8259) value by value: nothing is kept but what the caller keeps. After the first mistake, in
-/// the text or in what the caller expects of it, every call returns at once, and `error` says what and where. No
-/// input makes it recurse deeper than `kDeepest`.
+/// A JSON text (RFC 8259), taken value by value by what the caller expects of it. nlohmann-json parses it; its own
+/// values do not tell where in the file they stood, nor keys that stand twice, so this keeps both. After the first
+/// mistake, in the text or in what the caller expects of it, every call returns at once, and `error` says what and
+/// where. No input makes anything recurse deeper than `kDeepest`, or be kept beyond `kMostValues`.
 class JsonReader {
  public:
   enum class Kind : std::uint8_t { null, boolean, number, string, array, object };
-  static constexpr std::size_t kDeepest = 64;
+  static constexpr std::size_t kDeepest = 64, kMostValues = 50'000'000;
 
   /// `name` is the file's, for messages; both must live as long as the reader.
   JsonReader(std::string_view text, std::string_view name);
@@ -36,10 +37,9 @@ class JsonReader {
   /// Calls `item()` for each item of an array; it must take the item.
   template <class Item>
   void array(Item&& item) {
-    if (!enter('[', "a list")) return;
-    std::size_t count = 0;
-    for (bool more = !leave_at_once(']'); more && !failed(); more = goes_on(']')) {
-      path_.push_back({{}, count++});
+    const std::size_t past = enter(Kind::array);
+    for (std::size_t i = 0; !failed() && next_ < past; ++i) {
+      path_.push_back({{}, i});
       item();
       if (!failed()) path_.pop_back();
     }
@@ -48,17 +48,14 @@ class JsonReader {
   /// mistake.
   template <class Member>
   void object(Member&& member) {
-    if (!enter('{', "an object")) return;
+    const std::size_t past = enter(Kind::object);
     std::unordered_set<std::string> seen;
-    for (bool more = !leave_at_once('}'); more && !failed(); more = goes_on('}')) {
+    while (!failed() && next_ < past) {
       const std::string key = take_key(seen);
-      if (failed()) return;
-      member(key);
+      if (!failed()) member(key);
       if (!failed()) path_.pop_back();
     }
   }
-  /// Nothing but space may follow.
-  void end();
 
   /// A mistake that the caller found, at the value or key that was read last.
   void fail(std::string_view what);
@@ -72,34 +69,38 @@ class JsonReader {
   [[nodiscard]] Place place() const;
   /// That of the value that comes next.
   [[nodiscard]] Place place_of_next() { return static_cast<void>(kind()), place(); }
-  [[nodiscard]] Error error_at(const Place& place, std::string_view what) const;
+  [[nodiscard]] Error error_at(const Place& place, std::string_view what) const {
+    return error_in(text_, name_, place, what);
+  }
+  /// `bad_file`: "clash.json:12: /tests/0/mode: what is wrong".
+  static Error error_in(std::string_view text, std::string_view name, const Place& place, std::string_view what);
 
   [[nodiscard]] bool failed() const noexcept { return failed_; }
-  /// `bad_file`: "clash.json:12: /tests/0/mode: what is wrong".
   [[nodiscard]] const Error& error() const noexcept { return error_; }
 
  private:
+  class Parser;
+  /// A value or a key; those within an array or object come after it.
+  struct Token {
+    std::size_t at = 0;      ///< where in the text it ends, or begins if it is an array or object
+    double number = 0;       ///< also that of a boolean
+    std::size_t link = 0;    ///< of a string: where it begins in `strings_`; else the token after all that is within
+    std::uint32_t size = 0;  ///< of a string
+    Kind kind = Kind::null;
+  };
   struct Step {
     std::string key;
     std::size_t index;
   };
-  void skip_space();
-  bool enter(char open, std::string_view what);
-  bool leave_at_once(char close);
-  bool goes_on(char close);
+  const Token* take(Kind wanted, std::string_view what);
+  std::size_t enter(Kind wanted);
   std::string take_key(std::unordered_set<std::string>& seen);
-  void take_colon();
-  void skip_key();
-  void take_word(std::string_view word);
-  std::string_view take_number();
-  void take_string(std::string* to);
-  void take_escape(std::string* to);
-  std::uint32_t take_hex();
-  void expect(Kind kind, std::string_view what);
-  [[nodiscard]] char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  [[nodiscard]] std::string_view string_of(const Token& token) const;
 
   std::string_view text_, name_;
-  std::size_t at_ = 0, last_ = 0;  ///< `last_`: where the value or key began that was taken last
+  std::vector<Token> tokens_;
+  std::string strings_;
+  std::size_t next_ = 0, last_ = 0;  ///< `last_`: where the value or key stands that was taken last
   std::vector<Step> path_;
   bool failed_ = false;
   Error error_{Code::bad_file, {}};

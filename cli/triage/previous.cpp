@@ -214,7 +214,6 @@ class Document {
     });
     if (!has_version || !has_pairs)
       reader_.fail("this is no JSON of impinge clash: it has no \"version\" or no \"pairs\"");
-    reader_.end();
   }
 
   Result<Previous> finish() {

@@ -138,7 +138,7 @@ TEST(Configuration, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","a":"y"}]})"), "c.json:1: /tests/0/a: this key stands here twice");
   EXPECT_EQ(mistake(R"({"tests":[]})"), "c.json:1: there are no \"tests\"");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"}]} {})"),
-            "c.json:1: something stands after the end of the JSON text");
+            "c.json:1: syntax error while parsing value - unexpected '{'; expected end of input");
   EXPECT_EQ(mistake(R"({"clearance":3,"mode":"clearance","tests":[{"name":"n","a":"x"}]})"), "none");
 }
 
