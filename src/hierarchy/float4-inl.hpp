@@ -20,8 +20,8 @@ namespace impinge::hierarchy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Operators stand outside of their types: g++ 12 does not apply the instruction set to friends defined within, and without
-// optimisation they would be called with their vectors in the wrong place.
+// Operators stand outside of their types: g++ 12 does not apply the instruction set to friends defined within, and
+// without optimisation they would be called with their vectors in the wrong place.
 
 /// Four floats, mostly x, y, z and something else.
 #if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
