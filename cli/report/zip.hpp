@@ -12,7 +12,9 @@
 namespace impinge::cli {
 
 /// A zip archive, written member by member (PKWARE's APPNOTE 6.3.3, without its 64-bit forms). Members are dated 1980,
-/// the first year that a zip can hold: the same members give the same bytes.
+/// the first year that a zip can hold: the same members give the same bytes. zlib packs them; what lays them out is our
+/// own, for libzip brings OpenSSL along and minizip goes back to what it wrote, which a document that is being written
+/// cannot.
 class Zip {
  public:
   explicit Zip(Sink& sink) : sink_(sink) {}
