@@ -211,13 +211,4 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-std::string_view ifc_guid(const io::Object& object) {
-  // "IfcWall_Name_1srAI$R4T8ihLXSNHmUSET", and " (2)" after it where the file repeats a GlobalId.
-  constexpr std::size_t kLength = 22;
-  std::string_view text = object.product;
-  if (text.ends_with(')')) text = text.substr(0, text.rfind(" ("));
-  if (text.size() <= kLength || text[text.size() - kLength - 1] != '_') return {};
-  return std::string_view(object.product).substr(text.size() - kLength, kLength);
-}
-
 }  // namespace impinge::cli

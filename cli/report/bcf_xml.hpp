@@ -27,7 +27,4 @@ std::string viewpoint_of(const Review& review, std::size_t pair, const View& vie
 /// A text within an element or an attribute; what XML 1.0 cannot hold is spelled out.
 std::string xml_text(std::string_view text);
 
-/// The GlobalId of the IFC product that an object is part of, "" for none.
-std::string_view ifc_guid(const io::Object& object);
-
 }  // namespace impinge::cli

@@ -106,8 +106,8 @@ void write_resolved(Sink& sink, const Review& review) {
                            i > 0 ? "," : "", json_string(resolved.id), json_text(resolved.region),
                            json_old_part(resolved.a), json_old_part(resolved.b), json_text(resolved.test),
                            name(resolved.verdict)));
-    sink.write(fmt::format("\"centroid\":{},\"reach\":{},{},\"regions\":{}}}", json_centroid(resolved),
-                           json_number(resolved.reach), json_remark(resolved.remark),
+    sink.write(fmt::format("\"centroid\":{},\"reach\":{},{},\"ambiguous\":{},\"regions\":{}}}", json_centroid(resolved),
+                           json_number(resolved.reach), json_remark(resolved.remark), resolved.is_ambiguous,
                            json_list(resolved.regions, json_old_region)));
   }
   sink.write("],\n");
