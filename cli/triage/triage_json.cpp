@@ -66,6 +66,15 @@ std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>
 
 }  // namespace
 
+std::string json_triage(const Review& review, std::size_t pair) {
+  const Standing& standing = review.standings[pair];
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  return fmt::format("\"test\":{},{},\"was\":{},\"ambiguous\":{}",
+                     tests.empty() ? "null" : json_string(tests[review.clashes.pairs[pair].test].name),
+                     json_standing(standing.change, standing.remark),
+                     standing.was ? fmt::format("\"{}\"", name(*standing.was)) : "null", bool{review.ambiguous[pair]});
+}
+
 std::string json_standing(Change change, const Remark& remark) {
   return fmt::format("\"change\":{},{}", json_change(change), json_remark(remark));
 }
