@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -67,6 +68,7 @@ class Units : public testing::Test {
     EXPECT_NEAR(place[0], middle.x, 10 * near);
     EXPECT_NEAR(place[1], middle.y, 10 * near);
     EXPECT_NEAR(place[2], middle.z, 10 * near);
+    EXPECT_NEAR(place[3], std::sqrt(3) * edge * edge, 1e-5 * edge * edge);  // the vector area (1, 1, 1) of the hexagon
     EXPECT_NEAR(place[4], 6 * edge, 60 * near);
     const auto depths = numbers(description, R"(Depth: A in B (\S+) to (\S+); B in A (\S+) to (\S+)\n)");
     ASSERT_EQ(depths.size(), 4U);
