@@ -57,7 +57,7 @@ struct PageArguments {
 /// Files for other tools, and what these take coordinates and dates for.
 struct ExportArguments {
   std::optional<std::string> csv, bcf, gltf;  ///< "-" is standard output
-  double metres = 1;                          ///< that a unit of the files' coordinates has
+  std::optional<double> metres;               ///< that a unit of the files' coordinates has; nothing: nobody said
   std::optional<bool> y_up;                   ///< or Z; nothing: by the first file's format
   std::string date;                           ///< of the BCF's topics, "2024-05-31T16:30:00Z"
   std::uint64_t topics = 1'000;               ///< of the BCF, at most

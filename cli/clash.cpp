@@ -14,12 +14,12 @@
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/exports.hpp"
-#include "report/identity.hpp"
 #include "report/page.hpp"
 #include "review.hpp"
 #include "scene_command.hpp"
 #include "text.hpp"
 #include "triage/configured_clash.hpp"
+#include "triage/triage_table.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -46,16 +46,6 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, c
   line.end();  // it looks at `progress`
   if (stop.stop_requested()) return interrupted();
   return clashes;
-}
-
-/// A pair's id tells its tests apart.
-std::vector<std::string> ids_of(const Review& review) {
-  const std::vector<std::string> keys = keys_of(review.assembly);
-  std::vector<std::string> ids;
-  for (const Clash& pair : review.clashes.pairs)
-    ids.push_back(guid_of_pair(keys[pair.objects[0]], keys[pair.objects[1]],
-                               review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name));
-  return ids;
 }
 
 /// `configuration` may be null.
@@ -90,7 +80,7 @@ Result<Review> make_review(const ClashArguments& arguments, const Configuration*
     review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
   }
   review.clashes.parts.clear();
-  review.ids = ids_of(review);
+  identify(review);
   review.types = types_of(review.assembly);
   if (auto taken = take_stock(arguments, review); !taken) return taken.error();
   return review;
@@ -121,7 +111,10 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const Result<Review> review =
       make_review(arguments, configured->configuration ? &*configured->configuration : nullptr, stop);
   if (!review) return review.error();
-  if (!arguments.quiet) mention_warnings(review->assembly);
+  if (!arguments.quiet) {
+    mention_warnings(review->assembly);
+    mention_withheld(*review);
+  }
   const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
   if (auto written = documents.write(kJson, write_json); !written) return written.error();
   const auto write_html = [&](Sink& sink) -> Result<void> {

@@ -74,10 +74,7 @@ void write_pair(Sink& sink, const Review& review, std::size_t number, const Clas
   sink.write(fmt::format("\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}",
                          name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
                          json_number(pair.tolerance), standing.fails));
-  sink.write(fmt::format(",\"test\":{},{},\"was\":{}",
-                         review.plan.tests().empty() ? "null" : json_string(review.plan.tests()[pair.test].name),
-                         json_standing(standing.change, standing.remark),
-                         standing.was ? fmt::format("\"{}\"", name(*standing.was)) : "null"));
+  sink.write("," + json_triage(review, number));
   if (arguments.depth) sink.write(",\"overlap_depth\":" + json_depth(pair.overlap_depth));
   if (arguments.clearance > 0) sink.write("," + json_distance(pair));
   if (arguments.regions) {

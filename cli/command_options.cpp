@@ -69,13 +69,13 @@ void add_exports(CLI::App& command, Raw& raw) {
       ->type_name("FILE");
   command
       .add_option("--unit", raw.unit,
-                  "the unit of the files' coordinates, for BCF and glTF, which have metres: m, cm, mm, in or ft "
+                  "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres: m, cm, mm, in or ft "
                   "(default: m)")
       ->type_name("UNIT");
   command
       .add_option(
           "--up", raw.up,
-          "which of the files' axes is up, for BCF and glTF: y or z (default: z for OBJ, OFF, PLY, STL and 3MF, "
+          "which of the files' axes is up, for CSV, BCF and glTF: y or z (default: z for OBJ, OFF, PLY, STL and 3MF, "
           "y for the others)")
       ->type_name("y|z");
   command

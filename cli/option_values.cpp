@@ -113,8 +113,8 @@ Result<void> take_exports(const Raw& raw, ExportArguments& to) {
   if (!raw.gltf.empty()) to.gltf = raw.gltf;
   if (!to.bcf && !raw.date.empty()) return bad("--date is for the topics of --bcf FILE");
   if (!to.bcf && !raw.topics.empty()) return bad("--bcf-topics is for the topics of --bcf FILE");
-  if (!to.bcf && !to.gltf && !(raw.unit.empty() && raw.up.empty()))
-    return bad(fmt::format("{} is for --bcf FILE and --gltf FILE; nothing else depends on it",
+  if (!to.csv && !to.bcf && !to.gltf && !(raw.unit.empty() && raw.up.empty()))
+    return bad(fmt::format("{} is for --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it",
                            raw.unit.empty() ? "--up" : "--unit"));
   if (auto taken = take_unit(raw.unit, to); !taken) return taken;
   if (!raw.up.empty() && raw.up != "y" && raw.up != "z") return bad(fmt::format("--up is y or z, not '{}'", raw.up));

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "report/identity.hpp"
 #include "triage/matching.hpp"
 
 namespace impinge::cli {
@@ -69,6 +70,18 @@ std::uint64_t count_failing(const Review& review) {
                                                   [](const Standing& standing) { return standing.fails; }));
 }
 
+void identify(Review& review) {
+  review.file_names = names_of_files(review.assembly.files);
+  const std::vector<Identity> parts = identities_of(review.assembly, review.file_names);
+  for (const Clash& pair : review.clashes.pairs) {
+    const Identity &a = parts[pair.objects[0]], &b = parts[pair.objects[1]];
+    // Pairs of several tests are told apart by these.
+    review.ids.push_back(
+        guid_of_pair(a.key, b.key, review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name));
+    review.ambiguous.push_back(a.is_ambiguous || b.is_ambiguous);
+  }
+}
+
 Result<void> take_stock(const ClashArguments& arguments, Review& review) {
   const auto is_named = [&](const Clash& pair, Verdict verdict) {
     return review.plan.tests().empty() ? names(arguments.fail_on, verdict)
@@ -78,7 +91,7 @@ Result<void> take_stock(const ClashArguments& arguments, Review& review) {
   const auto slack = [&](const Clash& pair) {
     return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
   };
-  const Found found{review.clashes.pairs, review.ids, slack, is_named};
+  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named};
   if (arguments.previous) {
     const Result<Previous> previous = read_previous(*arguments.previous, arguments.max_file_bytes);
     if (!previous) return previous.error();

@@ -20,12 +20,14 @@ namespace impinge::cli {
 /// What `clash` found out.
 struct Review {
   Assembly assembly;
-  std::vector<Part> parts;          ///< for each object
-  Clashes clashes;                  ///< its `parts` are moved to those above
-  std::vector<std::string> ids;     ///< for each pair a UUID that it keeps as long as its parts keep their names
-  Plan plan;                        ///< without tests, if there is no configuration
-  std::vector<Standing> standings;  ///< for each pair
-  std::vector<Resolved> resolved;   ///< what is gone since the previous run
+  std::vector<Part> parts;              ///< for each object
+  Clashes clashes;                      ///< its `parts` are moved to those above
+  std::vector<std::string> file_names;  ///< for each file, as `names_of_files`
+  std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
+  std::vector<bool> ambiguous;          ///< for each pair: another one has it as well as this, but for the parts' order
+  Plan plan;                            ///< without tests, if there is no configuration
+  std::vector<Standing> standings;      ///< for each pair
+  std::vector<Resolved> resolved;       ///< what is gone since the previous run
   PartTypes types;
   std::size_t split_products = 0;  ///< IFC products of several parts, which were not tested against each other
   double read_seconds = 0, judge_seconds = 0;
@@ -49,6 +51,9 @@ double area_of(const Clash& pair);
 bool names(const FailOn& fail_on, Verdict verdict);
 /// How many of the pairs fail.
 std::uint64_t count_failing(const Review& review);
+
+/// Fills in by what the pairs and files are known.
+void identify(Review& review);
 
 /// Fills in what the pairs are since the previous run, if there is one, and which fail. Errors: those of
 /// `read_previous`.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <initializer_list>
 #include <string_view>
 
 #include "report/vector.hpp"
@@ -12,18 +13,34 @@
 namespace impinge::cli {
 namespace {
 
-bool is_mostly_z_up(const std::string& file) {
+std::string ending_of(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr std::array<std::string_view, 5> kZUp{".obj", ".off", ".ply", ".stl", ".3mf"};
-  return std::find(kZUp.begin(), kZUp.end(), ending) != kZUp.end();
+  return ending;
+}
+
+bool is_any_of(const std::string& ending, std::initializer_list<std::string_view> endings) {
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+bool is_mostly_z_up(const std::string& file) {
+  return is_any_of(ending_of(file), {".obj", ".off", ".ply", ".stl", ".3mf"});
+}
+
+/// glTF has metres; assimp's readers of IFC and COLLADA convert to them.
+bool is_in_metres(const std::string& file) {
+  return is_any_of(ending_of(file), {".gltf", ".glb", ".ifc", ".ifczip", ".dae"});
 }
 
 }  // namespace
 
 Conventions conventions_of(const ClashArguments& arguments) {
-  return {arguments.metres, arguments.y_up ? *arguments.y_up : !is_mostly_z_up(arguments.files.front())};
+  // A file that is scaled is brought to the unit of the others, whatever that is.
+  const bool is_known = arguments.metres || (arguments.scales.empty() &&
+                                             std::all_of(arguments.files.begin(), arguments.files.end(), is_in_metres));
+  return {arguments.metres.value_or(1), arguments.y_up ? *arguments.y_up : !is_mostly_z_up(arguments.files.front()),
+          is_known};
 }
 
 Point direction_in_bcf(const Conventions& conventions, const Point& direction) {

@@ -12,8 +12,9 @@
 namespace impinge::cli {
 
 struct Conventions {
-  double metres = 1;  ///< that one of the files' units has
-  bool y_up = false;  ///< or Z
+  double metres = 1;      ///< that one of the files' units has
+  bool y_up = false;      ///< or Z
+  bool is_known = false;  ///< the unit: the call says it, or all files have metres as they are read
 };
 
 /// As the call says, or else: metres, and the upward axis that the first file's format mostly has: Z in OBJ, OFF, PLY,

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "report/conventions.hpp"
 #include "report/place.hpp"
 #include "text.hpp"
 
@@ -26,16 +28,26 @@ bool needs_defusing(std::string_view text) {
 /// What a row is about.
 struct Row {
   const Review& review;
+  const Conventions& conventions;
   const Clash& pair;
+  const Standing& standing;
   std::size_t rank;
   const std::string& id;
-  bool fails;
+  bool is_ambiguous;
   Point at;
+};
+
+/// A row about what is gone since the previous run: a pair of then, or one of its regions.
+struct GoneRow {
+  const Conventions& conventions;
+  const Resolved& pair;
+  const Resolved& what;
 };
 
 /// An empty cell stands where there is no such number.
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value == 0 ? 0.0 : value) : ""; }
 std::string whole(std::uint64_t value) { return fmt::format("{}", value); }
+std::string truth(bool value) { return value ? "true" : "false"; }
 
 const io::Object& part(const Row& row, std::size_t side) { return row.review.assembly.objects[row.pair.objects[side]]; }
 const std::string& file(const Row& row, std::size_t side) {
@@ -48,34 +60,74 @@ std::string inner(const Row& row) {
 std::string depth(const Row& row, double (*pick)(const OverlapDepth&)) {
   return row.pair.overlap_depth ? number(pick(*row.pair.overlap_depth)) : "";
 }
+double area(const Row& row) { return area_of(row.pair); }
+double length(const Row& row) {
+  double all = 0;
+  for (const Region& region : row.pair.regions) all += region.length;
+  return all;
+}
 std::string normal(const Row& row, double Point::*axis) {
   return row.pair.regions.empty() ? "" : number(row.pair.regions.front().normal.*axis);
 }
-std::string sum(const Row& row, double Region::*measure) {
-  double all = 0;
-  for (const Region& region : row.pair.regions) all += region.*measure;
-  return number(all);
+/// Nothing where nobody said what the files' unit is.
+std::string in_metres(const Conventions& conventions, double value, int power = 1) {
+  if (!conventions.is_known) return "";
+  return number(power == 2 ? conventions.metres * conventions.metres * value : conventions.metres * value);
+}
+std::string in_metres(const Conventions& conventions, const Point& at, double Point::*axis) {
+  return conventions.is_known ? number(place_in_bcf(conventions, at).*axis) : "";
+}
+
+std::string test(const Row& row) {
+  const std::vector<PlannedTest>& tests = row.review.plan.tests();
+  return tests.empty() ? "" : csv_cell(tests[row.pair.test].name);
+}
+std::string change(const Row& row) {
+  if (row.standing.change == Change::unknown) return "";
+  return row.standing.change == Change::fresh ? "new" : "persisting";
+}
+std::string new_regions(const Row& row) {
+  if (row.standing.change == Change::unknown) return "";
+  const auto& regions = row.standing.regions;
+  return whole(static_cast<std::uint64_t>(
+      std::count_if(regions.begin(), regions.end(), [](const auto& r) { return r.change == Change::fresh; })));
+}
+
+std::string centroid(const GoneRow& row, double Point::*axis) {
+  return row.what.centroid ? number((*row.what.centroid).*axis) : "";
+}
+std::string centroid_in_metres(const GoneRow& row, double Point::*axis) {
+  return row.what.centroid ? in_metres(row.conventions, *row.what.centroid, axis) : "";
 }
 
 struct Column {
   std::string_view name;
   std::string (*text)(const Row& row);
+  std::string (*gone)(const GoneRow& row) = nullptr;  ///< null: an empty cell
 };
 
 /// Others may be added at the end; these keep their names and places (docs/reports.md).
 constexpr std::array kColumns{
     Column{"rank", [](const Row& row) { return whole(row.rank); }},
-    Column{"verdict", [](const Row& row) { return std::string(name(row.pair.verdict)); }},
-    Column{"fails", [](const Row& row) { return std::string(row.fails ? "true" : "false"); }},
-    Column{"id", [](const Row& row) { return row.id; }},
-    Column{"a", [](const Row& row) { return csv_cell(part(row, 0).name); }},
-    Column{"b", [](const Row& row) { return csv_cell(part(row, 1).name); }},
-    Column{"a_path", [](const Row& row) { return csv_cell(part(row, 0).path); }},
-    Column{"b_path", [](const Row& row) { return csv_cell(part(row, 1).path); }},
+    Column{"verdict", [](const Row& row) { return std::string(name(row.pair.verdict)); },
+           [](const GoneRow& row) { return std::string(name(row.pair.verdict)); }},
+    Column{"fails", [](const Row& row) { return truth(row.standing.fails); },
+           [](const GoneRow&) { return truth(false); }},
+    Column{"id", [](const Row& row) { return row.id; }, [](const GoneRow& row) { return csv_cell(row.pair.id); }},
+    Column{"a", [](const Row& row) { return csv_cell(part(row, 0).name); },
+           [](const GoneRow& row) { return csv_cell(row.pair.a.name); }},
+    Column{"b", [](const Row& row) { return csv_cell(part(row, 1).name); },
+           [](const GoneRow& row) { return csv_cell(row.pair.b.name); }},
+    Column{"a_path", [](const Row& row) { return csv_cell(part(row, 0).path); },
+           [](const GoneRow& row) { return csv_cell(row.pair.a.path); }},
+    Column{"b_path", [](const Row& row) { return csv_cell(part(row, 1).path); },
+           [](const GoneRow& row) { return csv_cell(row.pair.b.path); }},
     Column{"a_product", [](const Row& row) { return csv_cell(part(row, 0).product); }},
     Column{"b_product", [](const Row& row) { return csv_cell(part(row, 1).product); }},
-    Column{"a_file", [](const Row& row) { return csv_cell(file(row, 0)); }},
-    Column{"b_file", [](const Row& row) { return csv_cell(file(row, 1)); }},
+    Column{"a_file", [](const Row& row) { return csv_cell(file(row, 0)); },
+           [](const GoneRow& row) { return csv_cell(row.pair.a.file); }},
+    Column{"b_file", [](const Row& row) { return csv_cell(file(row, 1)); },
+           [](const GoneRow& row) { return csv_cell(row.pair.b.file); }},
     Column{"inner", inner},
     Column{"depth", [](const Row& row) { return row.pair.overlap_depth ? number(depth_of(row.pair)) : ""; }},
     Column{"a_in_b_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.lo; }); }},
@@ -85,11 +137,14 @@ constexpr std::array kColumns{
     Column{"distance", [](const Row& row) { return row.pair.nearest ? number(row.pair.nearest->distance) : ""; }},
     Column{"distance_error", [](const Row& row) { return row.pair.nearest ? number(row.pair.nearest->error) : ""; }},
     Column{"regions", [](const Row& row) { return whole(row.pair.regions.size()); }},
-    Column{"area", [](const Row& row) { return sum(row, &Region::area); }},
-    Column{"length", [](const Row& row) { return sum(row, &Region::length); }},
-    Column{"x", [](const Row& row) { return number(row.at.x); }},
-    Column{"y", [](const Row& row) { return number(row.at.y); }},
-    Column{"z", [](const Row& row) { return number(row.at.z); }},
+    Column{"area", [](const Row& row) { return number(area(row)); }},
+    Column{"length", [](const Row& row) { return number(length(row)); }},
+    Column{"x", [](const Row& row) { return number(row.at.x); },
+           [](const GoneRow& row) { return centroid(row, &Point::x); }},
+    Column{"y", [](const Row& row) { return number(row.at.y); },
+           [](const GoneRow& row) { return centroid(row, &Point::y); }},
+    Column{"z", [](const Row& row) { return number(row.at.z); },
+           [](const GoneRow& row) { return centroid(row, &Point::z); }},
     Column{"normal_x", [](const Row& row) { return normal(row, &Point::x); }},
     Column{"normal_y", [](const Row& row) { return normal(row, &Point::y); }},
     Column{"normal_z", [](const Row& row) { return normal(row, &Point::z); }},
@@ -98,6 +153,31 @@ constexpr std::array kColumns{
     Column{"coplanar", [](const Row& row) { return whole(row.pair.contacts[2]); }},
     Column{"tolerance", [](const Row& row) { return number(row.pair.tolerance); }},
     Column{"note", [](const Row& row) { return csv_cell(sentence(row.pair.note)); }},
+    Column{"test", test, [](const GoneRow& row) { return csv_cell(row.pair.test); }},
+    Column{"change", change, [](const GoneRow&) { return std::string("resolved"); }},
+    Column{"was", [](const Row& row) { return std::string(row.standing.was ? name(*row.standing.was) : ""); }},
+    Column{"new_regions", new_regions},
+    Column{"region", [](const Row&) { return std::string(); },
+           [](const GoneRow& row) { return csv_cell(row.what.region); }},
+    Column{"ambiguous", [](const Row& row) { return truth(row.is_ambiguous); },
+           [](const GoneRow& row) { return truth(row.pair.is_ambiguous); }},
+    Column{"status", [](const Row& row) { return csv_cell(row.standing.remark.status); },
+           [](const GoneRow& row) { return csv_cell(row.what.remark.status); }},
+    Column{"comment", [](const Row& row) { return csv_cell(row.standing.remark.comment); },
+           [](const GoneRow& row) { return csv_cell(row.what.remark.comment); }},
+    Column{"depth_m",
+           [](const Row& row) { return row.pair.overlap_depth ? in_metres(row.conventions, depth_of(row.pair)) : ""; }},
+    Column{
+        "distance_m",
+        [](const Row& row) { return row.pair.nearest ? in_metres(row.conventions, row.pair.nearest->distance) : ""; }},
+    Column{"area_m2", [](const Row& row) { return in_metres(row.conventions, area(row), 2); }},
+    Column{"length_m", [](const Row& row) { return in_metres(row.conventions, length(row)); }},
+    Column{"x_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::x); },
+           [](const GoneRow& row) { return centroid_in_metres(row, &Point::x); }},
+    Column{"y_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::y); },
+           [](const GoneRow& row) { return centroid_in_metres(row, &Point::y); }},
+    Column{"z_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::z); },
+           [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
 };
 
 /// Cells with commas between them, and the end of the line.
@@ -120,15 +200,25 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-Result<void> write_csv(Sink& sink, const Review& review, const std::stop_token& stop) {
+Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& arguments, const std::stop_token& stop) {
+  const Conventions conventions = conventions_of(arguments);
   sink.write(line([](const Column& column) { return column.name; }));
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {
     if (stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
-    const Clash& pair = review.clashes.pairs[i];
-    const Row row{review, pair, ++rank, review.ids[i], review.standings[i].fails, place_of(review, i).at};
+    const Row row{review, conventions,   review.clashes.pairs[i], review.standings[i],
+                  ++rank, review.ids[i], review.ambiguous[i],     place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
+  }
+  const auto write_gone = [&](const GoneRow& row) {
+    sink.write(line([&](const Column& column) { return column.gone == nullptr ? "" : column.gone(row); }));
+  };
+  for (const Resolved& pair : review.resolved) {
+    if (stop.stop_requested()) return interrupted();
+    if (sink.failed()) break;
+    write_gone({conventions, pair, pair});
+    for (const Resolved& region : pair.regions) write_gone({conventions, pair, region});
   }
   return {};
 }

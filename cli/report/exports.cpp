@@ -40,7 +40,7 @@ Result<void> order_exports(Documents& documents, const ClashArguments& arguments
 
 Result<void> write_exports(Documents& documents, const Review& review, const ClashArguments& arguments,
                            const std::stop_token& stop) {
-  const auto csv = [&](Sink& sink) { return write_csv(sink, review, stop); };
+  const auto csv = [&](Sink& sink) { return write_csv(sink, review, arguments, stop); };
   if (auto written = documents.write(kCsv, csv); !written) return written;
   const auto gltf = [&](Sink& sink) { return write_gltf(sink, review, arguments, stop); };
   if (auto written = documents.write(kGltf, gltf); !written) return written;

@@ -17,6 +17,7 @@
 #include "report/conventions.hpp"
 #include "report/vector.hpp"
 #include "text.hpp"
+#include "triage/triage_json.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -169,7 +170,8 @@ class Document {
 std::string json_vector(const Point& p) { return numbers(std::array{p.x, p.y, p.z}); }
 
 /// The region's lines and its centroid, about the middle of its box.
-std::size_t node_of(Document& document, const Region& region, std::size_t number, Verdict verdict) {
+std::size_t node_of(Document& document, const Region& region, const RegionStanding& standing, std::size_t number,
+                    Verdict verdict) {
   std::vector<Point> points;
   std::vector<std::uint32_t> ends;
   for (const auto& line : region.lines) {
@@ -182,10 +184,11 @@ std::size_t node_of(Document& document, const Region& region, std::size_t number
   const Point origin = middle(region.box[0], region.box[1]);
   const std::size_t mesh = document.mesh(points, ends, std::array{region.centroid}, origin, verdict);
   return document.node(fmt::format(
-      "\"name\":\"region {}\",\"translation\":{},\"mesh\":{},\"extras\":{{\"pairs\":{},\"area\":{},\"length\":{},"
-      "\"centroid\":{},\"normal\":{}}}",
-      number, json_vector(origin), mesh, region.pairs, json_number(region.area), json_number(region.length),
-      json_vector(region.centroid), json_vector(region.normal)));
+      "\"name\":\"region {}\",\"translation\":{},\"mesh\":{},\"extras\":{{\"id\":{},{},\"pairs\":{},\"area\":{},"
+      "\"length\":{},\"centroid\":{},\"normal\":{}}}",
+      number, json_vector(origin), mesh, json_string(standing.id), json_standing(standing.change, standing.remark),
+      region.pairs, json_number(region.area), json_number(region.length), json_vector(region.centroid),
+      json_vector(region.normal)));
 }
 
 std::size_t node_of(Document& document, const Nearest& nearest, Verdict verdict) {
@@ -204,20 +207,23 @@ std::string json_part(const Assembly& assembly, std::uint32_t object) {
 
 std::size_t node_of(Document& document, const Review& review, std::size_t pair, std::size_t rank) {
   const Clash& clash = review.clashes.pairs[pair];
+  const Standing& standing = review.standings[pair];
   const Assembly& assembly = review.assembly;
   List children;
   for (std::size_t i = 0; i < clash.regions.size(); ++i)
-    children.add(fmt::format("{}", node_of(document, clash.regions[i], i + 1, clash.verdict)));
+    children.add(fmt::format("{}", node_of(document, clash.regions[i], standing.regions[i], i + 1, clash.verdict)));
   if (clash.nearest) children.add(fmt::format("{}", node_of(document, *clash.nearest, clash.verdict)));
   const std::string title = fmt::format("{} / {}: {}", assembly.labels[clash.objects[0]],
                                         assembly.labels[clash.objects[1]], name(clash.verdict));
+  std::string extras = fmt::format(
+      "\"id\":\"{}\",\"rank\":{},\"verdict\":\"{}\",\"fails\":{},\"depth\":{},\"distance\":{},\"a\":{},\"b\":{}",
+      review.ids[pair], rank, name(clash.verdict), standing.fails,
+      clash.overlap_depth ? json_number(depth_of(clash)) : "null",
+      clash.nearest ? json_number(clash.nearest->distance) : "null", json_part(assembly, clash.objects[0]),
+      json_part(assembly, clash.objects[1]));
+  extras += "," + json_triage(review, pair);
   return document.node(
-      fmt::format("\"name\":{},\"extras\":{{\"id\":\"{}\",\"rank\":{},\"verdict\":\"{}\",\"fails\":{},\"depth\":{},"
-                  "\"distance\":{},\"a\":{},\"b\":{}}}{}",
-                  json_string(title), review.ids[pair], rank, name(clash.verdict), review.standings[pair].fails,
-                  clash.overlap_depth ? json_number(depth_of(clash)) : "null",
-                  clash.nearest ? json_number(clash.nearest->distance) : "null", json_part(assembly, clash.objects[0]),
-                  json_part(assembly, clash.objects[1]), children.member("children")));
+      fmt::format("\"name\":{},\"extras\":{{{}}}{}", json_string(title), extras, children.member("children")));
 }
 
 }  // namespace

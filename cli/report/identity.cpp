@@ -5,11 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid.hpp>
 #include <boost/uuid/uuid_io.hpp>
+#include <cstdint>
 #include <filesystem>
-#include <unordered_map>
+#include <map>
+#include <span>
+#include <system_error>
+#include <utility>
 
 namespace impinge::cli {
 namespace {
@@ -17,19 +22,145 @@ namespace {
 /// Parts of a key are kept apart by their lengths: no two lists of parts have one text.
 std::string joined(std::string_view a, std::string_view b) { return fmt::format("{}:{}{}", a.size(), a, b); }
 
+using Steps = std::vector<std::string>;
+
+/// The folders of a file from the root down, and its name.
+Steps steps_of(const std::string& file) {
+  std::error_code unknown;
+  std::filesystem::path path = std::filesystem::absolute(file, unknown);
+  if (unknown) path = file;  // in a folder that is gone
+  Steps steps;
+  for (const std::filesystem::path& step : path.lexically_normal()) steps.push_back(step.string());
+  return steps;
+}
+
+/// The last `count` steps.
+std::string ending(std::span<const std::string> steps, std::size_t count) {
+  std::string text;
+  for (const std::string& step : steps.last(count)) text += (text.empty() ? "" : "/") + step;
+  return text;
+}
+
+/// How many folders from the root down all of them have in common.
+std::size_t folders_in_common(const std::vector<Steps>& files) {
+  std::size_t common = files.front().size() - 1;
+  for (const Steps& file : files) {
+    const std::size_t most = std::min(common, file.size() - 1);
+    const auto [here, there] =
+        std::mismatch(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(most), files.front().begin());
+    common = static_cast<std::size_t>(here - file.begin());
+  }
+  return common;
+}
+
+/// Names for different files that have one name without folders.
+std::map<Steps, std::string> tell_apart(const std::vector<Steps>& files) {
+  const std::size_t common = folders_in_common(files);
+  std::map<std::string, std::size_t> count;  // of files with each ending
+  for (const Steps& file : files)
+    for (std::size_t steps = 2; steps <= file.size() - common; ++steps) ++count[ending(file, steps)];
+  std::map<Steps, std::string> names;
+  for (const Steps& file : files) {
+    const std::size_t all = file.size() - common;
+    std::size_t steps = 2;
+    while (steps <= all && count[ending(file, steps)] > 1) ++steps;
+    // All of it is the ending of another one: it must not have the name that it would have without that one.
+    names[file] = steps <= all ? ending(file, steps) : "./" + ending(file, all);
+  }
+  return names;
+}
+
+void append(std::string& bytes, std::uint64_t word) {
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(word >> shift & 0xFF);
+}
+void append(std::string& bytes, double number) {
+  append(bytes, std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number));  // -0 is 0
+}
+
+std::string shape_of(const Mesh& mesh) {
+  std::string bytes;
+  append(bytes, std::uint64_t{mesh.vertices().size()});
+  for (const Point& vertex : mesh.vertices())
+    for (const double coordinate : {vertex.x, vertex.y, vertex.z}) append(bytes, coordinate);
+  for (const auto& triangle : mesh.triangles())
+    for (const std::uint32_t corner : triangle) append(bytes, std::uint64_t{corner});
+  return guid_of(bytes);
+}
+
+/// Shapes with their places as texts; a mesh that many objects share is looked at once.
+class Shapes {
+ public:
+  std::string placed(const io::Object& object) {
+    std::string& shape = shapes_[{object.mesh.vertices().data(), object.mesh.triangles().data()}];
+    if (shape.empty()) shape = shape_of(object.mesh);
+    std::string bytes = shape;
+    for (const double number : object.pose.R) append(bytes, number);
+    for (const double number : object.pose.t) append(bytes, number);
+    return guid_of(bytes);
+  }
+
+ private:
+  std::map<std::pair<const void*, const void*>, std::string> shapes_;
+};
+
+using Numbers = std::vector<std::size_t>;
+
 }  // namespace
 
-std::vector<std::string> keys_of(const Assembly& assembly) {
-  std::unordered_map<std::string, std::size_t> seen;
-  std::vector<std::string> keys;
-  keys.reserve(assembly.objects.size());
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    const std::string file = std::filesystem::path(assembly.files[assembly.file_of[i]]).filename().string();
-    std::string key = joined(file, joined(assembly.objects[i].path, assembly.objects[i].name));
-    if (const std::size_t earlier = seen[key]++; earlier > 0) key += fmt::format("#{}", earlier + 1);
-    keys.push_back(std::move(key));
+std::vector<std::string> names_of_files(const std::vector<std::string>& files) {
+  std::vector<Steps> steps;
+  std::map<std::string, std::vector<Steps>> namesakes;
+  for (const std::string& file : files) {
+    steps.push_back(steps_of(file));
+    namesakes[steps.back().back()].push_back(steps.back());
   }
-  return keys;
+  std::map<Steps, std::string> names;
+  for (auto& [name, all] : namesakes) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (all.size() == 1)
+      names[all.front()] = name;
+    else
+      names.merge(tell_apart(all));
+  }
+  std::vector<std::string> found;
+  found.reserve(files.size());
+  for (const Steps& file : steps) found.push_back(names.at(file));
+  return found;
+}
+
+std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names) {
+  std::map<std::string, Numbers> namesakes;
+  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
+    // Not the name, which has a number where several of a file have one: that changes when one is added. Nor the path
+    // where there is a GlobalId, which outlives it.
+    const std::string_view guid = ifc_guid(assembly.objects[i]);
+    const std::string_view path = guid.empty() ? std::string_view(assembly.objects[i].path) : std::string_view();
+    namesakes[joined(file_names[assembly.file_of[i]], joined(guid, joined(path, "")))].push_back(i);
+  }
+  Shapes shapes;
+  std::vector<Identity> identities(assembly.objects.size());
+  for (const auto& [key, objects] : namesakes) {
+    if (objects.size() == 1) {
+      identities[objects.front()].key = key;
+      continue;
+    }
+    std::map<std::string, Numbers> twins;
+    for (const std::size_t object : objects) twins[key + shapes.placed(assembly.objects[object])].push_back(object);
+    for (const auto& [placed, same] : twins)
+      for (std::size_t k = 0; k < same.size(); ++k)
+        identities[same[k]] = {same.size() == 1 ? placed : fmt::format("{}#{}", placed, k + 1), same.size() > 1};
+  }
+  return identities;
+}
+
+std::string_view ifc_guid(const io::Object& object) {
+  // "IfcWall_Name_1srAI$R4T8ihLXSNHmUSET", and " (2)" after it where the file repeats a GlobalId.
+  constexpr std::size_t kLength = 22;
+  std::string_view text = object.product;
+  if (text.ends_with(')')) text = text.substr(0, text.rfind(" ("));
+  if (text.size() <= kLength || text[text.size() - kLength - 1] != '_') return {};
+  return std::string_view(object.product).substr(text.size() - kLength, kLength);
 }
 
 std::string guid_of(std::string_view text) {

@@ -8,12 +8,27 @@
 
 #include "assembly.hpp"
 
-/// Names that clashes keep from one revision of the files to the next.
+/// Names that clashes keep from one revision of the files to the next (docs/triage.md).
 namespace impinge::cli {
 
-/// For each object what it is known by, whatever its number is: its file's name without folders, its path and its
-/// name; and if several have the same, which of them it is.
-std::vector<std::string> keys_of(const Assembly& assembly);
+/// For each file a name that no other one has: that without folders; and of several that have the same, as many of the
+/// folders above each as tell it apart, none of them above the folder that all of these are in. So a project may be
+/// moved, and the order in which files are named means nothing. What is one file has one name.
+std::vector<std::string> names_of_files(const std::vector<std::string>& files);
+
+/// What an object is known by, whatever its number is.
+struct Identity {
+  std::string key;  ///< no two objects have one
+  /// Others have the same names, shape and place: only their order tells which of them it is.
+  bool is_ambiguous = false;
+};
+
+/// For each object: the name of its file, and its GlobalId or else its path. Where several have the same, their shape
+/// and place tell them apart; where that is the same too, their order.
+std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names);
+
+/// The GlobalId of the IFC product that an object is part of, "" for none.
+std::string_view ifc_guid(const io::Object& object);
 
 /// A UUID (RFC 4122, version 5) that is the same for the same text, as "01234567-89ab-5cde-8f01-23456789abcd".
 std::string guid_of(std::string_view text);

@@ -76,20 +76,26 @@ void name_regions(const std::string& pair, std::unordered_set<std::string> used,
 }
 
 Resolved resolved_pair(const Previous::Pair& pair) {
-  Resolved resolved{pair.id, {}, pair.a, pair.b, pair.test, pair.verdict, pair.middle, pair.remark, {}, 0};
+  Resolved resolved{pair.id, {}, pair.a, pair.b, pair.test, pair.verdict, pair.middle, pair.remark, {}, 0, false};
   for (const Previous::OldRegion& region : pair.regions)
     if (!region.remark.is_empty())
       resolved.regions.push_back(
-          {{}, region.id, {}, {}, {}, pair.verdict, region.centroid, region.remark, {}, region.reach});
+          {{}, region.id, {}, {}, {}, pair.verdict, region.centroid, region.remark, {}, region.reach, false});
   return resolved;
 }
 
 Resolved resolved_region(const Previous::Pair& pair, const Previous::OldRegion& region) {
-  return {pair.id,      region.id,       pair.a,        pair.b, pair.test,
-          pair.verdict, region.centroid, region.remark, {},     region.reach};
+  return {pair.id,         region.id,     pair.a, pair.b,       pair.test, pair.verdict,
+          region.centroid, region.remark, {},     region.reach, false};
 }
 
 bool has_remark(const Resolved& resolved) { return !resolved.remark.is_empty() || !resolved.regions.empty(); }
+
+Previous::Pair without_remarks(Previous::Pair pair) {
+  pair.remark = {};
+  for (Previous::OldRegion& region : pair.regions) region.remark = {};
+  return pair;
+}
 
 /// One pair held against what the previous run knew of it.
 class Comparison {
@@ -102,28 +108,37 @@ class Comparison {
 
   std::vector<Standing> compare() {
     std::vector<Standing> standings;
-    std::unordered_set<std::string_view> ids;
+    std::unordered_set<std::string_view> ids, ambiguous;
     for (std::size_t i = 0; i < found_.pairs.size(); ++i) {
       ids.insert(found_.ids[i]);
-      standings.push_back(compare(found_.pairs[i], found_.ids[i]));
+      if (found_.ambiguous[i]) ambiguous.insert(found_.ids[i]);
+      standings.push_back(compare(found_.pairs[i], found_.ids[i], found_.ambiguous[i]));
     }
     for (const Previous::Pair& pair : previous_.pairs)
       if (!ids.contains(pair.id)) to_.push_back(resolved_pair(pair));
     // What nobody wrote about has been told once.
     for (std::size_t i = 0; i < previous_.resolved.size(); ++i)
       if (!is_back_[i] && has_remark(previous_.resolved[i])) to_.push_back(previous_.resolved[i]);
+    for (Resolved& resolved : to_) resolved.is_ambiguous = ambiguous.contains(resolved.id);
     return standings;
   }
 
  private:
-  Standing compare(const Clash& pair, const std::string& id) {
+  Standing compare(const Clash& pair, const std::string& id, bool is_ambiguous) {
     Standing standing;
     standing.regions.resize(pair.regions.size());
     is_matched_.assign(pair.regions.size(), false);
     std::unordered_set<std::string> used;
     const auto known = pairs_.find(id);
-    const Previous::Pair* const old = known == pairs_.end() ? nullptr : &previous_.pairs[known->second];
+    Previous::Pair bare;
+    const Previous::Pair* old = known == pairs_.end() ? nullptr : &previous_.pairs[known->second];
     standing.change = old == nullptr ? Change::fresh : Change::persisting;
+    if (old != nullptr && is_ambiguous) {
+      // It was there, or its equal was; what was written about which of them, nobody can say.
+      if (Resolved withheld = resolved_pair(*old); has_remark(withheld)) to_.push_back(std::move(withheld));
+      bare = without_remarks(*old);
+      old = &bare;
+    }
     if (old != nullptr) {
       standing.was = old->verdict;
       standing.remark = old->remark;
@@ -134,7 +149,10 @@ class Comparison {
       else
         for (RegionStanding& region : standing.regions) region.change = standing.change;
     }
-    bring_back(pair, id, standing, used);
+    if (is_ambiguous)
+      keep_ids(id, used);
+    else
+      bring_back(pair, id, standing, used);
     for (RegionStanding& region : standing.regions)
       if (region.change == Change::unknown) region.change = Change::fresh;
     name_regions(id, std::move(used), standing.regions);
@@ -157,6 +175,16 @@ class Comparison {
     }
     for (std::size_t k = 0; k < stays.size(); ++k)
       if (!stays[k]) to_.push_back(resolved_region(old, old.regions[k]));
+  }
+
+  /// Of what had been resolved, which stays so.
+  void keep_ids(const std::string& id, std::unordered_set<std::string>& used) const {
+    const auto known = resolved_.find(id);
+    if (known == resolved_.end()) return;
+    for (const std::size_t i : known->second) {
+      used.insert(previous_.resolved[i].region);
+      for (const Resolved& region : previous_.resolved[i].regions) used.insert(region.region);
+    }
   }
 
   /// Remarks on what had been resolved and is there again.
@@ -183,7 +211,8 @@ class Comparison {
                            region.centroid,
                            region.remark,
                            {},
-                           region.reach});
+                           region.reach,
+                           false});
       }
     }
     constexpr double kNowhere = std::numeric_limits<double>::infinity();

@@ -47,7 +47,8 @@ struct OldPart {
   std::string name, path, file;
 };
 
-/// A clash that is there no more: a pair, or one region of a pair that stayed.
+/// A clash that is there no more: a pair, or one region of a pair that stayed. Or one whose remarks cannot be given to
+/// any pair.
 struct Resolved {
   std::string id;      ///< the pair's
   std::string region;  ///< the region's id; empty: the whole pair
@@ -58,6 +59,8 @@ struct Resolved {
   Remark remark;
   std::vector<Resolved> regions;  ///< of a whole pair, those that people wrote about
   double reach = 0;               ///< of a region: half of its box's diagonal
+  /// Its pair may well be there: nothing says which of several equal ones it was.
+  bool is_ambiguous = false;
 };
 
 }  // namespace impinge::cli

@@ -66,6 +66,15 @@ std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>
 
 }  // namespace
 
+std::string json_triage(const Review& review, std::size_t pair) {
+  const Standing& standing = review.standings[pair];
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  return fmt::format("\"test\":{},{},\"was\":{},\"ambiguous\":{}",
+                     tests.empty() ? "null" : json_string(tests[review.clashes.pairs[pair].test].name),
+                     json_standing(standing.change, standing.remark),
+                     standing.was ? fmt::format("\"{}\"", name(*standing.was)) : "null", bool{review.ambiguous[pair]});
+}
+
 std::string json_standing(Change change, const Remark& remark) {
   return fmt::format("\"change\":{},{}", json_change(change), json_remark(remark));
 }
@@ -106,8 +115,8 @@ void write_resolved(Sink& sink, const Review& review) {
                            i > 0 ? "," : "", json_string(resolved.id), json_text(resolved.region),
                            json_old_part(resolved.a), json_old_part(resolved.b), json_text(resolved.test),
                            name(resolved.verdict)));
-    sink.write(fmt::format("\"centroid\":{},\"reach\":{},{},\"regions\":{}}}", json_centroid(resolved),
-                           json_number(resolved.reach), json_remark(resolved.remark),
+    sink.write(fmt::format("\"centroid\":{},\"reach\":{},{},\"ambiguous\":{},\"regions\":{}}}", json_centroid(resolved),
+                           json_number(resolved.reach), json_remark(resolved.remark), resolved.is_ambiguous,
                            json_list(resolved.regions, json_old_region)));
   }
   sink.write("],\n");

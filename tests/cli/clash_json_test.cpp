@@ -82,6 +82,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"status", nullptr},
                          {"comment", nullptr},
                          {"was", nullptr},
+                         {"ambiguous", false},
                          {"a", 0},
                          {"b", 1},
                          {"crossing", count.at("crossing")},

@@ -92,10 +92,11 @@ std::vector<int> matched(const std::vector<double>& before, const std::vector<do
     old.regions.push_back({"old" + std::to_string(i), {before[i], 0, 0}, std::sqrt(3.0), {}});
   const std::vector<Clash> pairs{pair};
   const std::vector<std::string> ids{"p"};
+  const std::vector<bool> ambiguous{false};
   std::vector<Resolved> resolved;
   const auto standings =
-      compare({pairs, ids, [&](const Clash&) { return slack; }, [](const Clash&, Verdict) { return true; }}, previous,
-              resolved);
+      compare({pairs, ids, ambiguous, [&](const Clash&) { return slack; }, [](const Clash&, Verdict) { return true; }},
+              previous, resolved);
   std::vector<int> numbers;
   std::size_t kept = 0;
   for (const RegionStanding& region : standings.at(0).regions) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// `impinge clash --bcf`, read back by libzip and pugixml and held against the published schemas of BCF 2.1
-// (buildingSMART/BCF-XML: version.xsd, markup.xsd, visinfo.xsd), which are written down here.
+// `impinge clash --bcf`, read back and held against the published schemas of BCF 2.1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,11 +8,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <pugixml.hpp>
-#include <regex>
 #include <set>
 
-#include "read_back.hpp"
+#include "bcf_reader.hpp"
+#include "models.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
 
@@ -21,196 +19,8 @@ namespace impinge::test {
 namespace {
 
 using nlohmann::json;
-constexpr int kAny = 1'000'000;
 
-/// An element of a sequence, in its place, or an attribute.
-struct Item {
-  std::string name, type;
-  int least, most;
-};
-struct Type {
-  std::vector<Item> sequence, attributes;
-};
-
-const std::map<std::string, std::string> kSimple{
-    {"string", "[^]*"},
-    {"int", "[+-]?[0-9]{1,9}"},
-    {"double", "[+-]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+-]?[0-9]+)?"},
-    {"boolean", "true|false|0|1"},
-    {"dateTime", "[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}(\\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2})?"},
-    {"Guid", "[a-fA-F0-9]{8}-[a-fA-F0-9]{4}-[a-fA-F0-9]{4}-[a-fA-F0-9]{4}-[a-fA-F0-9]{12}"},
-    {"IfcGuid", "[0-9A-Za-z_$]{22}"},
-    {"Color", "[0-9a-fA-F]{6}([0-9a-fA-F]{2})?"},
-    {"BitmapFormat", "PNG|JPG"}};
-
-const std::map<std::string, Type> kTypes{
-    // version.xsd
-    {"Version", {{{"DetailedVersion", "string", 0, 1}}, {{"VersionId", "string", 0, 1}}}},
-    // markup.xsd
-    {"Markup",
-     {{{"Header", "Header", 0, 1},
-       {"Topic", "Topic", 1, 1},
-       {"Comment", "Comment", 0, kAny},
-       {"Viewpoints", "ViewPoint", 0, kAny}},
-      {}}},
-    {"Header", {{{"File", "File", 1, kAny}}, {}}},
-    {"File",
-     {{{"Filename", "string", 0, 1}, {"Date", "dateTime", 0, 1}, {"Reference", "string", 0, 1}},
-      {{"IfcProject", "IfcGuid", 0, 1},
-       {"IfcSpatialStructureElement", "IfcGuid", 0, 1},
-       {"isExternal", "boolean", 0, 1}}}},
-    {"ViewPoint",
-     {{{"Viewpoint", "string", 0, 1}, {"Snapshot", "string", 0, 1}, {"Index", "int", 0, 1}}, {{"Guid", "Guid", 1, 1}}}},
-    {"Topic",
-     {{{"ReferenceLink", "string", 0, kAny},
-       {"Title", "string", 1, 1},
-       {"Priority", "string", 0, 1},
-       {"Index", "int", 0, 1},
-       {"Labels", "string", 0, kAny},
-       {"CreationDate", "dateTime", 1, 1},
-       {"CreationAuthor", "string", 1, 1},
-       {"ModifiedDate", "dateTime", 0, 1},
-       {"ModifiedAuthor", "string", 0, 1},
-       {"DueDate", "dateTime", 0, 1},
-       {"AssignedTo", "string", 0, 1},
-       {"Stage", "string", 0, 1},
-       {"Description", "string", 0, 1}},
-      {{"Guid", "Guid", 1, 1}, {"TopicType", "string", 0, 1}, {"TopicStatus", "string", 0, 1}}}},
-    {"Comment",
-     {{{"Date", "dateTime", 1, 1},
-       {"Author", "string", 1, 1},
-       {"Comment", "string", 1, 1},
-       {"ModifiedDate", "dateTime", 0, 1},
-       {"ModifiedAuthor", "string", 0, 1}},
-      {{"Guid", "Guid", 1, 1}}}},
-    // visinfo.xsd
-    {"VisualizationInfo",
-     {{{"Components", "Components", 0, 1},
-       {"OrthogonalCamera", "OrthogonalCamera", 0, 1},
-       {"PerspectiveCamera", "PerspectiveCamera", 0, 1},
-       {"Lines", "Lines", 0, 1},
-       {"ClippingPlanes", "ClippingPlanes", 0, 1}},
-      {{"Guid", "Guid", 1, 1}}}},
-    {"PerspectiveCamera",
-     {{{"CameraViewPoint", "Point", 1, 1},
-       {"CameraDirection", "Point", 1, 1},
-       {"CameraUpVector", "Point", 1, 1},
-       {"FieldOfView", "double", 1, 1}},
-      {}}},
-    {"Point", {{{"X", "double", 1, 1}, {"Y", "double", 1, 1}, {"Z", "double", 1, 1}}, {}}},
-    {"Components",
-     {{{"ViewSetupHints", "ViewSetupHints", 0, 1},
-       {"Selection", "ComponentList", 0, 1},
-       {"Visibility", "Visibility", 1, 1},
-       {"Coloring", "Coloring", 0, 1}},
-      {}}},
-    {"ComponentList", {{{"Component", "Component", 1, kAny}}, {}}},
-    {"Visibility", {{{"Exceptions", "ComponentList", 0, 1}}, {{"DefaultVisibility", "boolean", 0, 1}}}},
-    {"Coloring", {{{"Color", "ColorElement", 1, kAny}}, {}}},
-    {"ColorElement", {{{"Component", "Component", 1, kAny}}, {{"Color", "Color", 0, 1}}}},
-    {"Component",
-     {{{"OriginatingSystem", "string", 0, 1}, {"AuthoringToolId", "string", 0, 1}}, {{"IfcGuid", "IfcGuid", 0, 1}}}},
-    {"Lines", {{{"Line", "Line", 1, kAny}}, {}}},
-    {"Line", {{{"StartPoint", "Point", 1, 1}, {"EndPoint", "Point", 1, 1}}, {}}}};
-
-void check(const pugi::xml_node& node, const std::string& type_name);
-
-void check_text(const std::string& text, const std::string& type, const std::string& where) {
-  EXPECT_TRUE(std::regex_match(text, std::regex(kSimple.at(type)))) << where << " is no " << type << ": " << text;
-}
-
-void check_attributes(const pugi::xml_node& node, const std::vector<Item>& allowed) {
-  for (const pugi::xml_attribute& attribute : node.attributes()) {
-    const auto item = std::find_if(allowed.begin(), allowed.end(),
-                                   [&](const Item& i) { return i.name == std::string(attribute.name()); });
-    if (item == allowed.end()) {
-      ADD_FAILURE() << node.name() << " has an attribute " << attribute.name();
-    } else {
-      check_text(attribute.value(), item->type, node.path() + "/@" + attribute.name());
-    }
-  }
-  for (const Item& item : allowed)
-    EXPECT_TRUE(item.least == 0 || node.attribute(item.name.c_str())) << node.path() << " lacks " << item.name;
-}
-
-/// Holds an element against its type: which elements it has, in which order and how many of each.
-void check(const pugi::xml_node& node, const std::string& type_name) {
-  const auto type = kTypes.find(type_name);
-  if (type == kTypes.end()) {
-    EXPECT_FALSE(node.first_attribute()) << node.path();
-    for (const pugi::xml_node& child : node) EXPECT_EQ(child.type(), pugi::node_pcdata) << node.path();
-    return check_text(node.text().get(), type_name, node.path());
-  }
-  check_attributes(node, type->second.attributes);
-  pugi::xml_node child = node.first_child();
-  for (const Item& item : type->second.sequence) {
-    int count = 0;
-    for (; child && child.name() == item.name; child = child.next_sibling(), ++count) check(child, item.type);
-    EXPECT_TRUE(count >= item.least && count <= item.most) << node.path() << " has " << count << " of " << item.name;
-  }
-  EXPECT_FALSE(child) << node.path() << ": " << child.name() << " is out of its place";
-}
-
-pugi::xml_document parse(const std::string& bytes, const std::string& root) {
-  pugi::xml_document document;
-  const auto result = document.load_buffer(bytes.data(), bytes.size(), pugi::parse_full, pugi::encoding_utf8);
-  EXPECT_TRUE(result) << result.description();
-  const pugi::xml_node declaration = document.first_child();
-  EXPECT_EQ(declaration.type(), pugi::node_declaration);
-  EXPECT_EQ(std::string(declaration.attribute("encoding").value()), "UTF-8");
-  const pugi::xml_node element = document.document_element();
-  EXPECT_EQ(element.name(), root);
-  EXPECT_FALSE(element.next_sibling());
-  check(element, root);
-  return document;
-}
-
-struct Vec {
-  double x, y, z;
-};
 double dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec vec(const pugi::xml_node& node) {
-  return {node.child("X").text().as_double(), node.child("Y").text().as_double(), node.child("Z").text().as_double()};
-}
-
-struct Topic {
-  std::string guid;
-  pugi::xml_document markup, viewpoint;
-  Pixels snapshot;
-  [[nodiscard]] pugi::xml_node topic() const { return markup.document_element().child("Topic"); }
-  [[nodiscard]] pugi::xml_node view() const { return viewpoint.document_element(); }
-};
-
-/// The topics by their index, held against the schemas and each other.
-std::vector<Topic> read_bcf(const std::string& archive) {
-  const std::vector<Member> members = unzip(archive);
-  std::map<std::string, std::string> files;
-  for (const Member& member : members) {
-    EXPECT_TRUE(files.emplace(member.name, member.bytes).second) << member.name << " is there twice";
-    EXPECT_EQ(member.date, "1980-01-01 00:00");
-  }
-  EXPECT_EQ(std::string(parse(files.at("bcf.version"), "Version").document_element().attribute("VersionId").value()),
-            "2.1");
-  std::vector<Topic> topics;
-  for (const auto& [name, bytes] : files) {
-    if (!name.ends_with("/markup.bcf")) continue;
-    Topic topic;
-    topic.guid = name.substr(0, name.find('/'));
-    topic.markup = parse(bytes, "Markup");
-    EXPECT_EQ(std::string(topic.topic().attribute("Guid").value()), topic.guid);
-    const pugi::xml_node about = topic.markup.document_element().child("Viewpoints");
-    topic.viewpoint = parse(files.at(topic.guid + "/" + about.child("Viewpoint").text().get()), "VisualizationInfo");
-    EXPECT_EQ(std::string(about.attribute("Guid").value()), topic.view().attribute("Guid").value());
-    topic.snapshot = read_png(files.at(topic.guid + "/" + about.child("Snapshot").text().get()));
-    topics.push_back(std::move(topic));
-  }
-  EXPECT_EQ(files.size(), 1 + 3 * topics.size());
-  std::sort(topics.begin(), topics.end(), [](const Topic& a, const Topic& b) {
-    return a.topic().child("Index").text().as_int() < b.topic().child("Index").text().as_int();
-  });
-  for (std::size_t i = 0; i < topics.size(); ++i) EXPECT_EQ(topics[i].topic().child("Index").text().as_uint(), i + 1);
-  return topics;
-}
 
 /// Whether a point in the BCF's coordinates is in the picture.
 void expect_seen(const Topic& topic, const Vec& p) {
@@ -414,53 +224,6 @@ TEST_F(Bcf, AnyNameIsHarmless) {
   const std::string title = all[0].topic().child("Title").text().get();
   EXPECT_TRUE(title.starts_with("a / <Title><x a=\"&amp;\\x1b[2J\\n")) << title;
   EXPECT_LT(title.size(), 300U);
-}
-
-/// Two extruded boxes of an IFC file in millimetres: 2 m wide, the second 1 m over in each direction.
-std::string ifc_of_two_walls() {
-  return R"(ISO-10303-21;
-HEADER;
-FILE_DESCRIPTION((''),'2;1');
-FILE_NAME('two.ifc','2024-01-01T00:00:00',(''),(''),'','','');
-FILE_SCHEMA(('IFC2X3'));
-ENDSEC;
-DATA;
-#1=IFCPROJECT('0YvctVUKr0kugbFTf53O9L',#2,'p',$,$,$,$,(#10),#20);
-#2=IFCOWNERHISTORY(#3,#6,$,.ADDED.,$,$,$,0);
-#3=IFCPERSONANDORGANIZATION(#4,#5,$);
-#4=IFCPERSON($,'n',$,$,$,$,$,$);
-#5=IFCORGANIZATION($,'o',$,$,$);
-#6=IFCAPPLICATION(#5,'1','a','a');
-#10=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#11,$);
-#11=IFCAXIS2PLACEMENT3D(#12,$,$);
-#12=IFCCARTESIANPOINT((0.,0.,0.));
-#20=IFCUNITASSIGNMENT((#21));
-#21=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
-#30=IFCSITE('1Qvf0xqDT4HXo8jI81mHB$',#2,'site',$,$,#31,$,$,.ELEMENT.,$,$,$,$,$);
-#31=IFCLOCALPLACEMENT($,#11);
-#40=IFCRELAGGREGATES('2Qvf0xqDT4HXo8jI81mHB$',#2,$,$,#1,(#30));
-#41=IFCRELCONTAINEDINSPATIALSTRUCTURE('3Qvf0xqDT4HXo8jI81mHB$',#2,$,$,(#50,#60),#30);
-#50=IFCBUILDINGELEMENTPROXY('1srAI$R4T8ihLXSNHmUSET',#2,'left',$,$,#51,#52,$,$);
-#51=IFCLOCALPLACEMENT(#31,#56);
-#52=IFCPRODUCTDEFINITIONSHAPE($,$,(#53));
-#53=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#54));
-#54=IFCEXTRUDEDAREASOLID(#55,#11,#58,2000.);
-#55=IFCRECTANGLEPROFILEDEF(.AREA.,$,#59,2000.,2000.);
-#56=IFCAXIS2PLACEMENT3D(#57,$,$);
-#57=IFCCARTESIANPOINT((5000.,3000.,0.));
-#58=IFCDIRECTION((0.,0.,1.));
-#59=IFCAXIS2PLACEMENT2D(#70,$);
-#70=IFCCARTESIANPOINT((0.,0.));
-#60=IFCBUILDINGELEMENTPROXY('2O2Fr$t4X7Zf8NOew3FNr2',#2,'right',$,$,#61,#62,$,$);
-#61=IFCLOCALPLACEMENT(#31,#66);
-#62=IFCPRODUCTDEFINITIONSHAPE($,$,(#63));
-#63=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#64));
-#64=IFCEXTRUDEDAREASOLID(#55,#11,#58,2000.);
-#66=IFCAXIS2PLACEMENT3D(#67,$,$);
-#67=IFCCARTESIANPOINT((6000.,4000.,1000.));
-ENDSEC;
-END-ISO-10303-21;
-)";
 }
 
 TEST_F(Bcf, OfAnIfcFileNamesGlobalIdsAndTheFilesOwnAxes) {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// Texts and GlobalIds of BCF.
+// Texts of BCF.
 #include "report/bcf_xml.hpp"
 
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
-#include <span>
 
 #include "text.hpp"
 
@@ -34,21 +33,6 @@ TEST(XmlText, HoldsOnlyWhatXmlCan) {
   EXPECT_EQ(text.find("\xEF\xBF\xBE"), std::string::npos);
   EXPECT_EQ(text.find("\xEF\xBF\xBF"), std::string::npos);
   EXPECT_TRUE(text.ends_with('z'));
-}
-
-TEST(IfcGuid, IsTheEndOfTheProduct) {
-  const auto guid = [](const std::string& product) {
-    const Result<Mesh> mesh = Mesh::create(std::span<const double>(), {});
-    const io::Object object{"wall", "house/wall", product, *mesh, {}};
-    return std::string(ifc_guid(object));
-  };
-  EXPECT_EQ(guid("IfcWindow_EG-Fenster-6_1srAI$R4T8ihLXSNHmUSET"), "1srAI$R4T8ihLXSNHmUSET");
-  EXPECT_EQ(guid("IfcWindow_EG-Fenster-6_1srAI$R4T8ihLXSNHmUSET (2)"), "1srAI$R4T8ihLXSNHmUSET");
-  EXPECT_EQ(guid("IfcSite__1Qvf0xqDT4HXo8jI81mHB$"), "1Qvf0xqDT4HXo8jI81mHB$");
-  EXPECT_EQ(guid(""), "");
-  EXPECT_EQ(guid("wall"), "");
-  EXPECT_EQ(guid("a product of some other kind, long enough"), "");
-  EXPECT_EQ(guid(")"), "");
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   };
   refused({"--date", "2024-01-01"}, "--bcf FILE");
   refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf FILE");
-  refused({"--unit", "mm", "--csv", "out.csv"}, "--unit is for --bcf FILE and --gltf FILE");
+  refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "y"}, "--up is for");
   refused({"--unit", "miles", "--bcf", "out.bcf"}, "'miles'");
   refused({"--up", "x", "--gltf", "out.glb"}, "'x'");

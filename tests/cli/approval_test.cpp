@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// What people wrote about a pair stays with this pair, or with none.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "meshes.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+class Approval : public testing::Test {
+ protected:
+  /// The report of a run in the folder, whose pairs must all have ids of their own.
+  json run(const std::vector<std::string>& words, const std::string& in = ".") {
+    std::string line = "cd " + in + " && impinge clash --json out.json --quiet";
+    for (const std::string& word : words) line += " '" + word + "'";
+    const Ended ended = shell(folder, line);
+    EXPECT_LE(ended.code, 1) << ended.err;
+    if (ended.code > 1) return {};
+    json report = json::parse(folder.read(in + "/out.json"));
+    std::set<std::string> ids;
+    for (const json& pair : report.at("pairs")) EXPECT_TRUE(ids.insert(pair.at("id").get<std::string>()).second);
+    return report;
+  }
+  /// That of two parts, each by the end of its file's name or by its path.
+  static json& pair_of(json& report, const std::string& a, const std::string& b) {
+    for (json& pair : report.at("pairs")) {
+      const auto says = [&](const char* side, const std::string& what) {
+        const json& part = report.at("objects").at(pair.at(side).get<std::size_t>());
+        return part.at("file").get<std::string>().ends_with(what) || part.at("path") == what;
+      };
+      if ((says("a", a) && says("b", b)) || (says("b", a) && says("a", b))) return pair;
+    }
+    ADD_FAILURE() << "no pair of " << a << " and " << b;
+    static json none = json::object();
+    return none;
+  }
+  void keep(json& report, const std::string& name) { folder.write(name, report.dump()); }
+  Folder folder;
+};
+
+TEST_F(Approval, StaysWithItsFileAmongFilesOfOneName) {
+  for (const char* name : {"project", "project/left", "project/right", "elsewhere"})
+    std::filesystem::create_directory(folder.path() / name);
+  folder.write("project/left/part.off", off(box({0, 0, 0}, {2, 2, 2})));
+  folder.write("project/right/part.off", off(box({10, 0, 0}, {12, 2, 2})));
+  folder.write("project/plate.off", off(box({-1, 1, 1}, {20, 3, 3})));
+  json first = run({"left/part.off", "right/part.off", "plate.off"}, "project");
+  ASSERT_EQ(first.at("pairs").size(), 2U);
+  pair_of(first, "left/part.off", "plate.off")["status"] = "approved";
+  keep(first, "last.json");
+  const auto expect_kept = [&](json report) {
+    for (const char* side : {"left/part.off", "right/part.off"}) {
+      const json& pair = pair_of(report, side, "plate.off");
+      EXPECT_EQ(pair.at("id"), pair_of(first, side, "plate.off").at("id"));
+      EXPECT_EQ(pair.at("change"), "persisting");
+      EXPECT_EQ(pair.at("ambiguous"), false);
+    }
+    EXPECT_EQ(pair_of(report, "left/part.off", "plate.off").at("status"), "approved");
+    EXPECT_TRUE(pair_of(report, "right/part.off", "plate.off").at("status").is_null());
+    EXPECT_TRUE(report.at("resolved").empty());
+  };
+  const std::vector<std::string> previous{"--previous", (folder.path() / "last.json").string()};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), previous.begin(), previous.end());
+    return words;
+  };
+  expect_kept(run(with({"right/part.off", "plate.off", "left/part.off"}), "project"));
+  // A file that has nothing to do with them, though it lies above; and a part that moved.
+  folder.write("other.off", off(box({50, 0, 0}, {52, 2, 2})));
+  folder.write("project/left/part.off", off(box({4, 0, 0}, {6, 2, 2})));
+  expect_kept(run(with({"../other.off", "right/part.off", "left/part.off", "plate.off"}), "project"));
+  // The whole project elsewhere, under another name, and named from above.
+  std::filesystem::rename(folder.path() / "project", folder.path() / "elsewhere/copy");
+  expect_kept(run(with({"elsewhere/copy/right/part.off", "elsewhere/copy/left/part.off", "elsewhere/copy/plate.off"})));
+}
+
+TEST_F(Approval, IsNotForAFileThatTookTheName) {
+  std::filesystem::create_directory(folder.path() / "sub");
+  folder.write("part.off", off(box({0, 0, 0}, {2, 2, 2})));
+  folder.write("sub/part.off", off(box({10, 0, 0}, {12, 2, 2})));
+  folder.write("plate.off", off(box({-1, 1, 1}, {20, 3, 3})));
+  json first = run({"part.off", "plate.off"});
+  first.at("pairs").at(0)["status"] = "approved";
+  keep(first, "last.json");
+  const json both = run({"sub/part.off", "part.off", "plate.off", "--previous", "last.json"});
+  ASSERT_EQ(both.at("pairs").size(), 2U);
+  for (const json& pair : both.at("pairs")) {
+    EXPECT_EQ(pair.at("change"), "new");
+    EXPECT_TRUE(pair.at("status").is_null());
+  }
+  ASSERT_EQ(both.at("resolved").size(), 1U);
+  EXPECT_EQ(both.at("resolved").at(0).at("status"), "approved") << "nothing that was written is lost";
+  EXPECT_EQ(both.at("resolved").at(0).at("ambiguous"), false);
+}
+
+TEST_F(Approval, StaysWithItsPartAmongPartsOfOneName) {
+  folder.write("a.gltf", gltf({{"bolt", {0, 0, 0}}, {"bolt", {10, 0, 0}}, {"left", {1, 1, 1}}, {"right", {11, 1, 1}}}));
+  json first = run({"a.gltf"});
+  ASSERT_EQ(first.at("pairs").size(), 2U);
+  pair_of(first, "bolt", "right")["comment"] = "as agreed";
+  keep(first, "last.json");
+  // In another order and with more of them, what was "bolt (2)" is "bolt (3)".
+  folder.write("a.gltf", gltf({{"bolt", {30, 0, 0}},
+                               {"right", {11, 1, 1}},
+                               {"bolt", {10, 0, 0}},
+                               {"bolt", {0, 0, 0}},
+                               {"far", {31, 1, 1}},
+                               {"left", {1, 1, 1}}}));
+  json second = run({"a.gltf", "--previous", "last.json"});
+  ASSERT_EQ(second.at("pairs").size(), 3U);
+  EXPECT_EQ(pair_of(second, "bolt", "right").at("comment"), "as agreed");
+  EXPECT_EQ(pair_of(second, "bolt", "right").at("change"), "persisting");
+  EXPECT_EQ(pair_of(second, "bolt", "left").at("change"), "persisting");
+  EXPECT_TRUE(pair_of(second, "bolt", "left").at("comment").is_null());
+  EXPECT_EQ(pair_of(second, "bolt", "far").at("change"), "new");
+  EXPECT_TRUE(second.at("resolved").empty());
+}
+
+TEST_F(Approval, IsGivenToNoneOfTwins) {
+  const std::vector<Node> nodes{{"bolt", {0, 0, 0}}, {"bolt", {0, 0, 0}}, {"plate", {1, 1, 1}}};
+  folder.write("a.gltf", gltf(nodes));
+  json first = run({"a.gltf", "--regions"});
+  ASSERT_EQ(first.at("pairs").size(), 3U);
+  for (const json& pair : first.at("pairs")) EXPECT_EQ(pair.at("ambiguous"), true);
+  keep(first, "plain.json");
+  json& pair = pair_of(first, "bolt", "plate");
+  pair["status"] = "approved";
+  pair.at("regions").at(0)["comment"] = "here";
+  keep(first, "last.json");
+
+  // Nothing was written: nothing is complained of, and nothing is new.
+  const Ended plain = shell(folder, "impinge clash a.gltf --previous plain.json --fail-on new --json out.json");
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.err, "");
+
+  std::string previous = "last.json";
+  for (int week = 0; week < 3; ++week) {
+    const Ended ended = shell(folder, "impinge clash a.gltf --previous " + previous + " --json out.json --fail-on new");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(
+        ended.err.starts_with("impinge: what was written about a clash, such as bolt / plate, is not taken over"))
+        << ended.err;
+    EXPECT_NE(ended.out.find(": 0 new, 0 with a new region, 3 persisting, 0 resolved.\n"), std::string::npos);
+    const json report = json::parse(folder.read("out.json"));
+    ASSERT_EQ(report.at("pairs").size(), 3U);
+    for (const json& now : report.at("pairs")) {
+      EXPECT_EQ(now.at("change"), "persisting");
+      EXPECT_TRUE(now.at("status").is_null());
+      for (const json& region : now.at("regions")) {
+        EXPECT_EQ(region.at("change"), "persisting");
+        EXPECT_TRUE(region.at("comment").is_null());
+      }
+    }
+    ASSERT_EQ(report.at("resolved").size(), 1U);
+    const json& resolved = report.at("resolved").at(0);
+    EXPECT_EQ(resolved.at("ambiguous"), true);
+    EXPECT_EQ(resolved.at("status"), "approved");
+    EXPECT_EQ(resolved.at("regions").at(0).at("comment"), "here");
+    previous = "week" + std::to_string(week) + ".json";
+    folder.write(previous, report.dump());
+  }
+  // A third one is new.
+  folder.write("a.gltf", gltf({nodes[0], nodes[0], nodes[0], nodes[2]}));
+  const json third = run({"a.gltf", "--previous", "plain.json"});
+  std::size_t fresh = 0;
+  for (const json& now : third.at("pairs")) fresh += now.at("change") == "new" ? 1 : 0;
+  EXPECT_EQ(fresh, 3U) << "against the plate and both others";
+}
+
+TEST_F(Approval, OfAFileThatIsReadTwiceIsForNoneOfThem) {
+  folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+  json report = run({"a.off", "./a.off"});
+  ASSERT_EQ(report.at("pairs").size(), 1U);
+  EXPECT_EQ(report.at("pairs").at(0).at("ambiguous"), true);
+}
+
+}  // namespace
+}  // namespace impinge::test

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Lengths and places for BIM: in metres with Z up, whatever the files' unit and axes are and the readers make of them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "bcf_reader.hpp"
+#include "models.hpp"
+#include "tests/cli/meshes.hpp"
+#include "tests/cli/program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+/// The cells of the only row, by the names of the columns.
+std::map<std::string, std::string> row_of(const std::string& text) {
+  const auto cells = read_csv(text);
+  EXPECT_EQ(cells.size(), 2U);
+  std::map<std::string, std::string> row;
+  for (std::size_t i = 0; i < cells.at(0).size(); ++i) row[cells[0][i]] = cells.at(1).at(i);
+  return row;
+}
+
+double number(const std::string& cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  EXPECT_TRUE(error == std::errc() && end == cell.data() + cell.size()) << cell;
+  return value;
+}
+
+/// The numbers of a description's line that this pattern finds.
+std::vector<double> numbers(const std::string& description, const std::string& pattern) {
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(description, found, std::regex(pattern))) << description;
+  std::vector<double> values;
+  for (std::size_t i = 1; i < found.size(); ++i) values.push_back(number(found[i]));
+  return values;
+}
+
+class Units : public testing::Test {
+ protected:
+  void run(const std::vector<std::string>& more) {
+    std::vector<std::string> words{"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = impinge(folder, words);
+    ASSERT_EQ(ended.code, 1) << ended.err;
+    std::vector<Topic> topics = read_bcf(folder.read("out.bcf"));
+    ASSERT_EQ(topics.size(), 1U);
+    topic = std::move(topics[0]);
+    description = topic.topic().child("Description").text().get();
+    row = row_of(folder.read("out.csv"));
+    region = json::parse(folder.read("out.json")).at("pairs").at(0).at("regions").at(0);
+  }
+  /// The shared cube's middle is the middle of all symmetry: the cubes change places by a reflection in that point.
+  /// Each has a corner 1 m deep in the other, and their surfaces meet in 6 edges of it.
+  void expect_two_walls(const Vec& middle, double edge) const {
+    const double near = 1e-6 * edge;
+    const auto place = numbers(description, R"(Region 1: at \((\S+) (\S+) (\S+)\), area (\S+), length (\S+)\n)");
+    ASSERT_EQ(place.size(), 5U);
+    EXPECT_NEAR(place[0], middle.x, 10 * near);
+    EXPECT_NEAR(place[1], middle.y, 10 * near);
+    EXPECT_NEAR(place[2], middle.z, 10 * near);
+    EXPECT_NEAR(place[3], std::sqrt(3) * edge * edge, 1e-5 * edge * edge);  // the vector area (1, 1, 1) of the hexagon
+    EXPECT_NEAR(place[4], 6 * edge, 60 * near);
+    const auto depths = numbers(description, R"(Depth: A in B (\S+) to (\S+); B in A (\S+) to (\S+)\n)");
+    ASSERT_EQ(depths.size(), 4U);
+    for (const std::size_t least : {0, 2}) {
+      EXPECT_LE(depths[least], edge + near);
+      EXPECT_GT(depths[least], 0.9 * edge);
+      EXPECT_GE(depths[least + 1], edge - near);
+      EXPECT_LT(depths[least + 1], 1.1 * edge);
+    }
+    EXPECT_NEAR(numbers(topic.topic().child("Title").text().get(), R"(, (\S+) m deep$)").at(0), edge, 0.1 * edge);
+    EXPECT_NEAR(number(row.at("x_m")), middle.x, 10 * near);
+    EXPECT_NEAR(number(row.at("y_m")), middle.y, 10 * near);
+    EXPECT_NEAR(number(row.at("z_m")), middle.z, 10 * near);
+    EXPECT_NEAR(number(row.at("depth_m")), edge, 0.1 * edge);
+    EXPECT_NEAR(number(row.at("length_m")), 6 * edge, 60 * near);
+    EXPECT_NEAR(number(row.at("area_m2")), place[3], 1e-5 * edge * edge);
+    // All that is drawn is on the shared cube.
+    std::size_t lines = 0;
+    for (const pugi::xml_node& line : topic.view().child("Lines")) {
+      ++lines;
+      for (const char* end : {"StartPoint", "EndPoint"}) {
+        const Vec p = vec(line.child(end));
+        EXPECT_LE(std::abs(p.x - middle.x), 0.5 * edge + 10 * near);
+        EXPECT_LE(std::abs(p.y - middle.y), 0.5 * edge + 10 * near);
+        EXPECT_LE(std::abs(p.z - middle.z), 0.5 * edge + 10 * near);
+      }
+    }
+    EXPECT_GE(lines, 6U);
+    EXPECT_NE(description.find("in metres with Z up"), std::string::npos);
+    // The other columns are what the JSON has.
+    EXPECT_EQ(number(row.at("y")), region.at("centroid").at(1).get<double>());
+    EXPECT_EQ(number(row.at("length")), region.at("length").get<double>());
+  }
+  [[nodiscard]] bool is_guessed() const { return description.find("Nobody said the unit") != std::string::npos; }
+  Folder folder;
+  Topic topic;
+  std::string description;
+  std::map<std::string, std::string> row;
+  json region;
+};
+
+TEST_F(Units, OfImportedFilesAreMetresWithZUp) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  folder.write("two.dae", collada_of_two_walls());
+  for (const char* file : {"two.ifc", "two.dae"}) {
+    SCOPED_TRACE(file);
+    ASSERT_NO_FATAL_FAILURE(run({file}));
+    expect_two_walls({5.5, 3.5, 1.5}, 1);
+    EXPECT_FALSE(is_guessed());
+    // As they are read, Y is up: the columns without a unit are those of the JSON.
+    EXPECT_NEAR(number(row.at("y")), 1.5, 1e-5);
+  }
+}
+
+TEST_F(Units, OfOtherFilesAreAsTheCallSays) {
+  folder.write("a.off", off(box({4000, 2000, 0}, {6000, 4000, 2000})));
+  folder.write("b.off", off(box({5000, 3000, 1000}, {7000, 5000, 3000})));
+  ASSERT_NO_FATAL_FAILURE(run({"a.off", "b.off", "--unit", "mm"}));
+  expect_two_walls({5.5, 3.5, 1.5}, 1);
+  EXPECT_FALSE(is_guessed());
+  ASSERT_NO_FATAL_FAILURE(run({"a.off", "b.off", "--unit", "ft", "--up", "y"}));
+  expect_two_walls({5500 * 0.3048, -1500 * 0.3048, 3500 * 0.3048}, 304.8);
+}
+
+TEST_F(Units, ThatNobodySaidAreNotClaimed) {
+  folder.write("a.off", off(box({4, 2, 0}, {6, 4, 2})));
+  folder.write("b.off", off(box({5, 3, 1}, {7, 5, 3})));
+  ASSERT_NO_FATAL_FAILURE(run({"a.off", "b.off"}));
+  EXPECT_TRUE(is_guessed());
+  for (const char* column : {"depth_m", "distance_m", "area_m2", "length_m", "x_m", "y_m", "z_m"})
+    EXPECT_EQ(row.at(column), "") << column;
+  EXPECT_EQ(number(row.at("x")), 5.5);
+  // A file that is scaled is no longer in its format's unit.
+  folder.write("two.dae", collada_of_two_walls());
+  ASSERT_NO_FATAL_FAILURE(run({"two.dae", "--scale", "two.dae=1000"}));
+  EXPECT_TRUE(is_guessed());
+  EXPECT_EQ(row.at("x_m"), "");
+  EXPECT_NEAR(number(row.at("x")), 5500, 1e-2);
+}
+
+}  // namespace
+}  // namespace impinge::test
