@@ -183,14 +183,9 @@ class Measures {
     if (ends.size() <= 2) return;
     const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
     const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_});
-    // Where points were moved a piece's parts may come near points from which the whole was farther.
-    const int rounds = within_ > 0 ? 8 : 1;
-    for (std::vector<Piece>* some : {&pieces_, &borders_})
-      for (int round = 0; round < rounds; ++round) {
-        const std::size_t before = some->size();
-        *some = splitter.split(std::move(*some));
-        if (some->size() == before) break;
-      }
+    const int rounds = within_ > 0 ? 8 : 1;  // only where points were moved
+    pieces_ = splitter.split(std::move(pieces_), rounds, merged);
+    borders_ = splitter.split(std::move(borders_), rounds, thinned);
   }
 
   static bool before(const Piece& x, const Piece& y) {

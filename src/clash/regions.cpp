@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "clash/grouping.hpp"
+#include "clash/near_corners.hpp"
 #include "clash/region_measures.hpp"
+#include "clash/resolution.hpp"
 #include "clash/shared_parts.hpp"
 #include "clash/snapped.hpp"
 #include "measure/nearest.hpp"
@@ -51,11 +53,12 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
                                               std::span<const exact::Contact> contacts, double tolerance,
                                               const ForEach& for_each, const std::stop_token& stop) {
   const Side a = within(exact_a, tolerance), b = within(exact_b, tolerance);
-  SharedParts parts = shared_parts(a, b, contacts, tolerance, for_each, stop);
+  const Reach reach = reach_of(a, b, contacts, tolerance);
+  SharedParts parts = shared_parts(a, b, contacts, reach, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
   // Twice the distance over which points were moved, for lines have moved too.
-  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, tolerance) : 0;
-  if (tolerance > 0) parts = snapped(a, b, contacts, parts, tolerance);
+  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, reach) : 0;
+  if (tolerance > 0) parts = snapped(a, b, contacts, parts, reach);
   DisjointSets groups(contacts.size());
   if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
   join_neighbours(a, b, contacts, parts, groups);

@@ -43,10 +43,14 @@ void Splitter::build(std::size_t begin, std::size_t end, int axis) {
   build(middle + 1, end, next_axis(axis));
 }
 
+// A point beside an end, as far from it as the piece is long, would make a detour of the piece rather than part it: of
+// three such points each is beside the others' piece, and there would be no end of parts.
 void Splitter::look_at(const Segment& edge, const Point& point, std::vector<Found>& found) const {
   const Vec3 way = edge[1] - edge[0], from = point.local - edge[0];
   const double along = dot(from, way), square = dot(way, way);
   if (!(along > 0 && along < square) || point.local == edge[1]) return;
+  const Vec3 to = point.local - edge[1];
+  if (std::max(dot(from, from), dot(to, to)) > (1 - 0x1p-20) * square && setting_.within > 0x1p-40) return;
   const double share = along / square;
   if (norm(from - share * way) <= setting_.within) found.push_back({share, point.world});
 }
@@ -67,8 +71,18 @@ void Splitter::search(const Segment& edge, const Segment& rest, std::size_t begi
     search(edge, high, middle + 1, end, next_axis(axis), found);
 }
 
-std::vector<Piece> Splitter::split(std::vector<Piece> pieces) const {
+std::vector<Piece> Splitter::split(std::vector<Piece> pieces, int rounds, Tidy tidy) const {
   const std::size_t most = 64 * (pieces.size() + points_.size()) + (1 << 16);
+  for (int round = 0; round < rounds; ++round) {
+    const std::size_t before = pieces.size();
+    pieces = split_once(std::move(pieces), most);
+    if (pieces.size() == before) break;
+    if (round + 1 < rounds) pieces = tidy(std::move(pieces));
+  }
+  return pieces;
+}
+
+std::vector<Piece> Splitter::split_once(std::vector<Piece> pieces, std::size_t most) const {
   std::vector<Piece> result;
   std::vector<Found> found;
   for (const Piece& whole : pieces) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "impinge/clash.hpp"
 #include "region_scenes.hpp"
@@ -211,6 +212,44 @@ TEST(Flush, TheAnswerDoesNotDependOnThreads) {
     EXPECT_EQ(one[i].centroid, some[i].centroid);
     EXPECT_EQ(one[i].lines, some[i].lines);
   }
+}
+
+/// Tolerances far below the size of triangles (1.25 to 3.3), near it, and above it. Walls beside each other, as far
+/// apart as the triangles are large, end where the boxes meet, and share nothing.
+TEST(Flush, ToleranceNearAndAboveTheSizeOfTriangles) {
+  test::Seeded seeded(55);
+  for (const auto& [n, m] : {std::pair{3, 4}, {1, 7}, {24, 1}, {20, 9}}) {
+    const MeshData below = box({0, 0, 0}, {10, 10, 10}, n), above = box({1, 1, 10}, {6, 6, 15}, m);
+    for (const double tolerance : {0.01, 0.3, 0.9, 1.0, 1.2, 1.5, 2.0}) {
+      SCOPED_TRACE(std::to_string(n) + " and " + std::to_string(m) + " cells, tolerance " + std::to_string(tolerance));
+      const Pose pose = scenes::random_motion(seeded.random, 12);
+      const Mesh a = test::mesh_of(scenes::baked(below, pose)), b = test::mesh_of(scenes::baked(above, pose));
+      expect_regions(contact_regions(a, {}, b, {}, {.tolerance = tolerance}).value(),
+                     {{25, 20, {3.5, 3.5, 10}, {0, 0, 1}}}, pose, 1e-9);
+    }
+  }
+}
+
+/// Across a gap as wide as the triangles are: the plug's face lies over the floor, and its walls beside those of the
+/// cavity.
+TEST(Flush, GapsAsWideAsTheTriangles) {
+  test::Seeded seeded(56);
+  const MeshData socket =
+      scenes::joined(box({-1, -1, -1}, {4, 4, 4}, 8), scenes::inverted(box({0, 0, 0}, {3, 3, 3}, 11)));
+  for (const double gap : {0.05, 0.25, 0.4})
+    for (const int cells : {1, 10}) {
+      SCOPED_TRACE(std::to_string(gap) + ", cells " + std::to_string(cells));
+      const MeshData plug = box({gap, gap, gap}, {3 - gap, 3 - gap, 3 - gap}, cells);
+      const Pose pose = scenes::random_motion(seeded.random, 12);
+      const auto regions = contact_regions(test::mesh_of(scenes::baked(socket, pose)), {},
+                                           test::mesh_of(scenes::baked(plug, pose)), {}, {.tolerance = 1.1 * gap})
+                               .value();
+      ASSERT_EQ(regions.size(), 1u);
+      const double side = 3 - 2 * gap;
+      EXPECT_NEAR(regions[0].area, 6 * side * side, 6 * 4 * side * gap);
+      expect_near(regions[0].centroid, world_vertex(pose, {1.5, 1.5, 1.5}), gap);
+      EXPECT_EQ(regions[0].normal, (Point{0, 0, 0}));
+    }
 }
 
 TEST(Flush, RefusesAToleranceThatMeansNothing) {
