@@ -124,7 +124,7 @@ TEST(Splitter, ComesToAnEndAmongPointsThatAreClose) {
   const Splitter of_three(triangle, {{0, 0, 0}, 1, 1});
   std::vector<Piece> sides;
   for (std::size_t i = 0; i < 3; ++i) sides.push_back(piece(triangle[i], triangle[(i + 1) % 3]));
-  EXPECT_EQ(of_three.split(sides, 8, thinned).size(), 3u);
+  EXPECT_EQ(of_three.split_closely(sides, thinned).size(), 3u);
 
   test::Seeded seeded(4);
   std::vector<Vec3> points;
@@ -143,7 +143,7 @@ TEST(Splitter, ComesToAnEndAmongPointsThatAreClose) {
     return odd;
   };
   const Splitter splitter(points, {{1, 1, 0}, 1, 0.2});
-  const std::vector<Piece> parts = splitter.split(pieces, 8, thinned);
+  const std::vector<Piece> parts = splitter.split_closely(pieces, thinned);
   EXPECT_EQ(odd_ends(parts), odd_ends(pieces));
   // Of a lattice's points those next to each other are the only ones between which there is no other.
   EXPECT_LE(parts.size(), 2 * 3 * points.size());
