@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clash/encounter.hpp"
 #include "clash/grouping.hpp"
 #include "clash/near_corners.hpp"
 #include "clash/region_measures.hpp"
@@ -80,14 +81,21 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   return regions;
 }
 
-std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
-                                            const std::stop_token& stop) {
+std::size_t most_small_pairs(const solid::Body& a, const solid::Body& b) {
+  return (1 << 20) + 64 * (a.size() + b.size());
+}
+
+std::optional<std::vector<exact::Contact>> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                                           std::size_t most, const std::stop_token& stop) {
   std::vector<exact::Contact> contacts;
+  std::size_t small = 0;
   const auto take = [&](const TrianglePair& pair) {
     contacts.push_back({pair.a, pair.b, Kind::touching});
-    return true;
+    if (is_small(a.triangle(pair.a), tolerance) && is_small(b.triangle(pair.b), tolerance)) ++small;
+    return small <= most;
   };
   measure::near_pairs(a.placed, b.placed, tolerance, take, stop);
+  if (small > most) return std::nullopt;
   std::sort(contacts.begin(), contacts.end(),
             [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   return contacts;

@@ -278,6 +278,12 @@ TEST(Flush, RefusesAToleranceThatMeansNothing) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, Code::bad_option);
   }
+  // More than a million pairs.
+  const MeshData sheet = scenes::flat_grid(40, 40);
+  const Mesh fine = test::mesh_of(sheet), other = test::mesh_of(shifted(sheet, 0.3, 0.2, 0));
+  const auto many = contact_regions(fine, {}, other, {}, {.tolerance = 13});
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.error().code, Code::bad_option);
   // Below what rounding leaves: exactly.
   EXPECT_TRUE(contact_regions(cube, {}, cube, {.t = {1 + 0x1p-50, 0, 0}}, {.tolerance = 0x1p-45}).value().empty());
   EXPECT_EQ(contact_regions(cube, {}, cube, {.t = {1 + 0x1p-50, 0, 0}}, {.tolerance = 0x1p-30}).value().size(), 1u);
