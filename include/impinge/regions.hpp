@@ -16,8 +16,8 @@ namespace impinge {
 struct RegionOptions {
   /// 0: exactly. Above 0, what comes within it is in contact, so that flush faces are where they were meant to be:
   /// world vertices are rounded, and after a rotation flush faces cross by an ulp or are apart by one. Choose one far
-  /// below the size of triangles and the thickness of walls; 2^-20 of the largest |coordinate| serves. What a larger one
-  /// means is said below.
+  /// below the size of triangles and the thickness of walls; 2^-20 of the largest |coordinate| serves. What a larger
+  /// one means is said below.
   double tolerance = 0;
   int threads = 0;  ///< at most so many; 0: all there are
   std::stop_token stop{};

@@ -24,6 +24,7 @@ Kind kind_of(const Triangle& a, const Triangle& b, std::size_t corner_b) {
   return is_proper(a) && is_proper(b) ? Kind::coplanar : Kind::touching;
 }
 
+/// Of triangles; takes no room until one is there.
 class Marks {
  public:
   [[nodiscard]] bool has(std::uint32_t triangle) const { return !marks_.empty() && marks_[triangle]; }
