@@ -51,8 +51,11 @@ std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, con
                                  const std::stop_token& stop) {
   const clash::RegionSide side_a(a), side_b(b);
   const double tolerance = judgement.tolerance;
-  const auto contacts = tolerance > 0 ? clash::contacts_within(a.body, b.body, tolerance, stop) : judgement.contacts;
-  auto regions = clash::regions_of(side_a.side(), side_b.side(), contacts, tolerance, {}, stop);
+  std::optional<std::vector<exact::Contact>> within;
+  if (tolerance > 0)
+    within = clash::contacts_within(a.body, b.body, tolerance, clash::most_small_pairs(a.body, b.body), stop);
+  auto regions = clash::regions_of(side_a.side(), side_b.side(), within ? *within : judgement.contacts,
+                                   within ? tolerance : 0, {}, stop);
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 

@@ -66,12 +66,19 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     if (!tolerance) return tolerance.error();
     if (!is_exact && *tolerance == 0) found = find(Options::Find::all);
     if (!found) return found.error();
-    const auto contacts = *tolerance > 0 ? clash::contacts_within(part_a.body, part_b.body, *tolerance, options.stop)
-                                         : contacts_of(*found);
+    const std::size_t most = clash::most_small_pairs(part_a.body, part_b.body);
+    const auto contacts = *tolerance > 0
+                              ? clash::contacts_within(part_a.body, part_b.body, *tolerance, most, options.stop)
+                              : contacts_of(*found);
     found = Contacts{};
+    if (!contacts)
+      return Error{Code::bad_option, "tolerance is " + std::to_string(*tolerance) + ", and more than " +
+                                         std::to_string(most) +
+                                         " pairs of triangles that are small beside it are no farther apart; choose "
+                                         "one below the size of triangles"};
     const clash::RegionSide a(part_a), b(part_b);
     auto regions =
-        clash::regions_of(a.side(), b.side(), contacts, *tolerance, on_threads(options.threads), options.stop);
+        clash::regions_of(a.side(), b.side(), *contacts, *tolerance, on_threads(options.threads), options.stop);
     if (!regions) return Error{Code::cancelled, "the caller's stop token asked for it"};
     return std::move(*regions);
   });

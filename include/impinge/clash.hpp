@@ -80,7 +80,8 @@ struct Clash {
   /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
   std::optional<Nearest> nearest;
   std::optional<OverlapDepth> overlap_depth;  ///< with `depth`, of two solids that penetrate or lie inside
-  std::vector<Region> regions;                ///< with `regions`
+  /// With `regions`, within `tolerance`; exact ones where `contact_regions` would refuse so many pairs.
+  std::vector<Region> regions;
 };
 
 /// What a part is. Lengths in the caller's unit.

@@ -16,7 +16,8 @@ namespace impinge {
 struct RegionOptions {
   /// 0: exactly. Above 0, what comes within it is in contact, so that flush faces are where they were meant to be:
   /// world vertices are rounded, and after a rotation flush faces cross by an ulp or are apart by one. Choose one far
-  /// below the size of triangles and the thickness of walls; 2^-20 of the largest |coordinate| serves.
+  /// below the size of triangles and the thickness of walls; 2^-20 of the largest |coordinate| serves. What a larger
+  /// one means is said below.
   double tolerance = 0;
   int threads = 0;  ///< at most so many; 0: all there are
   std::stop_token stop{};
@@ -67,9 +68,16 @@ struct Region {
 ///     otherwise is as it is exactly; and what is only near shares the point between the nearest points.
 ///   - Points that gaps and rounding have parted, by little more than t at most, become one of them; and what comes
 ///     within t belongs together.
+///   - Lines and outlines are told no more coarsely than the triangles are: where t is above a quarter of their width
+///     (the radius of the circle within, 2 area / perimeter; of those in contact the median, a's or b's, the smaller
+///     one), that quarter stands for it in the rules on lines and on points that become one, t / 256 at least. So a t
+///     of the size of triangles, or above it, leaves flush faces their area and outline. Across a gap above that
+///     quarter the same goes for plane faces and for those of many triangles, whose normals differ little from one to
+///     the next; elsewhere neighbouring polygons may stay apart by a part of the gap, and have lines between them.
 /// A tolerance below 2^-36 of the largest |coordinate| is below what rounding leaves, and taken as 0.
 /// Errors: as `collide`; `bad_option` (tolerance negative, not finite, or above a quarter of the diagonal of either
-/// box).
+/// box; or so large that more than 2^20 pairs and 64 for each triangle are within it of triangles without an edge above
+/// 4 t).
 Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
                                             const Pose& pose_b, const RegionOptions& options = {});
 

@@ -24,6 +24,22 @@ Kind kind_of(const Triangle& a, const Triangle& b, std::size_t corner_b) {
   return is_proper(a) && is_proper(b) ? Kind::coplanar : Kind::touching;
 }
 
+/// Of triangles; takes no room until one is there.
+class Marks {
+ public:
+  [[nodiscard]] bool has(std::uint32_t triangle) const { return !marks_.empty() && marks_[triangle]; }
+  /// False if it was there.
+  bool add(std::uint32_t triangle, std::size_t triangles) {
+    if (marks_.empty()) marks_.resize(triangles);
+    const bool is_new = !marks_[triangle];
+    marks_[triangle] = true;
+    return is_new;
+  }
+
+ private:
+  std::vector<bool> marks_;
+};
+
 class Search {
  public:
   Search(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) : a_(a), b_(b), goal_(goal) {}
@@ -34,6 +50,11 @@ class Search {
     const auto by_triangles = [](const auto& p, const auto& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); };
     std::sort(result_.near.begin(), result_.near.end(), by_triangles);
     std::sort(result_.contacts.begin(), result_.contacts.end(), by_triangles);
+    for (const TrianglePair& pair : result_.near) result_.near_a.push_back(pair.a), result_.near_b.push_back(pair.b);
+    for (std::vector<std::uint32_t>* list : {&result_.near_a, &result_.near_b}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
     return std::move(result_);
   }
 
@@ -41,21 +62,31 @@ class Search {
   void look_at(const TrianglePair& pair) {
     const Triangle a = a_.triangle(pair.a), b = b_.triangle(pair.b);
     if (const auto pinch = find_pinch(a, b, goal_.within)) return look_at(pair, *pinch);
-    if (measure::triangle_distance(a, b, goal_.within).lower > goal_.within) return;
-    result_.near.push_back(pair);
+    const bool are_small = is_small(a, goal_.within) && is_small(b, goal_.within);
+    const bool is_known = are_small && small_a_.has(pair.a) && small_b_.has(pair.b);
+    if (is_known ? !overlap(box_of(a), box_of(b)) : measure::triangle_distance(a, b, goal_.within).lower > goal_.within)
+      return;
+    keep(pair, are_small);
     if (const auto kind = exact::classify(a, b)) count(pair, *kind, true);
+  }
+
+  void keep(const TrianglePair& pair, bool are_small) {
+    if (!are_small) return result_.near.push_back(pair);
+    result_.is_whole = false;
+    if (small_a_.add(pair.a, a_.size())) result_.near_a.push_back(pair.a);
+    if (small_b_.add(pair.b, b_.size())) result_.near_b.push_back(pair.b);
   }
 
   void look_at(const TrianglePair& pair, const Pinch& pinch) {
     const bool is_first_of_a = result_.of_a.meet(pair.a, pinch.corner_a, a_.size());
     const bool is_first = result_.of_b.meet(pair.b, pinch.corner_b, b_.size()) || is_first_of_a;
+    const Triangle a = a_.triangle(pair.a), b = b_.triangle(pair.b);
     if (is_first) {
-      result_.near.push_back(pair);
+      keep(pair, is_small(a, goal_.within) && is_small(b, goal_.within));
     } else {
       result_.of_a.leave_out(pair.a, pinch.corner_a), result_.of_b.leave_out(pair.b, pinch.corner_b);
       result_.is_whole = false;
     }
-    const Triangle a = a_.triangle(pair.a), b = b_.triangle(pair.b);
     if (pinch.is_one_point) {
       count(pair, kind_of(a, b, pinch.corner_b), is_first || goal_.all_contacts);
     } else if (const auto kind = exact::classify(a, b)) {
@@ -71,9 +102,16 @@ class Search {
   const solid::Body &a_, &b_;
   const EncounterGoal& goal_;
   Encounter result_;
+  Marks small_a_, small_b_;  ///< those that are near, in some pair of small ones
 };
 
 }  // namespace
+
+bool is_small(const Triangle& triangle, double tolerance) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (norm(triangle[(i + 1) % 3] - triangle[i]) > 4 * tolerance) return false;
+  return true;
+}
 
 bool LeftOut::meet(std::uint32_t triangle, std::uint8_t corner, std::size_t triangles) {
   if (bits_.empty()) bits_.resize(triangles);

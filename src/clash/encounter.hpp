@@ -33,13 +33,22 @@ class LeftOut {
 /// Where two bodies come together. About a vertex that both have, all triangles of one meet all of the other there: a
 /// great many pairs, of which most part again at once (`Pinch`). They are counted; but to know where the boundaries lie
 /// to each other, one of them at each corner is as good as all.
+///
+/// The larger the tolerance, the more pairs of triangles that are small beside it: nobody asks which of them are near
+/// which, so that they are not kept either.
 struct Encounter {
-  std::vector<TrianglePair> near;         ///< no farther apart than asked, sorted; but for what was left out
-  LeftOut of_a, of_b;                     ///< near pairs that pinch are left out, but for one at each corner
-  std::vector<exact::Contact> contacts;   ///< that share a point, sorted; but for those that share one corner alone
-  std::array<std::uint64_t, 3> counts{};  ///< of all contacts, by Kind
-  bool is_whole = true;                   ///< nothing was left out of `near`
+  std::vector<TrianglePair> near;             ///< no farther apart than asked, sorted; but for what was left out
+  std::vector<std::uint32_t> near_a, near_b;  ///< triangles in some near pair, kept or not, sorted
+  LeftOut of_a, of_b;                         ///< near pairs that pinch are left out, but for one at each corner
+  std::vector<exact::Contact> contacts;       ///< that share a point, sorted; but for those that share one corner alone
+  std::array<std::uint64_t, 3> counts{};      ///< of all contacts, by Kind
+  bool is_whole = true;                       ///< nothing was left out of `near`
+
+  [[nodiscard]] bool is_near() const { return !near_a.empty(); }
 };
+
+/// Whether no edge is longer than four tolerances.
+bool is_small(const Triangle& triangle, double tolerance);
 
 struct EncounterGoal {
   double within = 0;

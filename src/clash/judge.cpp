@@ -55,7 +55,7 @@ class Case {
     if (goal_.stop.stop_requested() || (j.tolerance > 0 && judge_nearly()) || goal_.stop.stop_requested()) return;
     j.tolerance = 0;
     conclude(find_exactly(), !met_.contacts.empty());
-    if (is_asked && !met_.near.empty()) j.note = Note::tolerance_not_applied;
+    if (is_asked && met_.is_near()) j.note = Note::tolerance_not_applied;
   }
 
   /// A surface has no wall; there its extent stands for it.
@@ -88,14 +88,14 @@ class Case {
     if (!found) return false;
     Cells cells = *found;
     if (kinds_.a_is_solid && kinds_.b_is_solid) {
-      if (!met_.near.empty() && !is_settled(cells, kinds_)) look_deep(cells);
+      if (met_.is_near() && !is_settled(cells, kinds_)) look_deep(cells);
     } else if (!kinds_.a_is_solid && !kinds_.b_is_solid && ((cells.a | cells.b) & kOutside) == 0) {
       cells.a |= kSameSide, cells.b |= kSameSide;
     }
     const bool pass =
         !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, met_, goal_.stop);
-    conclude(verdict_of(cells, kinds_, !met_.near.empty(), pass), !met_.near.empty());
-    if (!met_.near.empty()) judgement_.note = note();
+    conclude(verdict_of(cells, kinds_, met_.is_near(), pass), met_.is_near());
+    if (met_.is_near()) judgement_.note = note();
     return true;
   }
 

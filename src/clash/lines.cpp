@@ -10,24 +10,6 @@
 namespace impinge::clash {
 namespace {
 
-/// Equal pieces become one, with the flows of all.
-std::vector<Piece> merged(std::vector<Piece> pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
-    if (x.from != y.from) return less(x.from, y.from);
-    return x.to != y.to ? less(x.to, y.to) : x.flow < y.flow;
-  });
-  std::size_t kept = 0;
-  for (const Piece& next : pieces) {
-    if (kept > 0 && pieces[kept - 1].from == next.from && pieces[kept - 1].to == next.to) {
-      pieces[kept - 1].flow += next.flow;
-    } else if (next.from != next.to) {
-      pieces[kept++] = next;
-    }
-  }
-  pieces.resize(kept);
-  return pieces;
-}
-
 /// The graph of the pieces: at each point, in lexicographic order, which ones meet there.
 class Net {
  public:
@@ -107,6 +89,39 @@ class Net {
 bool less(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
 
 Piece piece(const Vec3& p, const Vec3& q, double flow) { return less(q, p) ? Piece{q, p, -flow} : Piece{p, q, flow}; }
+
+std::vector<Piece> merged(std::vector<Piece> pieces) {
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
+    if (x.from != y.from) return less(x.from, y.from);
+    return x.to != y.to ? less(x.to, y.to) : x.flow < y.flow;
+  });
+  std::size_t kept = 0;
+  for (const Piece& next : pieces) {
+    if (kept > 0 && pieces[kept - 1].from == next.from && pieces[kept - 1].to == next.to) {
+      pieces[kept - 1].flow += next.flow;
+    } else if (next.from != next.to) {
+      pieces[kept++] = next;
+    }
+  }
+  pieces.resize(kept);
+  return pieces;
+}
+
+std::vector<Piece> thinned(std::vector<Piece> pieces) {
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& x, const Piece& y) { return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to); });
+  std::size_t kept = 0;
+  const auto is_equal = [](const Piece& x, const Piece& y) { return x.from == y.from && x.to == y.to; };
+  for (const Piece& next : pieces) {
+    if (kept > 1 && is_equal(pieces[kept - 1], next) && is_equal(pieces[kept - 2], next)) {
+      --kept;
+    } else {
+      pieces[kept++] = next;
+    }
+  }
+  pieces.resize(kept);
+  return pieces;
+}
 
 std::vector<Polyline> joined(std::vector<Piece> pieces) { return Net(merged(std::move(pieces))).lines(); }
 

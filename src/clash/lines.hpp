@@ -25,6 +25,12 @@ struct Polyline {
 /// Makes a piece whose ends are in order. `flow` is that from p to q.
 Piece piece(const Vec3& p, const Vec3& q, double flow = 0);
 
+/// Equal pieces become one, with the flows of all.
+std::vector<Piece> merged(std::vector<Piece> pieces);
+
+/// Of equal pieces one or two remain, so that it can still be told whether they were odd in number.
+std::vector<Piece> thinned(std::vector<Piece> pieces);
+
 /// Each piece is used once, however often it is given. Lines begin and end where an odd number of pieces meet, or else
 /// are closed and begin at their lexicographically lowest point. The answer does not depend on the pieces' order, nor
 /// on which way their lines flow.

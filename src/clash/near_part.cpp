@@ -13,9 +13,9 @@
 namespace impinge::clash {
 namespace {
 
-constexpr double kNarrow = 0x1p-10;  ///< of the tolerance: far above what rounding leaves of a common edge
+constexpr double kNarrow = 0x1p-10;  ///< of the resolution: far above what rounding leaves of a common edge
 constexpr double kFlushCosine = 0.9;
-constexpr double kRun = 4;  ///< tolerances: what is near for less is a point
+constexpr double kRun = 4;  ///< times the resolution: what is near for less is a point
 
 /// A triangle that is wide enough for its plane to be told.
 struct Face {
@@ -56,7 +56,9 @@ double distance_to_line(const Vec3& p, const Vec3& from, const Vec3& to) {
 class Near {
  public:
   Near(const Triangle& a, const Triangle& b, const NearSetting& setting)
-      : frame_(setting.frame), tolerance_(frame_.unit * setting.tolerance) {
+      : frame_(setting.frame),
+        tolerance_(frame_.unit * setting.tolerance),
+        resolution_(frame_.unit * setting.resolution) {
     const Triangle local_a = frame_.to_local(a), local_b = frame_.to_local(b);
     triangles_ = {local_a, local_b};
     faces_ = {face_of(local_a, tolerance_, frame_.scale), face_of(local_b, tolerance_, frame_.scale)};
@@ -83,14 +85,17 @@ class Near {
       gap = std::max(gap, std::abs(way));
       between[size++] = p + (way / 2) * direction;
     }
-    return {without_slivers(std::span(between).first(size)), gap / frame_.unit};
+    const SharedPart part = without_slivers(std::span(between).first(size));
+    // Rounding decides whether triangles that end over each other overlap by a line.
+    if (part.size < 3 && gap > resolution_) return {};
+    return {part, gap / frame_.unit};
   }
 
-  /// The longest of the edges' parts along the other triangle, if it is longer than `kRun` tolerances.
+  /// The longest of the edges' parts along the other triangle, if it is longer than `kRun` says.
   [[nodiscard]] NearPart edge_part() const {
     Segment longest{};
     double gap = 0;
-    double length = kRun * tolerance_;
+    double length = kRun * resolution_;
     for (std::size_t s = 0; s < 2; ++s) {
       if (!faces_[1 - s]) continue;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -102,7 +107,7 @@ class Near {
         length = norm((*part)[1] - (*part)[0]), gap = std::max(std::abs(from), std::abs(to));
       }
     }
-    if (!(length > kRun * tolerance_)) return {};
+    if (!(length > kRun * resolution_)) return {};
     return {part_of(longest), gap / frame_.unit};
   }
 
@@ -117,13 +122,13 @@ class Near {
       if (to > 0) edge[1] = at;
     }
     for (const Vec3& p : edge)
-      if (!(std::abs(way_to(face, p, face.normal)) <= tolerance_)) return {};
+      if (!(std::abs(way_to(face, p, face.normal)) <= resolution_)) return {};
     return edge;
   }
 
   /// Corners that are one up to rounding become one; what is but a line, a segment.
   [[nodiscard]] SharedPart without_slivers(std::span<const Vec3> polygon) const {
-    const double narrow = kNarrow * tolerance_;
+    const double narrow = kNarrow * resolution_;
     Segment farthest{polygon[0], polygon[0]};
     for (const Vec3& p : polygon)
       for (const Vec3& q : polygon)
@@ -142,7 +147,7 @@ class Near {
   }
 
   const LocalFrame& frame_;
-  double tolerance_;
+  double tolerance_, resolution_;
   std::array<Triangle, 2> triangles_;
   std::array<std::optional<Face>, 2> faces_;
 };
@@ -167,7 +172,7 @@ NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& sett
   const SharedPart exact = shared_part(a, b);
   const double unit = setting.frame.unit;
   if (edge.shared.size > 0 && exact.size < 3 &&
-      length_of(edge.shared, unit) >= length_of(exact, unit) - unit * setting.tolerance)
+      length_of(edge.shared, unit) >= length_of(exact, unit) - unit * setting.resolution)
     return edge;
   if (exact.size > 0) return {exact};
   const auto nearest = measure::triangle_distance(a, b, std::numeric_limits<double>::infinity());

@@ -10,7 +10,8 @@ namespace impinge::clash {
 /// What is asked for within a tolerance.
 struct NearSetting {
   LocalFrame frame;
-  double tolerance;  ///< in the world
+  double tolerance;               ///< in the world
+  double resolution = tolerance;  ///< likewise; how finely lines are told (clash/resolution.hpp)
 };
 
 struct NearPart {
@@ -21,10 +22,10 @@ struct NearPart {
 /// What two triangles that come within the tolerance of each other share up to it; corners know no edges.
 ///   - Flush ones share the polygon over which they lie, half-way between them. Flush are two whose planes are no more
 ///     than 25 degrees apart and which, wherever one lies over the other as seen along the bisector of their normals,
-///     are no farther apart than the tolerance. A polygon narrower than 2^-10 tolerances is the segment that it almost
-///     is.
-///   - An edge that is within the tolerance wherever it lies over the other triangle, and over it for more than 4
-///     tolerances and for longer than what they share exactly, is a segment, likewise half-way.
+///     are no farther apart than the tolerance. A polygon narrower than 2^-10 of the resolution is the segment that it
+///     almost is, or nothing where the two are farther apart than that.
+///   - An edge that is within the resolution wherever it lies over the other triangle, and over it for more than 4 of
+///     it and for longer than what they share exactly, is a segment, likewise half-way.
 ///   - All others share what they share exactly or, if that is nothing, the point between their nearest points.
 NearPart near_part(const Triangle& a, const Triangle& b, const NearSetting& setting);
 

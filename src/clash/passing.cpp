@@ -175,9 +175,7 @@ void each_near(const LinkedPart& a, const LinkedPart& b, double tolerance, const
 
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop) {
-  std::vector<std::uint32_t> ids_a, ids_b;
-  for (const TrianglePair& pair : encounter.near) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
-  const Sheets of_a = sheets_of(a.part, std::move(ids_a)), of_b = sheets_of(b.part, std::move(ids_b));
+  const Sheets of_a = sheets_of(a.part, encounter.near_a), of_b = sheets_of(b.part, encounter.near_b);
   const auto count_a = static_cast<std::uint32_t>(of_a.ids.size());
   const auto is_proper = [&](const TrianglePair& pair) {
     return a.part.is_boundary(pair.a) && b.part.is_boundary(pair.b);

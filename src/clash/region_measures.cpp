@@ -183,14 +183,9 @@ class Measures {
     if (ends.size() <= 2) return;
     const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
     const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_});
-    // Where points were moved a piece's parts may come near points from which the whole was farther.
-    const int rounds = within_ > 0 ? 8 : 1;
-    for (std::vector<Piece>* some : {&pieces_, &borders_})
-      for (int round = 0; round < rounds; ++round) {
-        const std::size_t before = some->size();
-        *some = splitter.split(std::move(*some));
-        if (some->size() == before) break;
-      }
+    const bool were_moved = within_ > 0;
+    pieces_ = were_moved ? splitter.split_closely(std::move(pieces_), merged) : splitter.split(pieces_);
+    borders_ = were_moved ? splitter.split_closely(std::move(borders_), thinned) : splitter.split(borders_);
   }
 
   static bool before(const Piece& x, const Piece& y) {

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clash/encounter.hpp"
 #include "clash/grouping.hpp"
+#include "clash/near_corners.hpp"
 #include "clash/region_measures.hpp"
+#include "clash/resolution.hpp"
 #include "clash/shared_parts.hpp"
 #include "clash/snapped.hpp"
 #include "measure/nearest.hpp"
@@ -51,11 +54,12 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
                                               std::span<const exact::Contact> contacts, double tolerance,
                                               const ForEach& for_each, const std::stop_token& stop) {
   const Side a = within(exact_a, tolerance), b = within(exact_b, tolerance);
-  SharedParts parts = shared_parts(a, b, contacts, tolerance, for_each, stop);
+  const Reach reach = reach_of(a, b, contacts, tolerance);
+  SharedParts parts = shared_parts(a, b, contacts, reach, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
   // Twice the distance over which points were moved, for lines have moved too.
-  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, tolerance) : 0;
-  if (tolerance > 0) parts = snapped(a, b, contacts, parts, tolerance);
+  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, reach) : 0;
+  if (tolerance > 0) parts = snapped(a, b, contacts, parts, reach);
   DisjointSets groups(contacts.size());
   if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
   join_neighbours(a, b, contacts, parts, groups);
@@ -77,14 +81,21 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   return regions;
 }
 
-std::vector<exact::Contact> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
-                                            const std::stop_token& stop) {
+std::size_t most_small_pairs(const solid::Body& a, const solid::Body& b) {
+  return (1 << 20) + 64 * (a.size() + b.size());
+}
+
+std::optional<std::vector<exact::Contact>> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
+                                                           std::size_t most, const std::stop_token& stop) {
   std::vector<exact::Contact> contacts;
+  std::size_t small = 0;
   const auto take = [&](const TrianglePair& pair) {
     contacts.push_back({pair.a, pair.b, Kind::touching});
-    return true;
+    if (is_small(a.triangle(pair.a), tolerance) && is_small(b.triangle(pair.b), tolerance)) ++small;
+    return small <= most;
   };
   measure::near_pairs(a.placed, b.placed, tolerance, take, stop);
+  if (small > most) return std::nullopt;
   std::sort(contacts.begin(), contacts.end(),
             [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   return contacts;

@@ -100,7 +100,8 @@ class SelfFlush {
   [[nodiscard]] bool is_one(const TrianglePair& pair) const {
     if (!is_proper(pair.a) || !is_proper(pair.b)) return false;
     NearSetting setting = setting_;
-    setting.tolerance = std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
+    setting.tolerance = setting.resolution =
+        std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
     const double least_width = kLeastWidth * setting.frame.unit * setting.tolerance;
     const Triangle a = body_.triangle(pair.a), b = body_.triangle(pair.b);
     const Triangle local_a = setting.frame.to_local(a), local_b = setting.frame.to_local(b);

@@ -24,16 +24,16 @@ void SharedParts::append(const SharedParts& others) {
   widen_gap(others.gap_);
 }
 
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
+SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const Reach& reach,
                          const ForEach& for_each, const std::stop_token& stop) {
   constexpr std::size_t kChunk = 1024;
-  const NearSetting near{local_frame(a.body.box, b.body.box), tolerance};
+  const NearSetting near{local_frame(a.body.box, b.body.box), reach.tolerance, reach.resolution};
   std::vector<SharedParts> pieces((contacts.size() + kChunk - 1) / kChunk);
   run_each(for_each, pieces.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
       const Triangle of_a = a.body.triangle(pair.a), of_b = b.body.triangle(pair.b);
-      if (tolerance > 0) {
+      if (reach.tolerance > 0) {
         const NearPart part = near_part(of_a, of_b, near);
         pieces[i].add({part.shared.corners.data(), part.shared.size});
         pieces[i].widen_gap(part.gap);

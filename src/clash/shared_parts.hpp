@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clash/regions.hpp"
+#include "clash/resolution.hpp"
 #include "clash/shared_part.hpp"
 
 namespace impinge::clash {
@@ -44,7 +45,7 @@ class SharedParts {
 };
 
 /// With a tolerance, what each pair shares within it (`near_part`). Incomplete if stopped.
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, double tolerance,
+SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const Reach& reach,
                          const ForEach& for_each, const std::stop_token& stop);
 
 }  // namespace impinge::clash

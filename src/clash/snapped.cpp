@@ -49,11 +49,14 @@ unsigned edges_near(const Vec3& p, const Triangle& t, double within) {
 
 }  // namespace
 
-double snapping_distance(const SharedParts& parts, double tolerance) { return 1.25 * parts.gap() + 0x1p-8 * tolerance; }
+// No gap is above the tolerance, but there may be some above the resolution.
+double snapping_distance(const SharedParts& parts, const Reach& reach) {
+  return 1.25 * std::min(parts.gap(), reach.resolution) + 0x1p-8 * reach.resolution;
+}
 
 SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                    double tolerance) {
-  const Moves moves = find_moves(parts.corners(), snapping_distance(parts, tolerance));
+                    const Reach& reach) {
+  const Moves moves = find_moves(parts.corners(), snapping_distance(parts, reach));
   SharedParts result;
   result.reserve(contacts.size());
   std::vector<Corner> row;
@@ -63,8 +66,8 @@ SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact
     for (const Corner& corner : parts[i]) {
       const Vec3 point = moves.find(corner.point)->second;
       if (!row.empty() && (row.front().point == point || row.back().point == point)) continue;
-      const unsigned edges = edges_near(point, of_a, kReach * tolerance) | edges_near(point, of_b, kReach * tolerance)
-                                                                               << 3;
+      const unsigned edges =
+          edges_near(point, of_a, kReach * reach.tolerance) | edges_near(point, of_b, kReach * reach.tolerance) << 3;
       row.push_back({point, static_cast<std::uint8_t>(edges)});
     }
     if (row.size() == 1) {
@@ -74,17 +77,6 @@ SharedParts snapped(const Side& a, const Side& b, std::span<const exact::Contact
     }
   }
   return result;
-}
-
-void join_near_corners(const SharedParts& parts, std::size_t contacts, double tolerance, DisjointSets& groups) {
-  std::unordered_map<Vec3, std::uint32_t, PointHash> first;
-  for (std::uint32_t i = 0; i < contacts; ++i)
-    for (const Corner& corner : parts[i]) first.try_emplace(corner.point, i);
-  PointGrid grid(tolerance);
-  for (const auto& [point, contact] : first) {
-    grid.find(point, [&](const Vec3&, std::uint32_t other) { return groups.join(other, contact), false; });
-    grid.add(point, contact);
-  }
 }
 
 }  // namespace impinge::clash

@@ -3,6 +3,8 @@
 #include "clash/split.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 
 namespace impinge::clash {
@@ -47,8 +49,8 @@ void Splitter::look_at(const Segment& edge, const Point& point, std::vector<Foun
   const Vec3 way = edge[1] - edge[0], from = point.local - edge[0];
   const double along = dot(from, way), square = dot(way, way);
   if (!(along > 0 && along < square) || point.local == edge[1]) return;
-  const double share = along / square;
-  if (norm(from - share * way) <= setting_.within) found.push_back({share, point.world});
+  const double share = along / square, off = norm(from - share * way);
+  if (off <= setting_.within) found.push_back({share, off, point});
 }
 
 // Twice `within` leaves room for the rounding of clipped ends, which is a few 2^-53 of coordinates up to 2.
@@ -67,27 +69,63 @@ void Splitter::search(const Segment& edge, const Segment& rest, std::size_t begi
     search(edge, high, middle + 1, end, next_axis(axis), found);
 }
 
-std::vector<Piece> Splitter::split(std::vector<Piece> pieces) const {
-  const std::size_t most = 64 * (pieces.size() + points_.size()) + (1 << 16);
+std::vector<Piece> Splitter::split(const std::vector<Piece>& pieces) const {
+  return split(pieces, budget(pieces), false);
+}
+
+std::vector<Piece> Splitter::split_closely(std::vector<Piece> pieces, Tidy tidy) const {
+  constexpr int kRounds = 8;
+  const std::size_t most = budget(pieces);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Piece> parts = split(pieces, most, true);
+    if (parts.size() == pieces.size()) break;
+    pieces = tidy(std::move(parts));
+  }
+  return pieces;
+}
+
+std::size_t Splitter::budget(const std::vector<Piece>& pieces) const {
+  return 64 * (pieces.size() + points_.size()) + (1 << 16);
+}
+
+std::vector<Piece> Splitter::split(const std::vector<Piece>& pieces, std::size_t most, bool closely) const {
+  const auto by_way = [](const Found& x, const Found& y) {
+    return x.along != y.along ? x.along < y.along : less(x.point.world, y.point.world);
+  };
   std::vector<Piece> result;
   std::vector<Found> found;
   for (const Piece& whole : pieces) {
     const Segment edge{local(whole.from), local(whole.to)};
     found.clear();
     search(edge, edge, 0, points_.size(), 0, found);
-    std::sort(found.begin(), found.end(), [](const Found& x, const Found& y) {
-      return x.along != y.along ? x.along < y.along : less(x.point, y.point);
-    });
+    if (closely) keep_what_shortens(edge, found);
+    std::sort(found.begin(), found.end(), by_way);
     Vec3 from = whole.from;
     double along = 0;
-    found.push_back({1, whole.to});
+    found.push_back({1, 0, {edge[1], whole.to}});
     for (const Found& next : found) {
-      result.push_back(piece(from, next.point, (next.along - along) * whole.flow));
-      from = next.point, along = next.along;
+      result.push_back(piece(from, next.point.world, (next.along - along) * whole.flow));
+      from = next.point.world, along = next.along;
     }
     if (result.size() > most) return pieces;
   }
   return result;
+}
+
+void Splitter::keep_what_shortens(const Segment& edge, std::vector<Found>& found) {
+  std::sort(found.begin(), found.end(), [](const Found& x, const Found& y) {
+    if (x.off != y.off) return x.off < y.off;
+    return x.along != y.along ? x.along < y.along : less(x.point.world, y.point.world);
+  });
+  std::multimap<double, Vec3> chain{{0, edge[0]}, {1, edge[1]}};
+  std::erase_if(found, [&](const Found& next) {
+    const auto after = chain.lower_bound(next.along);
+    const Vec3 &from = std::prev(after)->second, &to = after->second, &at = next.point.local;
+    constexpr double kShorter = 1 - 0x1p-20;
+    if (std::max(norm(at - from), norm(to - at)) > kShorter * norm(to - from)) return true;
+    chain.emplace_hint(after, next.along, at);
+    return false;
+  });
 }
 
 }  // namespace impinge::clash

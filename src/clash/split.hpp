@@ -20,17 +20,27 @@ class Splitter {
   };
   /// The points, in any order and as often as one likes.
   Splitter(std::vector<Vec3> points, const Setting& setting);
-  [[nodiscard]] std::vector<Piece> split(std::vector<Piece> pieces) const;
+  [[nodiscard]] std::vector<Piece> split(const std::vector<Piece>& pieces) const;
+
+  /// Where points may be as near to each other as to a piece. One that lies beside a piece would make a detour of it,
+  /// and of three such points each is beside the others' piece: only those count that leave parts shorter than what
+  /// they part. This is done again and again, for parts may come near points from which the whole was farther; in
+  /// between `tidy` keeps their number down.
+  using Tidy = std::vector<Piece> (*)(std::vector<Piece>);
+  [[nodiscard]] std::vector<Piece> split_closely(std::vector<Piece> pieces, Tidy tidy) const;
 
  private:
   struct Point {
     Vec3 local, world;
   };
   struct Found {
-    double along;
-    Vec3 point;
+    double along, off;
+    Point point;
   };
   [[nodiscard]] Vec3 local(const Vec3& p) const { return (1 / setting_.unit) * (p - setting_.origin); }
+  [[nodiscard]] std::size_t budget(const std::vector<Piece>& pieces) const;
+  [[nodiscard]] std::vector<Piece> split(const std::vector<Piece>& pieces, std::size_t most, bool closely) const;
+  static void keep_what_shortens(const Segment& edge, std::vector<Found>& found);
   void build(std::size_t begin, std::size_t end, int axis);
   void look_at(const Segment& edge, const Point& point, std::vector<Found>& found) const;
   void search(const Segment& edge, const Segment& rest, std::size_t begin, std::size_t end, int axis,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,8 @@
 #include "clash/pinch.hpp"
 #include "mesh_state.hpp"
 #include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 #include "tests/exact/pairs.hpp"
 #include "tests/measure/exact_distance.hpp"
@@ -108,6 +111,8 @@ struct Fan {
   }
 };
 
+double longest_edge(const Triangle& t) { return std::max({norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2])}); }
+
 /// By brute force: all counts, all that is not left out, and that what stands for the others is there.
 void expect_all(const Fan& fan_a, const Fan& fan_b, double within) {
   const solid::Body a = fan_a.body(), b = fan_b.body();
@@ -119,8 +124,11 @@ void expect_all(const Fan& fan_a, const Fan& fan_b, double within) {
   std::vector<test::Contact> expected;
   std::array<std::uint64_t, 3> counts{};
   bool is_whole = true;
-  std::set<std::uint32_t> near_a, near_b;
-  for (const auto& [i, j] : near) near_a.insert(i), near_b.insert(j);
+  const std::set<std::uint32_t> near_a(met.near_a.begin(), met.near_a.end()),
+      near_b(met.near_b.begin(), met.near_b.end());
+  EXPECT_TRUE(std::is_sorted(met.near_a.begin(), met.near_a.end()) &&
+              std::is_sorted(met.near_b.begin(), met.near_b.end()));
+  std::set<std::uint32_t> expected_a, expected_b;
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     for (std::uint32_t j = 0; j < b.size(); ++j) {
       const auto pinch = clash::find_pinch(a.triangle(i), b.triangle(j), within);
@@ -133,13 +141,16 @@ void expect_all(const Fan& fan_a, const Fan& fan_b, double within) {
       }
       const bool is_near =
           oracle::square_distance(a.triangle(i), b.triangle(j)) <= mpq_class(within) * mpq_class(within);
+      if (is_near) expected_a.insert(i), expected_b.insert(j);
       if (!is_near || near.contains({i, j})) continue;
       is_whole = false;
+      if (longest_edge(a.triangle(i)) <= 4 * within && longest_edge(b.triangle(j)) <= 4 * within) continue;
       ASSERT_TRUE(pinch) << i << ' ' << j;
       EXPECT_TRUE(met.of_a.at(i, pinch->corner_a) && met.of_b.at(j, pinch->corner_b));
-      EXPECT_TRUE(near_a.contains(i) && near_b.contains(j));
     }
   }
+  EXPECT_EQ(near_a, expected_a);
+  EXPECT_EQ(near_b, expected_b);
   EXPECT_EQ(met.is_whole, is_whole);
   EXPECT_EQ(met.counts, counts);
   EXPECT_EQ(full.counts, counts);
@@ -172,6 +183,33 @@ TEST(Encounter, OfManyTrianglesAboutOneVertexKeepsFew) {
   EXPECT_EQ(met.counts, (std::array<std::uint64_t, 3>{0, 0, 90000}));
   EXPECT_LE(met.near.size(), 3600u);
   EXPECT_LE(met.contacts.size(), 3600u);
+}
+
+/// Sheets of cells of 1 and 1.25 and 6, small and large beside the tolerance.
+TEST(Encounter, OfSmallTrianglesIsWhatBruteForceFinds) {
+  test::Seeded seeded(5);
+  const scenes::MeshData fine = scenes::flat_grid(4, 4), other = scenes::scaled(scenes::flat_grid(3, 3), 1.25, 1.25, 1),
+                         coarse = scenes::scaled(scenes::flat_grid(1, 2), 6, 6, 1);
+  for (const double within : {0.31, 0.5, 1.7}) {
+    const Pose pose = scenes::random_motion(seeded.random, 10);
+    for (const double height : {0.0, 0.3}) {
+      const Mesh above = test::mesh_of(scenes::shifted(other, 0.37, 0.21, height));
+      ASSERT_NO_FATAL_FAILURE(expect_all({test::mesh_of(fine), pose}, {above, pose}, within));
+      ASSERT_NO_FATAL_FAILURE(expect_all({test::mesh_of(coarse), pose}, {above, pose}, within));
+      ASSERT_NO_FATAL_FAILURE(expect_all({above, pose}, {test::mesh_of(coarse), pose}, within));
+    }
+  }
+}
+
+/// Of more than 500,000 pairs of triangles within a tolerance of four of their edges, none is kept.
+TEST(Encounter, OfSmallTrianglesKeepsNoPairs) {
+  const Mesh a = test::mesh_of(scenes::flat_grid(60, 60)),
+             b = test::mesh_of(scenes::shifted(scenes::flat_grid(60, 60), 0.3, 0.2, 0.5));
+  const Encounter met = find_encounter(Fan{a, {}}.body(), Fan{b, {}}.body(), {4.0});
+  EXPECT_TRUE(met.near.empty());
+  EXPECT_EQ(met.near_a.size(), a.triangle_count());
+  EXPECT_EQ(met.near_b.size(), b.triangle_count());
+  EXPECT_FALSE(met.is_whole);
 }
 
 }  // namespace

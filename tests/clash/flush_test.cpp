@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "impinge/clash.hpp"
 #include "region_scenes.hpp"
@@ -213,6 +214,63 @@ TEST(Flush, TheAnswerDoesNotDependOnThreads) {
   }
 }
 
+/// Tolerances far below the size of triangles (1.25 to 3.3), near it, and above it. Walls beside each other, as far
+/// apart as the triangles are large, end where the boxes meet, and share nothing.
+TEST(Flush, ToleranceNearAndAboveTheSizeOfTriangles) {
+  test::Seeded seeded(55);
+  for (const auto& [n, m] : {std::pair{3, 4}, {1, 7}, {24, 1}, {20, 9}}) {
+    const MeshData below = box({0, 0, 0}, {10, 10, 10}, n), above = box({1, 1, 10}, {6, 6, 15}, m);
+    for (const double tolerance : {0.01, 0.3, 0.9, 1.0, 1.2, 1.5, 2.0}) {
+      SCOPED_TRACE(std::to_string(n) + " and " + std::to_string(m) + " cells, tolerance " + std::to_string(tolerance));
+      const Pose pose = scenes::random_motion(seeded.random, 12);
+      const Mesh a = test::mesh_of(scenes::baked(below, pose)), b = test::mesh_of(scenes::baked(above, pose));
+      expect_regions(contact_regions(a, {}, b, {}, {.tolerance = tolerance}).value(),
+                     {{25, 20, {3.5, 3.5, 10}, {0, 0, 1}}}, pose, 1e-9);
+    }
+  }
+}
+
+/// Across a gap as wide as the triangles are: the plug's face lies over the floor, and its walls beside those of the
+/// cavity.
+TEST(Flush, GapsAsWideAsTheTriangles) {
+  test::Seeded seeded(56);
+  const MeshData socket =
+      scenes::joined(box({-1, -1, -1}, {4, 4, 4}, 8), scenes::inverted(box({0, 0, 0}, {3, 3, 3}, 11)));
+  for (const double gap : {0.05, 0.25, 0.4})
+    for (const int cells : {1, 10}) {
+      SCOPED_TRACE(std::to_string(gap) + ", cells " + std::to_string(cells));
+      const MeshData plug = box({gap, gap, gap}, {3 - gap, 3 - gap, 3 - gap}, cells);
+      const Pose pose = scenes::random_motion(seeded.random, 12);
+      const auto regions = contact_regions(test::mesh_of(scenes::baked(socket, pose)), {},
+                                           test::mesh_of(scenes::baked(plug, pose)), {}, {.tolerance = 1.1 * gap})
+                               .value();
+      ASSERT_EQ(regions.size(), 1u);
+      const double side = 3 - 2 * gap;
+      // Corners move by 5/4 of a quarter of the radius of the circle in the socket's triangles, at most.
+      const double moved = 1.25 / 4 * (3.0 / 11) * (1 - std::sqrt(0.5));
+      EXPECT_NEAR(regions[0].area, 6 * side * side, moved * 24 * side);
+      expect_near(regions[0].centroid, world_vertex(pose, {1.5, 1.5, 1.5}), gap);
+      EXPECT_EQ(regions[0].normal, (Point{0, 0, 0}));
+    }
+}
+
+/// A round pin in a round hole with play, by tolerances up to the size of triangles: half-way between.
+TEST(Flush, PlayAroundARoundPin) {
+  test::Seeded seeded(57);
+  const MeshData hole = scenes::ring(regular(64, 20), regular(64, 10.1), 0, 20), pin = pipe(64, 20, 10, 20, true);
+  const Pose pose = scenes::random_motion(seeded.random, 50);
+  const Mesh a = test::mesh_of(scenes::baked(hole, pose)), b = test::mesh_of(scenes::baked(pin, pose));
+  for (const double tolerance : {0.2, 0.5, 1.0}) {
+    SCOPED_TRACE(tolerance);
+    const auto regions = contact_regions(a, {}, b, {}, {.tolerance = tolerance}).value();
+    ASSERT_EQ(regions.size(), 1u);
+    EXPECT_NEAR(regions[0].area, 20 * length_of(64, 10.05), 1);
+    EXPECT_NEAR(regions[0].length, 2 * length_of(64, 10.05), 0.1);
+    expect_near(regions[0].centroid, world_vertex(pose, {0, 0, 10}), 0.01);
+    EXPECT_EQ(regions[0].normal, (Point{0, 0, 0}));
+  }
+}
+
 TEST(Flush, RefusesAToleranceThatMeansNothing) {
   const Mesh cube = test::mesh_of(scenes::cube());
   for (const double tolerance : {-1.0, 1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -220,6 +278,12 @@ TEST(Flush, RefusesAToleranceThatMeansNothing) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, Code::bad_option);
   }
+  // More than a million pairs.
+  const MeshData sheet = scenes::flat_grid(40, 40);
+  const Mesh fine = test::mesh_of(sheet), other = test::mesh_of(shifted(sheet, 0.3, 0.2, 0));
+  const auto many = contact_regions(fine, {}, other, {}, {.tolerance = 13});
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.error().code, Code::bad_option);
   // Below what rounding leaves: exactly.
   EXPECT_TRUE(contact_regions(cube, {}, cube, {.t = {1 + 0x1p-50, 0, 0}}, {.tolerance = 0x1p-45}).value().empty());
   EXPECT_EQ(contact_regions(cube, {}, cube, {.t = {1 + 0x1p-50, 0, 0}}, {.tolerance = 0x1p-30}).value().size(), 1u);

@@ -116,5 +116,38 @@ TEST(Splitter, DividesPiecesAtAllPointsOnThem) {
   }
 }
 
+/// Points as near to each other as pieces may be to them: dividing comes to an end, and leaves as many ends at a point,
+/// by twos, as there were.
+TEST(Splitter, ComesToAnEndAmongPointsThatAreClose) {
+  const double height = std::sqrt(0.75);
+  const std::vector<Vec3> triangle{{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}};
+  const Splitter of_three(triangle, {{0, 0, 0}, 1, 1});
+  std::vector<Piece> sides;
+  for (std::size_t i = 0; i < 3; ++i) sides.push_back(piece(triangle[i], triangle[(i + 1) % 3]));
+  EXPECT_EQ(of_three.split_closely(sides, thinned).size(), 3u);
+
+  test::Seeded seeded(4);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) points.push_back({0.1 * i + 0.05 * j, 0.1 * height * j, 0});
+  std::vector<Piece> pieces;
+  const auto any = [&] { return points[static_cast<std::size_t>(seeded.random.integer(0, 399))]; };
+  for (int i = 0; i < 400; ++i) pieces.push_back(piece(any(), any()));
+  const auto odd_ends = [&](const std::vector<Piece>& some) {
+    std::vector<bool> odd(points.size());
+    for (const Piece& p : some)
+      for (const Vec3& end : {p.from, p.to}) {
+        const auto at = std::find(points.begin(), points.end(), end) - points.begin();
+        odd[static_cast<std::size_t>(at)] = !odd[static_cast<std::size_t>(at)];
+      }
+    return odd;
+  };
+  const Splitter splitter(points, {{1, 1, 0}, 1, 0.2});
+  const std::vector<Piece> parts = splitter.split_closely(pieces, thinned);
+  EXPECT_EQ(odd_ends(parts), odd_ends(pieces));
+  // Of a lattice's points those next to each other are the only ones between which there is no other.
+  EXPECT_LE(parts.size(), 2 * 3 * points.size());
+}
+
 }  // namespace
 }  // namespace impinge::clash
