@@ -21,14 +21,14 @@ struct Plane {
 /// By the two edges that are the farthest from being parallel; nothing where the sine of their angle is small.
 std::optional<Plane> plane_of(const Triangle& t) {
   constexpr double kLeastSine = 0.125;
+  const auto direction = [](const Vec3& from, const Vec3& to) { return (1 / norm(to - from)) * (to - from); };
+  const std::array along{direction(t[0], t[1]), direction(t[1], t[2]), direction(t[2], t[0])};
   Plane best{{}, {}};
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 p = t[(i + 1) % 3] - t[i], q = t[(i + 2) % 3] - t[i];
-    const double lengths = norm(p) * norm(q);
-    const Vec3 normal = cross(p, q);
-    const double size = norm(normal);
-    if (size > most * lengths) most = size / lengths, best = {t[i], (1 / size) * normal};
+    const Vec3 normal = cross(along[(i + 2) % 3], along[i]);
+    const double sine = norm(normal);
+    if (sine > most) most = sine, best = {t[i], (1 / sine) * normal};
   }
   return most >= kLeastSine ? std::optional(best) : std::nullopt;
 }

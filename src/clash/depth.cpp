@@ -164,7 +164,8 @@ class Search {
     }
   }
 
-  [[nodiscard]] bool lies_flat(const Piece& piece) const {
+  bool lies_flat(const Piece& piece) {
+    effort_ += piece.near.size() / kEdgesAPoint;
     return piece.drift <= most_drift_ &&
            is_covered({inner_.triangle(piece.whole), piece.polygon, outer_, piece.near, most_drift_});
   }
@@ -220,6 +221,7 @@ class Search {
   }
 
   static constexpr std::size_t kBoxesAPoint = 256;  ///< are looked at in no more time
+  static constexpr std::size_t kEdgesAPoint = 16;   ///< likewise the edges of so many triangles
 
   const solid::Body &inner_, &outer_;
   const DepthGoal& goal_;

@@ -197,6 +197,24 @@ TEST(OverlapDepth, OfFlushFacesIsNothingWhenMoved) {
   expect_depths_when_moved(0, 0, scenes::box({0, 0, 0}, {1, 1, 1}), scenes::box({1, 1, 1}, {2, 2, 2}), 37);
 }
 
+/// Faces that lie on each other but for where one has a tower, in which the other goes on, however finely both are cut;
+/// the tower's foot is 3 wide.
+TEST(OverlapDepth, OfAFaceThatIsFlushBesideATower) {
+  const auto cuts = [](int n) {
+    std::vector<double> at;
+    for (int i = 0; i <= 6 * n; ++i) at.push_back(i / static_cast<double>(n));
+    return at;
+  };
+  for (const double x : {1.5, 0.5}) {
+    const auto is_filled = [&](int i, int j, int k) {
+      const auto is_foot = [](double at, double from) { return at > from && at < from + 3; };
+      return k < 2 || (is_foot(i / 2.0 + 0.25, x) && is_foot(j / 2.0 + 0.25, 1.5));
+    };
+    const MeshData tower = scenes::boundary({cuts(2), cuts(2), {0, 1, 2, 4, 6}, is_filled}, 5);
+    for (const int n : {2, 7}) expect_depths_when_moved(1.5, 0, scenes::box({0, 0, 1}, {6, 6, 2}, n), tower, 52);
+  }
+}
+
 /// What lies beside the overlap, in one plane with what is a little deep, is outside.
 TEST(OverlapDepth, OfShallowOverlapsIsKnownToTheSamePrecision) {
   for (const double depth : {1e-8, 1e-4, 0.01}) {
