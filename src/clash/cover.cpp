@@ -127,9 +127,10 @@ class Cover {
     return turn > 0 ? 1 : -1;
   }
 
-  /// Any but the middle, through which edges of a regular mesh often run.
+  /// Any but one through which edges of a regular mesh often run.
   [[nodiscard]] bool holds_one_point() const {
-    const Point2 p = seen(0.75 * search_.piece.middle() + 0.25 * search_.piece[0]);
+    const Polygon& piece = search_.piece;
+    const Point2 p = seen(0.71 * piece.middle() + 0.18 * piece[0] + 0.11 * piece[1]);
     return std::any_of(search_.near.begin(), search_.near.end(), [&](std::uint32_t t) {
       const Triangle triangle = search_.other.triangle(t);
       const std::array corners{seen(triangle[0]), seen(triangle[1]), seen(triangle[2])};
