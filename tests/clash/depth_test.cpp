@@ -197,21 +197,15 @@ TEST(OverlapDepth, OfFlushFacesIsNothingWhenMoved) {
   expect_depths_when_moved(0, 0, scenes::box({0, 0, 0}, {1, 1, 1}), scenes::box({1, 1, 1}, {2, 2, 2}), 37);
 }
 
-/// Faces that lie on each other but for where one has a tower, in which the other goes on, however finely both are cut;
-/// the tower's foot is 3 wide.
+/// Equal slabs but for a tower on one of them, in which the other's top goes on: all else is flush, however finely both
+/// are cut. The tower's foot is 1 wide.
 TEST(OverlapDepth, OfAFaceThatIsFlushBesideATower) {
-  const auto cuts = [](int n) {
-    std::vector<double> at;
-    for (int i = 0; i <= 6 * n; ++i) at.push_back(i / static_cast<double>(n));
-    return at;
-  };
-  for (const auto& [x, y] : {std::pair(0.5, 0.5), {2.5, 0.5}, {0.5, 2.5}, {2.5, 2.5}}) {
-    const auto is_filled = [foot = std::array{x, y}](int i, int j, int k) {
-      const auto is_over = [](int cell, double low) { return cell / 2.0 >= low && cell / 2.0 < low + 3; };
-      return k < 2 || (is_over(i, foot[0]) && is_over(j, foot[1]));
-    };
-    const MeshData tower = scenes::boundary({cuts(2), cuts(2), {0, 1, 2, 4, 6}, is_filled}, 5);
-    for (const int n : {1, 5}) expect_depths_when_moved(1.5, 0, scenes::box({0, 0, 1}, {6, 6, 2}, n), tower, 52);
+  std::vector<double> cuts;
+  for (int i = 0; i <= 12; ++i) cuts.push_back(i / 2.0);
+  for (const int foot : {1, 3}) {
+    const auto is_filled = [&](int i, int j, int k) { return k < 2 || (i / 2 == foot && j / 2 == 2); };
+    const MeshData tower = scenes::boundary({cuts, cuts, {0, 1, 2, 4, 6}, is_filled}, 5);
+    for (const int n : {1, 5}) expect_depths_when_moved(0.5, 0, scenes::box({0, 0, 0}, {6, 6, 2}, n), tower, 52);
   }
 }
 
