@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "alike.hpp"
 #include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
 #include "clash/judge.hpp"
@@ -67,7 +68,8 @@ OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::Dept
   return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
 }
 
-/// The verdicts on one pair of parts, and what else is asked for. What several terms have in common is found once.
+/// The verdicts on one pair of parts, and what else is asked for. What several terms have in common, or several pairs
+/// of equal parts in the same places, is found once.
 class PairCase {
  public:
   PairCase(const SeenPart& a, const SeenPart& b, const ClashOptions& options) : a_(a), b_(b), options_(options) {}
@@ -81,7 +83,11 @@ class PairCase {
     clash.note = judgement.note, clash.tolerance = judgement.tolerance;
     if (clash.verdict > terms.last) return clash;
     clash.contacts = judgement.counts;
-    if (terms.clearance > 0 && !judgement.touch) clash.nearest = nearest(terms.clearance);
+    if (terms.clearance > 0 && !judgement.touch) {
+      if (!nearest_ || nearest_->clearance != terms.clearance)
+        nearest_ = Near{terms.clearance, nearest(terms.clearance)};
+      clash.nearest = nearest_->nearest;
+    }
     const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
     if (options_.depth && overlap && a_.known.facts.solid && b_.known.facts.solid) {
       if (!depth_) depth_ = find_depths(a_, b_, clash::DepthGoal{.stop = options_.stop});
@@ -100,11 +106,17 @@ class PairCase {
     clash::Judgement judgement;
     std::optional<std::vector<Region>> regions;
   };
+  struct Near {
+    double clearance;
+    std::optional<Nearest> nearest;
+  };
 
-  /// There are as many as there are tolerances: few.
+  /// There are as many as there are tolerances: few, unless every pair has one of its own.
   Found& find(const std::optional<double>& tolerance) {
+    constexpr std::size_t kMost = 16;
     for (Found& known : found_)
       if (known.tolerance == tolerance) return known;
+    if (found_.size() == kMost) found_.clear();
     Found& found = found_.emplace_back(
         Found{tolerance, clash::judge_pair(a_.known, b_.known, {tolerance, options_.regions, options_.stop}), {}});
     if (a_.whole || b_.whole) {
@@ -125,6 +137,7 @@ class PairCase {
   const SeenPart &a_, &b_;
   const ClashOptions& options_;
   std::vector<Found> found_;
+  std::optional<Near> nearest_;
   std::optional<OverlapDepth> depth_;
 };
 
@@ -182,16 +195,15 @@ bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
 }
 
 /// Judges each candidate on its terms; `count` is how many have some. Errors: `bad_option`, `cancelled`.
-Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidates, const std::vector<SeenPart>& parts,
-                                     const ClashOptions& options, std::uint64_t& count) {
+Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidates, const AlikePairs& alike,
+                                     const std::vector<SeenPart>& parts, const ClashOptions& options,
+                                     std::uint64_t& count) {
   std::vector<std::vector<Clash>> clashes(candidates.size());
   std::atomic<std::uint64_t> with_terms = 0;
   std::atomic<bool> too_far = false;
-  run_each(on_threads(options.threads), candidates.size(), [&](std::size_t i) {
-    if (options.stop.stop_requested()) return;
+  const auto judge_one = [&](std::size_t i, PairCase& pair) {
     const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
     const std::vector<ClashTerms> terms = terms_of(a, b, options);
-    PairCase pair(parts[a], parts[b], options);
     for (const ClashTerms& each : terms) {
       if (options.terms && reaches_farther(each, options)) {
         too_far = true;
@@ -203,6 +215,14 @@ Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidate
     }
     if (!terms.empty()) with_terms.fetch_add(1, std::memory_order_relaxed);
     Steps(options.progress).step();
+  };
+  run_each(on_threads(options.threads), alike.size(), [&](std::size_t row) {
+    const std::uint64_t first = candidates[alike.row(row).front()];
+    PairCase pair(parts[first >> 32], parts[static_cast<std::uint32_t>(first)], options);
+    for (const std::size_t i : alike.row(row)) {
+      if (options.stop.stop_requested()) return;
+      judge_one(i, pair);
+    }
   });
   if (options.stop.stop_requested()) return cancelled();
   if (too_far)
@@ -229,12 +249,13 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   result.candidates = candidates.size();
   const Steps steps(options.progress);
   steps.begin(checks.placed.size() + objects.size() + candidates.size());
+  const AlikePairs alike = alike_pairs(candidates, first_alike(objects));
   const auto parts = see_all(objects, std::move(bodies), checks, options);
   if (!parts) return parts.error();
   for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
   clock.charge(result.parts_seconds);
 
-  auto pairs = judge_all(candidates, *parts, options, result.candidates);
+  auto pairs = judge_all(candidates, alike, *parts, options, result.candidates);
   if (!pairs) return pairs.error();
   result.pairs = *std::move(pairs);
   clock.charge(result.pairs_seconds);

@@ -10,6 +10,7 @@
 #include <queue>
 #include <vector>
 
+#include "clash/cover.hpp"
 #include "clash/local_frame.hpp"
 #include "clash/polygon.hpp"
 #include "measure/nearest.hpp"
@@ -27,6 +28,7 @@ struct Piece {
   Polygon polygon;
   double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
   std::vector<std::uint32_t> near;  ///< the other body's triangles that may come near; none: it is all on one side
+  std::uint32_t whole = 0;          ///< the triangle that it is of
   bool is_inside = false;           ///< the middle; not looked up where it does not matter
   double most = 0, radius = 0;
   std::uint32_t nearest = 0;  ///< the other body's triangle that is nearest to the middle
@@ -109,7 +111,7 @@ class Search {
     std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
     auto pair = near.begin();
     for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t) {
-      Piece piece{Polygon(inner_.triangle(t)), 0, {}};
+      Piece piece{Polygon(inner_.triangle(t)), 0, {}, t};
       for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
       if (overlap(box_of(inner_.triangle(t)), common)) look_at(std::move(piece));
     }
@@ -133,6 +135,10 @@ class Search {
     const Vec3 middle = piece.polygon.middle();
     const auto find_side = [&] { return solid::winding_number(outer_.placed, middle).value_or(0) != 0; };
     const bool is_clear = piece.near.empty();
+    if (!is_clear && lies_flat(piece)) {
+      laid_aside_ = std::max(laid_aside_, 2.5 * most_drift_ + piece.drift + floor_);
+      return;
+    }
     if (is_clear && !piece.is_inside) {
       piece.is_inside = find_side();
       if (!piece.is_inside) return;
@@ -158,6 +164,12 @@ class Search {
     }
   }
 
+  bool lies_flat(const Piece& piece) {
+    effort_ += piece.near.size() / kEdgesAPoint;
+    return piece.drift <= most_drift_ &&
+           is_covered({inner_.triangle(piece.whole), piece.polygon, outer_, piece.near, most_drift_});
+  }
+
   static double farthest_from(const Triangle& triangle, const Polygon& polygon) {
     double farthest = 0;
     for (const Vec3& vertex : polygon) {
@@ -178,7 +190,7 @@ class Search {
     for (const Polygon* one : {&parts.within, &parts.beyond}) {
       if (one->size() == 0) continue;
       effort_ += piece.near.size() / kBoxesAPoint;
-      look_at({*one, drift, near_among(piece.near, *one), is_clear});
+      look_at({*one, drift, near_among(piece.near, *one), piece.whole, is_clear});
     }
   }
 
@@ -209,6 +221,7 @@ class Search {
   }
 
   static constexpr std::size_t kBoxesAPoint = 256;  ///< are looked at in no more time
+  static constexpr std::size_t kEdgesAPoint = 16;   ///< likewise the edges of so many triangles
 
   const solid::Body &inner_, &outer_;
   const DepthGoal& goal_;

@@ -35,11 +35,6 @@ Line::Line(const Vec3& from, const Vec3& to) : from_(from), to_(to), axis_(0) {
   backward_ = component(to, axis_) < component(from, axis_);
 }
 
-Rational Line::along(const Vec3& p) const {
-  const double at = component(p, axis_);
-  return backward_ ? -at : at;
-}
-
 std::optional<Stretch> stretch_of(const Line& line, const Triangle& t, std::uint32_t number) {
   if (exact::orient3d(t[0], t[1], t[2], line.from()) != 0 || exact::orient3d(t[0], t[1], t[2], line.to()) != 0)
     return std::nullopt;

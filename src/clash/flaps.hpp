@@ -22,7 +22,9 @@ class Line {
   [[nodiscard]] const Vec3& from() const { return from_; }
   [[nodiscard]] const Vec3& to() const { return to_; }
   /// Grows along the line.
-  [[nodiscard]] exact::Rational along(const Vec3& p) const;
+  [[nodiscard]] exact::Rational along(const Vec3& p) const { return place(p); }
+  /// The same of a point that is given by doubles: one of its coordinates or minus that.
+  [[nodiscard]] double place(const Vec3& p) const { return backward_ ? -component(p, axis_) : component(p, axis_); }
 
  private:
   Vec3 from_, to_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clash/flaps.hpp"
+#include "clash/flat_line.hpp"
 #include "clash/passing.hpp"
 #include "clash/sheets.hpp"
 #include "core/disjoint_sets.hpp"
@@ -25,6 +26,7 @@ struct Side {
   const solid::Part& part;
   Sheets sheets;
   std::vector<std::vector<std::uint32_t>> touching;  ///< per triangle, by its index: the other part's, by theirs
+  std::vector<bool> flat;                            ///< per triangle: whether all of these lie in its plane
 
   [[nodiscard]] Triangle triangle(std::uint32_t index) const { return part.body.triangle(sheets.ids[index]); }
 };
@@ -141,6 +143,7 @@ class Passing {
     const Box box{min(line.from(), line.to()), max(line.from(), line.to())};
     std::vector<std::uint32_t> own, other;
     for (const std::uint32_t use : uses) (is_a ? rows_of_b_ : rows_of_a_)[use / 3].find(box, other);
+    if (is_flat(uses, other, is_a)) return join_across(line, other, is_a), false;
     std::vector<Stretch> stretches = stretches_of(line, other, !is_a);
     if (stretches.empty()) return false;
     for (const Stretch& stretch : stretches)
@@ -150,6 +153,34 @@ class Passing {
     each_section(std::move(stretches),
                  [&](const std::vector<Flap>& flaps) { return !(passing = look_around(line, flaps)); });
     return passing;
+  }
+
+  /// Whether all that may have flaps over a common piece of an edge, of which these are the uses, is in one plane.
+  [[nodiscard]] bool is_flat(const std::vector<std::uint32_t>& uses, const std::vector<std::uint32_t>& other,
+                             bool is_a) const {
+    const Side &own = is_a ? a_ : b_, &others = is_a ? b_ : a_;
+    return std::all_of(uses.begin(), uses.end(), [&](std::uint32_t use) { return own.flat[use / 3]; }) &&
+           std::all_of(other.begin(), other.end(), [&](std::uint32_t t) { return others.flat[t]; });
+  }
+
+  /// In one plane there are two half-planes around a line, so that nothing passes and nothing is on one side of the
+  /// other: what is left of `look_around` is that areas are joined. What is in one half-plane is in one area already,
+  /// and so is all that a triangle on both sides of the line shares an area with. Areas are joined anew where all end.
+  void join_across(const Line& line, std::vector<std::uint32_t>& other, bool is_a) {
+    std::vector<EdgeOnLine> edges;
+    const auto list = [&](std::vector<std::uint32_t>& triangles, bool of_a) {
+      std::sort(triangles.begin(), triangles.end());
+      triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+      for (const std::uint32_t t : triangles)
+        if (const auto edge = edge_on_line(line, (of_a ? a_ : b_).triangle(t), t, of_a)) edges.push_back(*edge);
+    };
+    list(other, !is_a);
+    const Box box{min(line.from(), line.to()), max(line.from(), line.to())};
+    std::vector<std::uint32_t> own;
+    for (const EdgeOnLine& edge : edges) (is_a ? rows_of_a_ : rows_of_b_)[edge.triangle].find(box, own);
+    list(own, is_a);
+    for (const std::vector<std::uint32_t>& of_a : where_all_meet(edges))
+      for (const std::uint32_t t : of_a) areas_.join(of_a[0], t);
   }
 
   /// What triangles have of the line between its points. Numbers are twice a triangle's index, and 1 for those of b.
@@ -243,12 +274,14 @@ bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const ex
     return true;
   std::vector<std::uint32_t> ids_a, ids_b;
   for (const exact::Contact& contact : contacts) ids_a.push_back(contact.a), ids_b.push_back(contact.b);
-  Side side_a{a, sheets_of(a, std::move(ids_a)), {}}, side_b{b, sheets_of(b, std::move(ids_b)), {}};
+  Side side_a{a, sheets_of(a, std::move(ids_a)), {}, {}}, side_b{b, sheets_of(b, std::move(ids_b)), {}, {}};
   side_a.touching.resize(side_a.sheets.ids.size()), side_b.touching.resize(side_b.sheets.ids.size());
+  side_a.flat.resize(side_a.sheets.ids.size(), true), side_b.flat.resize(side_b.sheets.ids.size(), true);
   for (const exact::Contact& contact : contacts) {
     if (!a.is_boundary(contact.a) || !b.is_boundary(contact.b)) continue;
     const std::uint32_t i = side_a.sheets.index(contact.a), j = side_b.sheets.index(contact.b);
     side_a.touching[i].push_back(j), side_b.touching[j].push_back(i);
+    if (contact.kind != Kind::coplanar) side_a.flat[i] = side_b.flat[j] = false;
   }
   return Passing(std::move(side_a), std::move(side_b)).find();
 }

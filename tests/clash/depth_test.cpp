@@ -197,6 +197,18 @@ TEST(OverlapDepth, OfFlushFacesIsNothingWhenMoved) {
   expect_depths_when_moved(0, 0, scenes::box({0, 0, 0}, {1, 1, 1}), scenes::box({1, 1, 1}, {2, 2, 2}), 37);
 }
 
+/// Equal slabs but for a tower on one of them, in which the other's top goes on: all else is flush, however finely both
+/// are cut. The tower's foot is 1 wide.
+TEST(OverlapDepth, OfAFaceThatIsFlushBesideATower) {
+  std::vector<double> cuts;
+  for (int i = 0; i <= 12; ++i) cuts.push_back(i / 2.0);
+  for (const int foot : {1, 3}) {
+    const auto is_filled = [&](int i, int j, int k) { return k < 2 || (i / 2 == foot && j / 2 == 2); };
+    const MeshData tower = scenes::boundary({cuts, cuts, {0, 1, 2, 4, 6}, is_filled}, 5);
+    for (const int n : {1, 5}) expect_depths_when_moved(0.5, 0, scenes::box({0, 0, 0}, {6, 6, 2}, n), tower, 52);
+  }
+}
+
 /// What lies beside the overlap, in one plane with what is a little deep, is outside.
 TEST(OverlapDepth, OfShallowOverlapsIsKnownToTheSamePrecision) {
   for (const double depth : {1e-8, 1e-4, 0.01}) {

@@ -166,5 +166,30 @@ TEST(Passing, TwoSheetsAroundALine) {
         if (j != i && k != i) judged(i, j, k);
 }
 
+/// A sheet that comes down onto another, runs along it for a while and goes on below, or up again: all along they lie
+/// in one plane, cut alike or not.
+TEST(Passing, AlongAnAreaOfManyPieces) {
+  const auto run = [](double from, double step, double to) {
+    Profile profile;
+    for (double x = from; x <= to; x += step) profile.push_back({x, 0});
+    return profile;
+  };
+  const auto between = [](const std::array<double, 2>& first, Profile profile, const std::array<double, 2>& last) {
+    profile.insert(profile.begin(), first), profile.push_back(last);
+    return profile;
+  };
+  const std::vector<double> rows{0, 1, 2, 3};
+  const MeshData through = swept(between({-1, 2}, run(0, 1, 8), {9, -2}), rows);
+  const MeshData back = swept(between({-1, 2}, run(0, 1, 8), {9, 2}), rows);
+  for (const double step : {1.0, 0.75}) {
+    for (const std::vector<double>& places : {rows, {-1, 1.5, 5}}) {
+      const MeshData floor = swept(run(-3, step, 12), places);
+      const std::string what = "cut by " + std::to_string(step) + " into " + std::to_string(places.size());
+      expect_verdict(Verdict::crossing, through, floor, what.c_str());
+      expect_verdict(Verdict::touching, back, floor, what.c_str());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace impinge

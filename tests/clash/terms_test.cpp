@@ -3,9 +3,12 @@
 // A scene put to several tests at once gives each pair of parts what it gets when it is judged on those terms alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -95,6 +98,46 @@ TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
   for (std::size_t i = 1; i < found->pairs.size(); ++i) {
     const Clash &before = found->pairs[i - 1], &after = found->pairs[i];
     EXPECT_TRUE(std::tie(before.objects, before.test) < std::tie(after.objects, after.test)) << i;
+  }
+}
+
+/// Copies of a part in one place, as the same mesh, as another with the same triangles and as one with others of the
+/// same shape, and what is near them.
+TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
+  const auto cube_of = [](double size, bool other_order) {
+    const std::vector<double> xyz{0, 0, 0,    size, 0, 0,    0, size, 0,    size, size, 0,
+                                  0, 0, size, size, 0, size, 0, size, size, size, size, size};
+    std::vector<std::uint32_t> triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    if (other_order) std::rotate(triangles.begin(), triangles.begin() + 3, triangles.end());
+    return Mesh::create(std::span<const double>(xyz), triangles).value();
+  };
+  const Mesh cube = cube_of(2, false), inner = cube_of(1, false);
+  const std::vector<Mesh> meshes{cube, inner, cube_of(2, false), cube_of(2, true), cube, inner, cube};
+  const std::vector<double> places{0, 0.5, 1.5, 2, 2.5, -0.0};
+  std::vector<std::pair<Mesh, Pose>> parts;
+  Scene scene;
+  for (std::size_t i = 0; i < 5 * places.size(); ++i) {
+    Pose pose;
+    pose.t = {places[i % places.size()], 0, 0};
+    parts.emplace_back(meshes[i % meshes.size()], pose);
+    ASSERT_TRUE(scene.add(parts.back().first, pose));
+  }
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional<double>(0)}) {
+    ClashOptions options{.tolerance = tolerance, .clearance = 1, .depth = true, .regions = true};
+    const Result<Clashes> found = find_clashes(scene, options);
+    ASSERT_TRUE(found) << found.error().message;
+    auto next = found->pairs.begin();
+    for (std::uint32_t a = 0; a < parts.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
+        Clash alone = judge(parts[a].first, parts[a].second, parts[b].first, parts[b].second, options).value();
+        alone.objects = {a, b};
+        if (alone.verdict == Verdict::apart && !alone.nearest) continue;
+        ASSERT_NE(next, found->pairs.end());
+        expect_equal(*next++, alone);
+      }
+    }
+    EXPECT_EQ(next, found->pairs.end());
   }
 }
 
