@@ -123,7 +123,8 @@ class Search {
     };
     const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
     if (rank(clash.verdict, depth_of(clash.overlap_depth)) >= rank(span.worst, depth_of(span.overlap_depth))) return;
-    span.worst = clash.verdict, span.worst_at = time, span.overlap_depth = clash.overlap_depth;
+    span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time,
+    span.overlap_depth = clash.overlap_depth;
   }
 
   /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
