@@ -56,6 +56,11 @@ void sample(const Track& track, double seconds, std::span<double> out) {
     std::ranges::copy(value(key), out.begin());
     return;
   }
+  // Between equal keys a part rests: it stands where it stood, to the bit.
+  if (track.between == Track::Between::linear && std::ranges::equal(value(key), value(after))) {
+    std::ranges::copy(value(key), out.begin());
+    return;
+  }
   const double length = track.times[after] - track.times[key], u = (seconds - track.times[key]) / length;
   if (track.between == Track::Between::cubic) {
     spline(value(key), part(key, 2), value(after), part(after, 0), u, length, out);
@@ -81,18 +86,18 @@ Affine affine_of(const Node& node) {
   return map;
 }
 
+}  // namespace
+
 Affine product(const Affine& a, const Affine& b) {
   Affine out;
   for (std::size_t row = 0; row < 3; ++row) {
+    const double* const r = &a.m[3 * row];
     for (std::size_t column = 0; column < 3; ++column)
-      out.m[3 * row + column] =
-          (a.m[3 * row] * b.m[column] + a.m[3 * row + 1] * b.m[3 + column]) + a.m[3 * row + 2] * b.m[6 + column];
-    out.t[row] = ((a.m[3 * row] * b.t[0] + a.m[3 * row + 1] * b.t[1]) + a.m[3 * row + 2] * b.t[2]) + a.t[row];
+      out.m[3 * row + column] = (r[0] * b.m[column] + r[1] * b.m[3 + column]) + r[2] * b.m[6 + column];
+    out.t[row] = ((r[0] * b.t[0] + r[1] * b.t[1]) + r[2] * b.t[2]) + a.t[row];
   }
   return out;
 }
-
-}  // namespace
 
 std::vector<Affine> nodes_at(const Model& model, const Animation& animation, double seconds) {
   std::vector<Node> nodes = model.nodes;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
 #include "domain_error.hpp"
+#include "known_clashes.hpp"
 #include "measure/nearest.hpp"
 #include "on_threads.hpp"
 #include "pipeline.hpp"
@@ -146,22 +148,20 @@ bool is_listed(const Clash& clash, const ClashTerms& terms) {
 }
 
 /// Pairs whose boxes come as near as the options ask for, sorted.
-std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<solid::Body>& bodies,
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, std::vector<Box> boxes,
                                            const ClashOptions& options) {
   double largest = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(bodies[i].box));
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(boxes[i]));
   // Each box grows by half of the reach, and by what rounding may take from that.
   const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
   const double reach = std::max(nearest, options.clearance);
   const double half = reach / 2 + 0x1p-50 * (largest + reach);
-  std::vector<Box> boxes(bodies.size());
-  std::vector<std::uint32_t> groups(bodies.size(), 0);
+  std::vector<std::uint32_t> groups(boxes.size(), 0);
   std::vector<broad::BoxTree::Entry> entries;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    const Box& box = bodies[i].box;
-    if (scene.meshes[i] == nullptr || is_empty(box)) continue;
-    boxes[i] = {box.lo - Vec3{half, half, half}, box.hi + Vec3{half, half, half}};
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (scene.meshes[i] == nullptr || is_empty(boxes[i])) continue;
+    boxes[i] = {boxes[i].lo - Vec3{half, half, half}, boxes[i].hi + Vec3{half, half, half}};
     groups[i] = scene.objects[i].group;
     const auto& [lo, hi] = boxes[i];
     entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
@@ -194,26 +194,34 @@ bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
   return !is_within(terms.tolerance.value_or(0)) || !is_within(terms.clearance);
 }
 
-/// Judges each candidate on its terms; `count` is how many have some. Errors: `bad_option`, `cancelled`.
-Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidates, const AlikePairs& alike,
-                                     const std::vector<SeenPart>& parts, const ClashOptions& options,
-                                     std::uint64_t& count) {
-  std::vector<std::vector<Clash>> clashes(candidates.size());
-  std::atomic<std::uint64_t> with_terms = 0;
+/// Judges each candidate that there are terms for, sorted as they are; `alike` has their places. Errors: `bad_option`,
+/// `cancelled`.
+Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& candidates, const AlikePairs& alike,
+                                          const std::vector<SeenPart>& parts, const KnownClashes& known,
+                                          const ClashOptions& options) {
+  std::vector<JudgedPair> pairs(candidates.size());
   std::atomic<bool> too_far = false;
   const auto judge_one = [&](std::size_t i, PairCase& pair) {
     const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
-    const std::vector<ClashTerms> terms = terms_of(a, b, options);
-    for (const ClashTerms& each : terms) {
-      if (options.terms && reaches_farther(each, options)) {
-        too_far = true;
-        return;
-      }
+    JudgedPair& judged = pairs[i];
+    judged.objects = candidates[i];
+    judged.terms = terms_of(a, b, options);
+    const auto is_too_far = [&](const ClashTerms& each) { return reaches_farther(each, options); };
+    if (options.terms && std::any_of(judged.terms.begin(), judged.terms.end(), is_too_far)) {
+      too_far = true;
+      return;
+    }
+    if (const JudgedPair* const same = known.find(candidates[i], judged.terms)) {
+      judged = *same;
+      judged.is_known = true;
+      Steps(options.progress).step();
+      return;
+    }
+    for (const ClashTerms& each : judged.terms) {
       Clash clash = pair.judge(each);
       clash.objects = {a, b};
-      if (is_listed(clash, each)) clashes[i].push_back(std::move(clash));
+      if (is_listed(clash, each)) judged.clashes.push_back(std::move(clash));
     }
-    if (!terms.empty()) with_terms.fetch_add(1, std::memory_order_relaxed);
     Steps(options.progress).step();
   };
   run_each(on_threads(options.threads), alike.size(), [&](std::size_t row) {
@@ -229,35 +237,51 @@ Result<std::vector<Clash>> judge_all(const std::vector<std::uint64_t>& candidate
     return Error{Code::bad_option,
                  "the terms of a pair have a tolerance or clearance that is negative, not finite or above the options' "
                  "clearance; raise that to the greatest of all"};
-  count = with_terms;
-  std::vector<Clash> pairs;
-  for (std::vector<Clash>& of_pair : clashes)
-    for (Clash& clash : of_pair) pairs.push_back(std::move(clash));
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [](const JudgedPair& pair) { return pair.terms.empty(); }),
+              pairs.end());
   return pairs;
 }
 
-Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options) {
+/// Lists what was judged; a memory that stays keeps its own.
+std::vector<Clash> list_clashes(std::vector<JudgedPair>& pairs, bool stays) {
+  std::vector<Clash> clashes;
+  for (JudgedPair& pair : pairs) {
+    if (stays)
+      clashes.insert(clashes.end(), pair.clashes.begin(), pair.clashes.end());
+    else
+      std::move(pair.clashes.begin(), pair.clashes.end(), std::back_inserter(clashes));
+  }
+  return clashes;
+}
+
+/// `known` holds what the last query found out, and then what this one did; after an error, nothing.
+Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options, KnownClashes& known, bool stays) {
   StageClock clock;
   Clashes result;
+  KnownClashes last = std::exchange(known, {});
   std::vector<Placed> objects;
   for (std::size_t i = 0; i < scene.slots.size(); ++i)
     objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
   if (auto valid = check_domain(objects); !valid) return valid.error();
-  std::vector<solid::Body> bodies = bodies_of(objects, options.threads);
-  const Checks checks = list_checks(objects, options);
-  const std::vector<std::uint64_t> candidates = find_candidates(scene, bodies, options);
+  const std::vector<Placed> others = last.forget_changed(objects, options);
+  std::vector<solid::Body> bodies = bodies_of(others, options.threads);
+  const Checks checks = list_checks(others, options);
+  const std::vector<std::uint64_t> candidates = find_candidates(scene, last.boxes(bodies), options);
   result.candidates = candidates.size();
   const Steps steps(options.progress);
   steps.begin(checks.placed.size() + objects.size() + candidates.size());
   const AlikePairs alike = alike_pairs(candidates, first_alike(objects));
-  const auto parts = see_all(objects, std::move(bodies), checks, options);
+  auto parts = see_all(others, std::move(bodies), checks, options);
   if (!parts) return parts.error();
+  last.move_parts_to(*parts);
   for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
   clock.charge(result.parts_seconds);
 
-  auto pairs = judge_all(candidates, alike, *parts, options, result.candidates);
+  auto pairs = judge_all(candidates, alike, *parts, last, options);
   if (!pairs) return pairs.error();
-  result.pairs = *std::move(pairs);
+  result.candidates = pairs->size();
+  result.pairs = list_clashes(*pairs, stays);
+  if (stays) known = KnownClashes(objects, *std::move(parts), *std::move(pairs), options);
   clock.charge(result.pairs_seconds);
   return result;
 }
@@ -272,10 +296,15 @@ Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, con
 
 }  // namespace
 
-Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options) {
+Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory) {
   return guarded([&]() -> Result<Clashes> {
-    if (auto valid = validate(options); !valid) return valid.error();
-    return clashes_of(*scene.state_, options);
+    KnownClashes none;
+    KnownClashes& known = memory != nullptr ? memory->state_->clashes : none;
+    if (auto valid = validate(options); !valid) {
+      known = {};
+      return valid.error();
+    }
+    return clashes_of(*scene.state_, options, known, memory != nullptr);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "clash/defects.hpp"
 #include "core/mesh_data.hpp"
 #include "hierarchy/obb_tree.hpp"
 #include "hierarchy/wide_tree.hpp"
@@ -11,7 +12,8 @@
 
 namespace impinge {
 
-/// What a `Mesh` shares: its numbers, which never change, and its trees, which grow as walks need them.
+/// What a `Mesh` shares: its numbers, which never change, its trees, which grow as walks need them, and what was found
+/// out about it.
 struct MeshState : std::enable_shared_from_this<MeshState> {
   MeshState(MeshData numbers, const TreeConfig& tree_config)
       : data(std::move(numbers)),
@@ -27,6 +29,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // Safe from many threads.
   mutable hierarchy::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
+  mutable clash::KnownDefects known_defects;
 };
 
 }  // namespace impinge

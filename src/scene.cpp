@@ -44,6 +44,19 @@ Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
   return {};
 }
 
+Result<void> Scene::set_mesh(ObjectId id, Mesh mesh, const Pose& pose) {
+  const FloatEnvironment nearest;
+  State& s = *state_;
+  if (auto known = s.check(id); !known) return known;
+  if (auto valid = scene::validate(pose); !valid) return valid;
+  const MeshState& mesh_state = mesh.state();
+  s.objects[id.index] = scene::place(mesh_state.data, pose, s.objects[id.index].group);
+  s.meshes[id.index] = &mesh_state;
+  s.slots[id.index].mesh = std::move(mesh);
+  s.near_pairs.place(id.index, s.objects[id.index]);
+  return {};
+}
+
 Result<void> Scene::remove(ObjectId id) {
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;

@@ -27,7 +27,7 @@ solid::Body body_of(const Mesh& mesh, const Pose& pose) {
 bool before(const TrianglePair& x, const TrianglePair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
 
 /// The pairs of a placed mesh's own triangles that keep it from being a solid, in order.
-Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const ClashOptions& options, int threads) {
+Result<std::vector<TrianglePair>> list_defects(const Placed& placed, const ClashOptions& options, int threads) {
   const solid::Body body = body_of(*placed.mesh, placed.pose);
   const solid::Topology topology = solid::examine(body);
   const double most = tolerance_of(options, clash::largest_coordinate(body.box));
@@ -55,12 +55,25 @@ Result<std::vector<TrianglePair>> find_defects(const Placed& placed, const Clash
   return defects;
 }
 
+/// What is known already is not looked for again.
+Result<clash::Defects> find_defects(const Checks::Check& check, const ClashOptions& options, int threads) {
+  clash::KnownDefects& known = check.mesh->state().known_defects;
+  if (check.is_as_made)
+    if (const auto defects = known.find(options.tolerance)) return *defects;
+  const auto list = list_defects(check, options, threads);
+  if (!list) return list.error();
+  clash::Defects defects{list->size()};
+  if (!list->empty()) defects.first = list->front();
+  if (check.is_as_made) known.keep(options.tolerance, defects);
+  return defects;
+}
+
 /// Large meshes one after the other, each by all threads; small ones side by side.
-Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vector<Placed>& placed,
-                                                                const ClashOptions& options) {
+Result<std::vector<clash::Defects>> find_all_defects(const std::vector<Checks::Check>& placed,
+                                                     const ClashOptions& options) {
   constexpr std::size_t kLarge = 1 << 16;
   const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
-  std::vector<Result<std::vector<TrianglePair>>> found(placed.size(), std::vector<TrianglePair>());
+  std::vector<Result<clash::Defects>> found(placed.size(), clash::Defects());
   const auto look_through = [&](std::size_t i, int threads) {
     if (options.stop.stop_requested()) return;
     found[i] = find_defects(placed[i], options, threads);
@@ -72,15 +85,15 @@ Result<std::vector<std::vector<TrianglePair>>> find_all_defects(const std::vecto
   for (std::size_t i = 0; i < placed.size(); ++i)
     if (is_large(i)) look_through(i, options.threads);
   if (options.stop.stop_requested()) return cancelled();
-  std::vector<std::vector<TrianglePair>> defects;
-  for (auto& some : found) {
+  std::vector<clash::Defects> defects;
+  for (const auto& some : found) {
     if (!some) return some.error();
-    defects.push_back(*std::move(some));
+    defects.push_back(*some);
   }
   return defects;
 }
 
-SeenPart see(const Placed& placed, solid::Body&& body, const std::vector<TrianglePair>& defects) {
+SeenPart see(const Placed& placed, solid::Body&& body, const clash::Defects& defects) {
   SeenPart seen{clash::know(std::move(body), defects), {}, {}};
   const solid::Part& part = seen.known.linked.part;
   const auto is_inner = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
@@ -111,9 +124,9 @@ Checks list_checks(const std::vector<Placed>& objects, const ClashOptions& optio
     if (options.tolerance.value_or(1) > 0 && in_exact_domain(Pose{}, mesh.data)) {
       const auto [place, is_new] = known.emplace(&mesh, checks.placed.size());
       checks.of_object.back() = place->second;
-      if (is_new) checks.placed.push_back({object.mesh, Pose{}});
+      if (is_new) checks.placed.push_back({{object.mesh, Pose{}}, true});
     } else {
-      checks.placed.push_back(object);
+      checks.placed.push_back({object, false});
     }
   }
   return checks;

@@ -47,7 +47,10 @@ inline Error cancelled() { return {Code::cancelled, "the query was stopped befor
 /// What is to be looked through for defects: a mesh as it was made, once however often it is placed; or each object
 /// where it is, if every rounding counts.
 struct Checks {
-  std::vector<Placed> placed;
+  struct Check : Placed {
+    bool is_as_made;  ///< what is found holds wherever the mesh stands, for this tolerance
+  };
+  std::vector<Check> placed;
   std::vector<std::size_t> of_object;
 };
 

@@ -46,7 +46,9 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
   if (number && *number < model.animations.size()) return &model.animations[*number];
   std::string names;
   for (std::size_t i = 0; i < model.animations.size(); ++i)
-    names += fmt::format("{}{} '{}'", i > 0 ? ", " : "", i, printable(model.animations[i].name));
+    names += fmt::format(
+        "{}{} {}", i > 0 ? ", " : "", i,
+        model.animations[i].name.empty() ? "without a name" : "'" + printable(model.animations[i].name) + "'");
   return Error{Code::bad_option, fmt::format("--animation {}: {} has no such animation, but {}", *arguments.animation,
                                              arguments.files.front(), names)};
 }

@@ -21,6 +21,10 @@ std::string time_text(double seconds, double step) {
   return fmt::format("{:.{}f}", seconds, decimals);
 }
 
+std::string name_of(const io::Animation& animation) {
+  return animation.name.empty() ? "an animation without a name" : "animation '" + printable(animation.name) + "'";
+}
+
 }  // namespace
 
 void print_motion(const MotionReport& report, const MotionArguments& arguments, Sink& sink,
@@ -48,7 +52,7 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
         return span.to ? time_text(span.to->lo, step) : "end";
       case 2:
       case 3:
-        return report.assembly.labels[span.objects[column - 2]];
+        return report.assembly.labels[span.objects[(column == 2) == (span.inner == 1) ? 1 : 0]];
       case 4:
         return std::string(impinge::name(span.worst));
       case 5:
@@ -63,16 +67,15 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
   if (table.rows > 0) sink.write("\n");
   const auto moving = std::count_if(report.mover.bodies().begin(), report.mover.bodies().end(),
                                     [](std::uint32_t body) { return body != 0; });
-  sink.write(fmt::format("{}, {} of them moving; animation '{}' of {} s; {}.\n",
-                         counted(report.assembly.objects.size(), "part"), moving, printable(report.animation.name),
-                         time_text(report.animation.seconds, step),
+  sink.write(fmt::format("{}, {} of them moving; {} of {} s; {}.\n", counted(report.assembly.objects.size(), "part"),
+                         moving, name_of(report.animation), time_text(report.animation.seconds, step),
                          spans.empty()       ? "nothing clashes"
                          : spans.size() == 1 ? "1 clash"
                                              : grouped(spans.size()) + " clashes"));
   sink.write(
-      fmt::format("Looked at {} steps of {} s: a clash that is over within one step may be missed; the times of "
+      fmt::format("Looked at {} of {} s: a clash that is over within one step may be missed; the times of "
                   "those that were seen are exact to a millionth of a step.\n",
-                  frames, time_text(step, step)));
+                  counted(frames, "step"), time_text(step, step)));
   if (report.animations > 1)
     sink.write(fmt::format("The file has {} animations; --animation N chooses another one.\n", report.animations));
 }

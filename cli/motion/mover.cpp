@@ -36,17 +36,6 @@ bool is_rigid(const Affine& map) {
   return determinant > 0 && std::all_of(map.t.begin(), map.t.end(), [](double t) { return std::isfinite(t); });
 }
 
-Affine product(const Affine& a, const Affine& b) {
-  Affine out;
-  for (std::size_t row = 0; row < 3; ++row) {
-    const double* const r = &a.m[3 * row];
-    for (std::size_t column = 0; column < 3; ++column)
-      out.m[3 * row + column] = (r[0] * b.m[column] + r[1] * b.m[3 + column]) + r[2] * b.m[6 + column];
-    out.t[row] = ((r[0] * b.t[0] + r[1] * b.t[1]) + r[2] * b.t[2]) + a.t[row];
-  }
-  return out;
-}
-
 /// By the adjugate; its entries are not finite where there is no inverse.
 Affine inverse(const Affine& map) {
   const auto& m = map.m;
@@ -92,7 +81,7 @@ Result<Posed> Mover::place(std::size_t i, const std::vector<Affine>& worlds, dou
       return error(Code::bad_file,
                    "it is scaled to nothing where it rests, so that no shape of it is left; give its "
                    "node a scale other than 0");
-    map = product(map, back);
+    map = io::product(map, back);
   }
   if (is_rigid(map)) return Posed{object.mesh, {map.m, map.t}, map};
   Result<Mesh> mapped = object.mesh.transformed(map);

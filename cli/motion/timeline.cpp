@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "motion/moving_scene.hpp"
+
 namespace impinge::cli {
 namespace {
 
@@ -51,10 +53,7 @@ class Search {
   /// The pairs that clash at a time. Pairs that stand still to each other are looked at once, at the first frame, and
   /// are what they were.
   Result<Frame> look(double time, bool is_first) {
-    const Result<std::vector<Posed>> posed = mover_.at(time);
-    if (!posed) return posed.error();
-    const Result<Scene> scene = scene_of_(*posed);
-    if (!scene) return scene.error();
+    if (auto moved = move_to(time); !moved) return moved.error();
     ClashOptions options = clash_options();
     const auto stand_still = [this](std::uint32_t a, std::uint32_t b) {
       return mover_.bodies()[a] == mover_.bodies()[b];
@@ -66,7 +65,7 @@ class Search {
         if (!stand_still(a, b)) terms.push_back({.tolerance = options_.tolerance});
       };
     }
-    Result<Clashes> clashes = find_clashes(*scene, options);
+    Result<Clashes> clashes = scene_->clashes(options);
     if (!clashes) return clashes.error();
     Frame frame;
     for (Clash& clash : clashes->pairs)
@@ -78,6 +77,16 @@ class Search {
       frame.insert(still_.begin(), still_.end());
     }
     return frame;
+  }
+
+  Result<void> move_to(double time) {
+    Result<std::vector<Posed>> posed = mover_.at(time);
+    if (!posed) return posed.error();
+    if (scene_) return scene_->move_to(*std::move(posed));
+    Result<Scene> scene = scene_of_(*posed);
+    if (!scene) return scene.error();
+    scene_.emplace(*std::move(scene), *std::move(posed));
+    return {};
   }
 
   /// Ends the spans of pairs that clash no more, goes on with others, begins new ones.
@@ -114,36 +123,50 @@ class Search {
     };
     const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
     if (rank(clash.verdict, depth_of(clash.overlap_depth)) >= rank(span.worst, depth_of(span.overlap_depth))) return;
-    span.worst = clash.verdict, span.worst_at = time, span.overlap_depth = clash.overlap_depth;
+    span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time,
+    span.overlap_depth = clash.overlap_depth;
   }
 
   /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
   Result<Moment> moment_between(const Objects& objects, double lo, double hi, bool clashes_first) {
     constexpr int kHalvings = 20;
     Moment moment{lo, hi};
+    std::optional<MovingScene> pair;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = moment.lo + (moment.hi - moment.lo) / 2;
       if (!(middle > moment.lo && middle < moment.hi)) break;
-      const Result<Clash> clash = judge_at(objects, middle);
-      if (!clash) return clash.error();
-      (names(options_.fail_on, clash->verdict) == clashes_first ? moment.lo : moment.hi) = middle;
+      const Result<Verdict> verdict = judge_at(objects, middle, pair);
+      if (!verdict) return verdict.error();
+      (names(options_.fail_on, *verdict) == clashes_first ? moment.lo : moment.hi) = middle;
     }
     return moment;
   }
 
-  Result<Clash> judge_at(const Objects& objects, double time) {
-    const auto posed = mover_.at(time, objects);
+  /// The verdict on two parts at a time. `pair` is the two alone, where they were looked at last.
+  Result<Verdict> judge_at(const Objects& objects, double time, std::optional<MovingScene>& pair) {
+    auto posed = mover_.at(time, objects);
     if (!posed) return posed.error();
-    const auto& [a, b] = *posed;
+    std::vector<Posed> both{std::move((*posed)[0]), std::move((*posed)[1])};
+    if (pair) {
+      if (auto moved = pair->move_to(std::move(both)); !moved) return moved.error();
+    } else {
+      Scene scene;
+      for (const Posed& part : both)
+        if (auto added = scene.add(part.mesh, part.pose); !added) return added.error();
+      pair.emplace(std::move(scene), std::move(both));
+    }
     ClashOptions options = clash_options();
     options.depth = false;
-    return judge(a.mesh, a.pose, b.mesh, b.pose, options);
+    const Result<Clashes> clashes = pair->clashes(options);
+    if (!clashes) return clashes.error();
+    return clashes->pairs.empty() ? Verdict::apart : clashes->pairs[0].verdict;
   }
 
   const Mover& mover_;
   const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of_;
   const TimelineOptions& options_;
   Timeline timeline_;
+  std::optional<MovingScene> scene_;
   std::map<Objects, ClashSpan> open_;
   Frame still_;
 };

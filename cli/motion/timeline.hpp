@@ -26,6 +26,7 @@ struct ClashSpan {
   std::array<std::uint32_t, 2> objects{};
   std::optional<Moment> from, to;             ///< nothing: from the first frame, to the last
   Verdict worst = Verdict::apart;             ///< of the frames
+  int inner = -1;                             ///< then, as `Clash::inner`
   double worst_at = 0;                        ///< seconds: of the first such frame; the deepest if depths are measured
   std::optional<OverlapDepth> overlap_depth;  ///< then
 };

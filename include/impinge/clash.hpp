@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string_view>
@@ -49,6 +50,7 @@ struct ClashTerms {
   double clearance = 0;             ///< likewise
   Verdict last = Verdict::apart;    ///< what comes after this in `Verdict` is left out
   std::uint32_t test = 0;           ///< the caller's own number, which `Clash::test` repeats
+  friend bool operator==(const ClashTerms&, const ClashTerms&) = default;
 };
 
 struct ClashOptions {
@@ -105,11 +107,36 @@ struct Clashes {
   double pairs_seconds = 0;      ///< and to judge the pairs
 };
 
+/// What `find_clashes` found out, for its next call on the same scene: what an object is that neither moved nor changed
+/// its mesh since, and what two such objects are to each other on the same terms, is not found out again. Answers are
+/// the same with it and without. It holds what the last call saw of the scene's objects and of its candidates, and
+/// nothing of earlier ones; with another scene, another tolerance or after an error it is filled anew. One query uses
+/// it at a time. One that was moved from may only be destroyed or assigned to.
+class ClashMemory {
+ public:
+  ClashMemory();
+  ~ClashMemory();
+  ClashMemory(ClashMemory&&) noexcept;
+  ClashMemory& operator=(ClashMemory&&) noexcept;
+  ClashMemory(const ClashMemory&) = delete;
+  ClashMemory& operator=(const ClashMemory&) = delete;
+
+  /// How many of the last call's candidates were known from the call before.
+  [[nodiscard]] std::size_t known_pairs() const noexcept;
+
+  struct State;  // internal
+
+ private:
+  friend Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory);
+  std::unique_ptr<State> state_;
+};
+
 /// Every pair of a scene's objects that is not apart, or nearer than the clearance. Objects of one group and ignored
 /// pairs are left out. It takes no workspace: the queries within use their threads' own memory again and again, and
-/// what else is made goes into the answer. Errors: as `Scene::collide`; `bad_option` (tolerance or clearance negative
-/// or not finite, or terms that reach farther than the options).
-Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {});
+/// what else is made goes into the answer, and for a scene whose objects move into a memory to keep. Errors: as
+/// `Scene::collide`; `bad_option` (tolerance or clearance negative or not finite, or terms that reach farther than the
+/// options).
+Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options = {}, ClashMemory* memory = nullptr);
 
 /// The verdict on two placed meshes, objects 0 and 1, whatever it is. Errors and memory: likewise.
 Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,

@@ -70,6 +70,9 @@ struct Model {
 /// one, as there.
 std::vector<Affine> nodes_at(const Model& model, const Animation& animation, double seconds);
 
+/// The map that does b first, then a.
+Affine product(const Affine& a, const Affine& b);
+
 struct ReadOptions {
   std::uint64_t max_file_bytes = 2'000'000'000;  ///< larger files are refused unread
   double scale = 1;                              ///< positive and finite; multiplies every coordinate of the file

@@ -13,6 +13,7 @@
 
 namespace impinge {
 
+class ClashMemory;    // clash.hpp
 struct Clashes;       // clash.hpp
 struct ClashOptions;  // clash.hpp
 
@@ -39,6 +40,8 @@ class Scene {
   Result<ObjectId> add(Mesh mesh, const Pose& pose = {}, std::uint32_t group = 0);
   /// Errors: `unknown_id`, `bad_pose`; the object then stays where it was.
   Result<void> set_pose(ObjectId id, const Pose& pose);
+  /// Gives the object another shape; its id, its group and the pairs that ignore it stay. Errors: likewise.
+  Result<void> set_mesh(ObjectId id, Mesh mesh, const Pose& pose = {});
   /// Forgets the object and the pairs that ignore it. Errors: `unknown_id`.
   Result<void> remove(ObjectId id);
   /// Leaves this pair out of every query from now on. Errors: `unknown_id`, `bad_option` (an object with itself).
@@ -61,7 +64,7 @@ class Scene {
   struct State;  // internal
 
  private:
-  friend Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options);
+  friend Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory);
   std::unique_ptr<State> state_;
 };
 

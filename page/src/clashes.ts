@@ -229,6 +229,6 @@ const kVerbs: Record<Verdict, string> = {
   touching: 'touches',
   apart: 'is too near',
 };
-/** Of a motion it is not told which of two parts is the inner one. */
+/** A motion that an earlier version wrote does not tell which of two parts is the inner one. */
 export const verbOf = ({ verdict, pair }: Clash): string =>
-  verdict === 'inside' && pair?.span ? 'lies inside or around' : kVerbs[verdict];
+  verdict === 'inside' && pair?.span && pair.inner === null ? 'lies inside or around' : kVerbs[verdict];

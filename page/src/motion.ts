@@ -14,6 +14,8 @@ export interface Span {
   /** The last time known to clash and the first known to be free; null: they clash to the last frame. */
   to: Interval | null;
   worst: Verdict;
+  /** With `inside`, the part that lies in the other at `worst_at`. */
+  inner?: number | null;
   worst_at: number;
   overlap_depth: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
 }
@@ -100,7 +102,7 @@ export function pairsOf({ spans, times }: Motion): Pair[] {
     touching: 0,
     coplanar: 0,
     verdict: span.worst,
-    inner: null,
+    inner: span.inner ?? null,
     note: null,
     tolerance: null,
     fails: false,

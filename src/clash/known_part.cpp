@@ -54,9 +54,9 @@ Segment place_of(const std::array<std::uint32_t, 2>& edge, const solid::Part& pa
 
 }  // namespace
 
-KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects) {
+KnownPart know(solid::Body body, const Defects& defects) {
   solid::Topology topology = solid::examine(body);
-  const bool is_solid = topology.closed && defects.empty();
+  const bool is_solid = topology.closed && defects.count == 0;
   KnownPart known;
   known.linked.part = solid::make_part(std::move(body), std::move(topology), is_solid);
   const solid::Part& part = known.linked.part;
@@ -65,9 +65,8 @@ KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects) {
   facts.solid = is_solid, facts.closed = part.topology.closed;
   facts.open_edges = part.topology.open_edges.size();
   facts.degenerate = part.topology.degenerate;
-  facts.self_crossings = defects.size();
+  facts.self_crossings = defects.count, facts.self_crossing = defects.first;
   if (!part.topology.open_edges.empty()) facts.open_edge = place_of(part.topology.open_edges[0], part);
-  if (!defects.empty()) facts.self_crossing = defects[0];
   measure(known);
   known.deep_points = deep_points(part);
   return known;

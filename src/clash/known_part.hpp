@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clash/deep_points.hpp"
+#include "clash/defects.hpp"
 #include "clash/near_cells.hpp"
 #include "impinge/clash.hpp"
 
@@ -18,7 +19,7 @@ struct KnownPart {
   std::vector<DeepPoint> deep_points;
 };
 
-/// `defects` are the pairs of the body's own triangles that keep it from being a solid.
-KnownPart know(solid::Body body, const std::vector<TrianglePair>& defects);
+/// `defects` are the body's own.
+KnownPart know(solid::Body body, const Defects& defects);
 
 }  // namespace impinge::clash

@@ -300,6 +300,52 @@ TEST_F(Motion, StretchedPartsAreMappedAtEachTime) {
   EXPECT_NEAR(from + to, 1, 1e-5) << "it is the same backwards";
 }
 
+/// A cube of edge 2 goes through a box of edge 6: it is within it from 4 to 8.
+TEST_F(Motion, TellsWhichPartIsTheInnerOne) {
+  for (const bool is_small_first : {false, true}) {
+    SCOPED_TRACE(is_small_first);
+    AnimatedGltf file;
+    const json large{{"name", "large"}, {"mesh", 0}, {"scale", {3, 3, 3}}}, small{{"name", "small"}, {"mesh", 0}};
+    const int first = file.node(is_small_first ? small : large), second = file.node(is_small_first ? large : small);
+    file.roots({first, second});
+    file.animation("");
+    file.channel(is_small_first ? first : second, "translation", {0, 12}, {-6, 0, 0, 6, 0, 0});
+    folder.write("case.glb", file.glb());
+    const json out = report({"--frames", "12", "--tolerance", "0"});
+    ASSERT_EQ(out.at("spans").size(), 1u);
+    EXPECT_EQ(out["spans"][0].at("worst"), "inside");
+    EXPECT_EQ(out["spans"][0].at("inner"), is_small_first ? 0 : 1);
+    const std::string table = run({"--frames", "12", "--tolerance", "0"}).out;
+    EXPECT_LT(table.find("small"), table.find("large")) << table;
+    EXPECT_NE(table.find("an animation without a name of 12"), std::string::npos) << table;
+    EXPECT_NE(run({"--frames", "1"}).out.find("Looked at 1 step of 12"), std::string::npos);
+    EXPECT_NE(run({"--animation", "x"}).err.find("but 0 without a name"), std::string::npos);
+    const json penetrating = report({"--frames", "8", "--fail-on", "penetration"});
+    for (const json& span : penetrating.at("spans")) EXPECT_TRUE(span.at("inner").is_null());
+  }
+}
+
+/// Between equal keys the numbers of a pose are the same, so that nothing has to be looked at again.
+TEST_F(Motion, APartThatRestsStandsStillToTheBit) {
+  AnimatedGltf file;
+  const int part = file.node({{"name", "part"}, {"mesh", 0}});
+  file.roots({part, file.node({{"name", "other"}, {"mesh", 0}})});
+  file.animation("go and stay");
+  file.channel(part, "translation", {0, 1, 2, 3}, {0, 0, 0, 0.1, 0.7, 1.3, 0.1, 0.7, 1.3, 0, 0, 0});
+  file.channel(part, "rotation", {0, 1, 2, 3}, {0, 0, 0, 1, 0.1, 0.5, 0.1, 0.85, 0.1, 0.5, 0.1, 0.85, 0, 0, 0, 1});
+  folder.write("case.glb", file.glb());
+  const auto model = io::read(folder.path() / "case.glb");
+  ASSERT_TRUE(model) << model.error().message;
+  const cli::Mover mover(*model, model->animations.front());
+  const Pose pose = mover.at(1).value()[0].pose;
+  for (int i = 1; i <= 100; ++i) {
+    const Pose later = mover.at(1 + 0.01 * i).value()[0].pose;
+    EXPECT_EQ(later.R, pose.R) << i;
+    EXPECT_EQ(later.t, pose.t) << i;
+  }
+  EXPECT_NE(mover.at(2.5).value()[0].pose.t, pose.t);
+}
+
 TEST_F(Motion, TheTableSaysWhatItCannotSee) {
   write(scenes::four_bar_linkage(kSeconds));
   const Ended ended = run({"--frames", "40"});

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+
+#include "impinge/contacts.hpp"
+
+namespace impinge::clash {
+
+/// The pairs of a mesh's own triangles that keep it from being a solid: how many, and the first in order.
+struct Defects {
+  std::uint64_t count = 0;
+  std::optional<TrianglePair> first{};
+};
+
+/// The defects of a mesh as it was made, kept for whoever asks next: they do not depend on where it stands. Those of
+/// the last tolerance alone. Safe from many threads.
+class KnownDefects {
+ public:
+  /// Nothing if this was not the last tolerance.
+  [[nodiscard]] std::optional<Defects> find(const std::optional<double>& tolerance) const {
+    const std::lock_guard lock(mutex_);
+    return tolerance == tolerance_ ? defects_ : std::nullopt;
+  }
+  void keep(const std::optional<double>& tolerance, const Defects& defects) {
+    const std::lock_guard lock(mutex_);
+    tolerance_ = tolerance, defects_ = defects;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<double> tolerance_;
+  std::optional<Defects> defects_;
+};
+
+}  // namespace impinge::clash
