@@ -52,6 +52,7 @@ std::vector<Uses> edges_of(const Side& side) {
     }
   }
   std::vector<Uses> uses;
+  uses.reserve(edges.size());
   for (auto& [positions, of_edge] : edges) uses.push_back(std::move(of_edge));
   return uses;
 }
