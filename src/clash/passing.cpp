@@ -93,7 +93,8 @@ class Passing {
     std::vector<NearStretch> stretches = stretches_of(*line, other, !is_a);
     if (stretches.empty()) return false;
     for (const NearStretch& stretch : stretches) (is_a ? rows_of_a_ : rows_of_b_)[stretch.number / 2].find(box, own);
-    for (const NearStretch& stretch : stretches_of(*line, own, is_a)) stretches.push_back(stretch);
+    const std::vector<NearStretch> of_own = stretches_of(*line, own, is_a);
+    stretches.insert(stretches.end(), of_own.begin(), of_own.end());
     return look_at_sections(*line, stretches);
   }
 
@@ -113,6 +114,7 @@ class Passing {
     each_section(std::move(pieces), [&](const std::vector<const Piece*>& open, double lo, double hi) {
       if (!near_.is_long(hi - lo) || open.size() < 2) return true;
       std::vector<const NearStretch*> there;
+      there.reserve(open.size());
       for (const Piece* const piece : open) there.push_back(piece->stretch);
       if (std::count(there.begin(), there.end(), nullptr) > 0) return true;
       const auto rays = near_.rays(line, (lo + hi) / 2, there);
