@@ -72,7 +72,7 @@ class Search {
 
   void keep(const TrianglePair& pair, bool are_small) {
     if (!are_small) return result_.near.push_back(pair);
-    result_.is_whole = false;
+    result_.is_whole = false, result_.leaves_out_small = true;
     if (small_a_.add(pair.a, a_.size())) result_.near_a.push_back(pair.a);
     if (small_b_.add(pair.b, b_.size())) result_.near_b.push_back(pair.b);
   }

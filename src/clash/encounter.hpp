@@ -43,6 +43,7 @@ struct Encounter {
   std::vector<exact::Contact> contacts;       ///< that share a point, sorted; but for those that share one corner alone
   std::array<std::uint64_t, 3> counts{};      ///< of all contacts, by Kind
   bool is_whole = true;                       ///< nothing was left out of `near`
+  bool leaves_out_small = false;              ///< pairs of small triangles were
 
   [[nodiscard]] bool is_near() const { return !near_a.empty(); }
 };

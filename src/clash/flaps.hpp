@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -50,25 +48,5 @@ std::optional<Stretch> stretch_of(const Line& line, const Triangle& triangle, st
 
 /// Counterclockwise as seen against the line's direction; those in one half-plane make one entry.
 std::vector<std::vector<Flap>> in_order(const Line& line, const std::vector<Flap>& flaps);
-
-/// Calls `take` with the flaps over each piece of the line between the ends of stretches. Until it returns false.
-template <class Take>
-void each_section(std::vector<Stretch> stretches, const Take& take) {
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& p, const Stretch& q) { return p.lo < q.lo; });
-  std::vector<exact::Rational> ends;
-  for (const Stretch& stretch : stretches) ends.push_back(stretch.lo), ends.push_back(stretch.hi);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::vector<const Stretch*> open;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    open.erase(std::remove_if(open.begin(), open.end(), [&](const Stretch* s) { return s->hi <= ends[i]; }),
-               open.end());
-    for (; next < stretches.size() && stretches[next].lo == ends[i]; ++next) open.push_back(&stretches[next]);
-    std::vector<Flap> flaps;
-    for (const Stretch* const stretch : open) flaps.insert(flaps.end(), stretch->flaps.begin(), stretch->flaps.end());
-    if (!take(flaps)) return;
-  }
-}
 
 }  // namespace impinge::clash

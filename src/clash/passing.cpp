@@ -6,204 +6,149 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "clash/fold_side.hpp"
+#include "clash/around_lines.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/sheets.hpp"
-#include "clash/slab.hpp"
-#include "core/disjoint_sets.hpp"
-#include "measure/nearest.hpp"
-#include "measure/triangle_distance.hpp"
+#include "clash/near_rays.hpp"
+#include "clash/sections.hpp"
 
+/// As exactly, with what is near taken for what is common: lines are edges that run near the other part, and those in
+/// which two triangles cross. What lies about them counts where it goes on beyond the tolerance, over pieces that are
+/// longer than a point makes them.
 namespace impinge::clash {
 namespace {
 
-/// Where two sheets are near each other.
-struct Place {
-  SidesSeen a_at_b, b_at_a;
-  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};  ///< of what is near
-
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-};
-
 class Passing {
  public:
-  Passing(const LinkedPart& a, const LinkedPart& b, double tolerance)
-      : a_(a.part.body), b_(b.part.body), tolerance_(tolerance), frame_(local_frame(a_.box, b_.box)) {}
+  Passing(const std::array<Side, 2>& sides, double tolerance, const std::stop_token& stop)
+      : a_(sides[0]),
+        b_(sides[1]),
+        near_(a_.part.body, b_.part.body, tolerance),
+        margin_(kReach * tolerance),
+        stop_(stop),
+        around_(a_.sheets, b_.sheets),
+        rows_of_a_(rows_of(b_, a_)),
+        rows_of_b_(rows_of(a_, b_)) {}
 
-  /// Grows the box of what `own` has near the other's triangle, and returns the sides of the triangle on which it goes
-  /// on. They are not looked for on those that are `known`.
-  std::uint8_t see(const Triangle& own, const PartTriangle& other, bool is_bent, std::uint8_t known, Box& near) const {
-    const auto slab = make_slab(other.local, frame_.unit * tolerance_, frame_.scale);
-    if (!slab || !slab->has_plane) return 0;
-    const Polygon piece = between(Polygon(own), *slab);
-    for (const Vec3& point : along(piece, *slab)) near.lo = min(near.lo, point), near.hi = max(near.hi, point);
-    const std::uint8_t found = over(piece, *slab, other, known);
-    return is_bent ? found | around(own, *slab, other, known | found) : found;
+  bool find() {
+    return some_cross() || look_along_edges(a_, true) || look_along_edges(b_, false) ||
+           (join_areas(), around_.pass_at_areas());
   }
 
-  [[nodiscard]] PartTriangle triangle(const LinkedPart& part, std::uint32_t id) const {
-    return {part, frame_, id, frame_.to_local(part.part.body.triangle(id))};
-  }
-
-  /// A point has no length: what two sheets that meet in one have near each other is longer than the tolerance only as
-  /// far as the angle between them is flat.
-  [[nodiscard]] bool is_long(const Box& near) const {
-    constexpr double kLong = 16;
-    return !is_empty(near) && norm(near.hi - near.lo) > kLong * frame_.unit * tolerance_;
+  /// Pairs of which it is open what they share.
+  [[nodiscard]] std::vector<TrianglePair> open_pairs() const {
+    std::vector<TrianglePair> open;
+    for (std::uint32_t i = 0; i < a_.met.size() && !stop_.stop_requested(); ++i)
+      for (const std::uint32_t j : a_.met[i])
+        if (near_.is_open(local(a_, i), local(b_, j))) open.push_back({a_.sheets.ids[i], b_.sheets.ids[j]});
+    return open;
   }
 
  private:
-  static constexpr std::uint8_t kBoth = kAbove | kBelow;
+  /// In tolerances: beyond a line's box, what may still be near a point of it.
+  static constexpr double kReach = 4;
 
-  static Polygon between(Polygon piece, const Slab& slab) {
-    for (std::size_t i = 0; i < slab.size && piece.size() > 0; ++i) piece = cut(piece, slab.sides[i]).within;
-    return piece;
-  }
-  static Polygon along(const Polygon& piece, const Slab& slab) {
-    return cut(cut(piece, slab.top).within, slab.bottom).within;
+  [[nodiscard]] Triangle local(const Side& side, std::uint32_t index) const {
+    return near_.frame().to_local(side.triangle(index));
   }
 
-  /// What goes on over the triangle, however far.
-  [[nodiscard]] std::uint8_t over(Polygon piece, const Slab& slab, const PartTriangle& other,
-                                  std::uint8_t known) const {
-    const auto sides = sides_of(other.local);
-    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
-    if (piece.size() == 0) return 0;
-    const Cut top = cut(piece, slab.top), bottom = cut(piece, slab.bottom);
-    std::uint8_t found = 0;
-    for (const auto& [side, beyond] : {std::pair(kAbove, &top.beyond), {kBelow, &bottom.beyond}})
-      if ((known & side) == 0 && beyond->size() > 0 && goes_on(*beyond, other)) found |= side;
-    return found;
+  bool some_cross() {
+    for (std::uint32_t i = 0; i < a_.met.size(); ++i)
+      for (const std::uint32_t j : a_.met[i]) {
+        if (stop_.stop_requested()) return false;
+        if (near_.cross(local(a_, i), local(b_, j))) return true;
+      }
+    return false;
   }
 
-  /// What goes on close to the triangle, but beyond its edges: over none of those that meet there, if it is on the
-  /// outer side of a fold.
-  [[nodiscard]] std::uint8_t around(const Triangle& own, Slab slab, const PartTriangle& other,
-                                    std::uint8_t known) const {
-    if (known == kBoth) return 0;
-    const double wider = 3 * frame_.unit * tolerance_;
-    slab.top.offset += wider, slab.bottom.offset += wider;
-    for (std::size_t i = 0; i < slab.size; ++i) slab.sides[i].offset += wider;
-    const Polygon piece = along(between(Polygon(own), slab), slab);
-    if (piece.size() == 0) return 0;
-    std::uint8_t found = 0;
-    const auto try_at = [&](const Vec3& point) {
-      const std::uint8_t side = side_of_fold(other, point, frame_.unit * tolerance_);
-      if ((side & ~(known | found)) != 0 && is_seen(point, other)) found |= side;
-    };
-    try_at(piece.middle());
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const Vec3 &vertex = piece[i], &next = piece[(i + 1) % piece.size()];
-      try_at(vertex), try_at(0.5 * (vertex + next));
+  void join_areas() {
+    for (std::uint32_t j = 0; j < b_.met.size(); ++j) {
+      std::optional<std::uint32_t> first;
+      for (const std::uint32_t i : b_.met[j]) {
+        if (!near_.share_area(local(a_, i), local(b_, j))) continue;
+        if (first) around_.join(*first, i);
+        first = i;
+      }
     }
-    return found;
   }
 
-  /// Across the triangle's plane along its edges, a little wider than it: what runs along an edge is seen from one of
-  /// the triangles there at least.
-  [[nodiscard]] std::array<HalfSpace, 3> sides_of(const Triangle& t) const {
-    const Vec3 up = cross(t[1] - t[0], t[2] - t[0]);
-    std::array<HalfSpace, 3> sides;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 across = cross(t[(i + 1) % 3] - t[i], up);
-      const Vec3 normal = (1 / norm(across)) * across;
-      sides[i] = {normal, dot(normal, t[i]) + frame_.unit * tolerance_ / 16};
-    }
-    return sides;
-  }
-
-  /// Whether a point is farther than the tolerance from the other body, and of that body no nearer to another triangle:
-  /// what passes beyond the triangle's end, before another face, is that one's to tell.
-  [[nodiscard]] bool is_seen(const Vec3& point, const PartTriangle& triangle) const {
-    const auto& body = triangle.part.part.body.placed;
-    const Vec3 world = frame_.to_world(point);
-    if (measure::nearest_point(body, world, tolerance_, tolerance_)) return false;
-    constexpr double kNearer = 1 - 0x1p-20;
-    const double distance = measure::point_distance(point, triangle.local, kFarthest).distance / frame_.unit;
-    return !measure::nearest_point(body, world, kNearer * distance, kNearer * distance);
-  }
-
-  /// Whether some of the points that are tried is seen from the triangle.
-  [[nodiscard]] bool goes_on(const Polygon& piece, const PartTriangle& triangle) const {
-    const auto seen = [&](const Vec3& point) { return is_seen(point, triangle); };
-    const Vec3 middle = piece.middle();
-    if (seen(middle)) return true;
-    return std::any_of(piece.begin(), piece.end(), [&](const Vec3& vertex) {
-      // Close to where the piece leaves the triangle other faces are the farthest away.
-      constexpr std::array kShares{0.0, 0x1p-6, 0x1p-3, 0x1p-1};
-      return std::any_of(kShares.begin(), kShares.end(),
-                         [&](double share) { return seen(vertex + share * (middle - vertex)); });
+  bool look_along_edges(const Side& side, bool is_a) {
+    const std::vector<Uses> edges = edges_of(side);
+    return std::any_of(edges.begin(), edges.end(), [&](const Uses& uses) {
+      const Triangle first = side.triangle(uses[0] / 3);
+      return !stop_.stop_requested() && look_along(first[uses[0] % 3], first[(uses[0] % 3 + 1) % 3], uses, is_a);
     });
   }
 
-  static constexpr double kFarthest = std::numeric_limits<double>::infinity();
-
-  const solid::Body &a_, &b_;
-  double tolerance_;
-  LocalFrame frame_;
-};
-
-/// Around which triangles of some sheets the surface is bent; looked up once. Elsewhere what goes on beyond an edge is
-/// over one of the triangles there, as wide as they are taken: a bend of 2^-6 makes room for 1/16 of the tolerance in
-/// four.
-class Bends {
- public:
-  explicit Bends(const Sheets& sheets) : bent_(sheets.ids.size()) {}
-  bool operator()(std::uint32_t index, const PartTriangle& triangle) {
-    if (!bent_[index]) bent_[index] = is_bent_around(triangle);
-    return *bent_[index];
+  bool look_along(const Vec3& from, const Vec3& to, const Uses& uses, bool is_a) {
+    const auto line = near_.line(near_.frame().to_local(from), near_.frame().to_local(to));
+    if (!line) return false;
+    const Vec3 margin{margin_, margin_, margin_};
+    const Box box{min(from, to) - margin, max(from, to) + margin};
+    std::vector<std::uint32_t> own, other;
+    for (const std::uint32_t use : uses) (is_a ? rows_of_b_ : rows_of_a_)[use / 3].find(box, other);
+    std::vector<NearStretch> stretches = stretches_of(*line, other, !is_a);
+    if (stretches.empty()) return false;
+    for (const NearStretch& stretch : stretches) (is_a ? rows_of_a_ : rows_of_b_)[stretch.number / 2].find(box, own);
+    const std::vector<NearStretch> of_own = stretches_of(*line, own, is_a);
+    stretches.insert(stretches.end(), of_own.begin(), of_own.end());
+    return look_at_sections(*line, stretches);
   }
 
- private:
-  std::vector<std::optional<bool>> bent_;
-};
+  /// Where a triangle's stretch may end or not, nothing is told.
+  struct Piece {
+    double lo, hi;
+    const NearStretch* stretch;  ///< none where it is open whether the triangle is there
+  };
 
-/// Every near pair, those that the encounter left out too.
-void each_near(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
-               const measure::TakePair& take, const std::stop_token& stop) {
-  if (!encounter.is_whole) return measure::near_pairs(a.part.body.placed, b.part.body.placed, tolerance, take, stop);
-  for (const TrianglePair& pair : encounter.near)
-    if (stop.stop_requested() || !take(pair)) return;
-}
+  bool look_at_sections(const NearLine& line, const std::vector<NearStretch>& stretches) {
+    std::vector<Piece> pieces;
+    for (const NearStretch& s : stretches)
+      for (const Piece& piece :
+           {Piece{s.lo, s.surely_lo, nullptr}, Piece{s.surely_lo, s.surely_hi, &s}, Piece{s.surely_hi, s.hi, nullptr}})
+        if (piece.lo < piece.hi) pieces.push_back(piece);
+    bool passing = false;
+    each_section(std::move(pieces), [&](const std::vector<const Piece*>& open, double lo, double hi) {
+      if (!near_.is_long(hi - lo) || open.size() < 2) return true;
+      std::vector<const NearStretch*> there;
+      there.reserve(open.size());
+      for (const Piece* const piece : open) there.push_back(piece->stretch);
+      if (std::count(there.begin(), there.end(), nullptr) > 0) return true;
+      const auto rays = near_.rays(line, (lo + hi) / 2, there);
+      passing = rays && around_.look_around(*rays);
+      return !passing;
+    });
+    return passing;
+  }
+
+  std::vector<NearStretch> stretches_of(const NearLine& line, std::vector<std::uint32_t>& triangles, bool of_a) const {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    std::vector<NearStretch> stretches;
+    for (const std::uint32_t t : triangles)
+      if (const auto stretch = near_.stretch(line, local(of_a ? a_ : b_, t), 2 * t + (of_a ? 0 : 1)))
+        stretches.push_back(*stretch);
+    return stretches;
+  }
+
+  const Side &a_, &b_;
+  NearGeometry near_;
+  double margin_;  ///< in the world
+  const std::stop_token& stop_;
+  AroundLines around_;
+  std::vector<Row> rows_of_a_, rows_of_b_;  ///< those that are near each triangle of the other part
+};
 
 }  // namespace
 
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop) {
-  const Sheets of_a = sheets_of(a.part, encounter.near_a), of_b = sheets_of(b.part, encounter.near_b);
-  const auto count_a = static_cast<std::uint32_t>(of_a.ids.size());
-  const auto is_proper = [&](const TrianglePair& pair) {
-    return a.part.is_boundary(pair.a) && b.part.is_boundary(pair.b);
-  };
-  DisjointSets groups(of_a.ids.size() + of_b.ids.size());
-  const auto join = [&](const TrianglePair& pair) {
-    if (is_proper(pair)) groups.join(of_a.index(pair.a), count_a + of_b.index(pair.b));
-    return true;
-  };
-  each_near(a, b, tolerance, encounter, join, stop);
-
-  const Passing passing(a, b, tolerance);
-  Bends bent_a(of_a), bent_b(of_b);
-  std::map<std::array<std::uint32_t, 3>, Place> places;
-  bool pass = false;
-  const auto look_at = [&](const TrianglePair& pair) {
-    if (!is_proper(pair)) return true;
-    const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
-    Place& place = places[{groups.find(i), of_a.cluster[i], of_b.cluster[j]}];
-    const PartTriangle of_pair_a = passing.triangle(a, pair.a), of_pair_b = passing.triangle(b, pair.b);
-    const std::uint8_t known_a = place.b_at_a.from(of_a, i), known_b = place.a_at_b.from(of_b, j);
-    place.b_at_a.add(of_a, i, passing.see(of_pair_b.local, of_pair_a, bent_a(i, of_pair_a), known_a, place.box));
-    place.a_at_b.add(of_b, j, passing.see(of_pair_a.local, of_pair_b, bent_b(j, of_pair_b), known_b, place.box));
-    pass = place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box);
-    return !pass;
-  };
-  each_near(a, b, tolerance, encounter, look_at, stop);
-  return pass;
+  const std::array<Side, 2> sides = sides_of(a.part, b.part, encounter.near, encounter.near_a, encounter.near_b);
+  Passing passing(sides, tolerance, stop);
+  return passing.find() || pass_widely(a, b, tolerance, encounter, passing.open_pairs(), stop);
 }
 
 }  // namespace impinge::clash

@@ -10,14 +10,19 @@
 
 namespace impinge::clash {
 
-/// Whether two surfaces go through each other somewhere, farther than the tolerance on all four sides. A place is a set
-/// of near pairs that hang together by common triangles, of two sheets: triangles that hang together by common
-/// vertices. There, each sheet is on both sides of the other, where it comes within the other's triangles and is not
-/// near another of them, and the place is longer than a point is: an edge that ends on a face, or pokes through it by
-/// no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles hand them on; a
-/// one-sided surface has none. `encounter` is as in near_cells.
+/// Whether two surfaces go through each other somewhere, farther than the tolerance on all four sides: around a piece
+/// of a line, or a common area, that is longer than a point is (docs/verdicts.md). `encounter` is as in near_cells.
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop);
+
+/// The same for what hangs together with pairs of triangles so narrow or so flush that the rays around a line cannot be
+/// told. A place is a set of near pairs that hang together by common triangles, of two sheets: triangles that hang
+/// together by common vertices. There, each sheet is on both sides of the other, where it comes within the other's
+/// triangles and is not near another of them, and the place is longer than a point is: an edge that ends on a face, or
+/// pokes through it by no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles
+/// hand them on; a one-sided surface has none.
+bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
+                 std::span<const TrianglePair> open, const std::stop_token& stop);
 
 /// The same, exactly: two triangles cross, or somewhere along a common line, or around a common area, each sheet is on
 /// both sides of the other. `contacts` are all pairs of triangles that share more than

@@ -144,6 +144,42 @@ TEST(Passing, APlateThroughARidgeUpToTheNextSheet) {
   }
 }
 
+TEST(Passing, APlateOnTheWebOfAT) {
+  for (const bool is_cut : {false, true}) {
+    const Profile flange = is_cut ? Profile{{-3, 0}, {0, 0}, {3, 0}} : Profile{{-3, 0}, {3, 0}};
+    for (const std::vector<double>& places : {std::vector<double>{0, 8}, {0, 2, 4, 6, 8}}) {
+      const MeshData t = scenes::joined(swept(flange, places), swept({{0, 0}, {0, -5}}, places));
+      expect_verdict(Verdict::crossing, t, swept({{0, 2}, {0, -4}}, {2, 6}), "through the flange");
+      expect_verdict(Verdict::crossing, t, swept({{0, 2}, {0, 0}, {0, -4}}, {2, 6}), "through it, and cut there");
+      expect_verdict(Verdict::touching, t, swept({{0, 0}, {0, -4}}, {2, 6}), "up to the flange");
+      expect_verdict(Verdict::touching, t, swept({{0, 3}, {0, 0}}, {2, 6}), "on the flange");
+      expect_verdict(Verdict::touching, t, swept({{-1, 0}, {4, 0}}, {2, 6}), "along the flange");
+    }
+  }
+}
+
+/// A sheet that ends a few tolerances above and below another one, each triangle within less than that of it.
+TEST(Passing, ASheetThroughANearlyFlushOne) {
+  constexpr double kTolerance = 1e-3;
+  const auto sheet = [](double height, std::uint32_t pieces) {
+    Profile profile;
+    std::vector<double> places;
+    for (std::uint32_t i = 0; i <= pieces; ++i) {
+      const double at = double(i) / pieces;
+      profile.push_back({5 * at - 2.5, height * (2 * at - 1)}), places.push_back(6 * at);
+    }
+    return swept(profile, places);
+  };
+  for (const double height : {2.5, 10.0, 30.0, 300.0})
+    for (const std::uint32_t pieces : {1U, 10U, 30U}) {
+      test::Seeded seeded(pieces);
+      const Pose pose = scenes::random_motion(seeded.random, 10);
+      const MeshData through = sheet(height * kTolerance, pieces + 1);
+      EXPECT_EQ(verdict(sheet(0, pieces), through, pose, kTolerance), name(Verdict::crossing)) << height;
+      EXPECT_EQ(verdict(through, sheet(0, pieces), pose, kTolerance), name(Verdict::crossing)) << height;
+    }
+}
+
 /// Half-planes that begin at one line, in the order of their angles: two sheets of two each pass through each other if
 /// and only if one's are on different sides of the other's.
 TEST(Passing, TwoSheetsAroundALine) {

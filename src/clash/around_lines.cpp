@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/around_lines.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace impinge::clash {
+namespace {
+
+/// Where two sheets share an area: on which sides of either the other one is.
+struct Place {
+  SidesSeen a_at_b, b_at_a;
+};
+
+bool has(const Ray& ray, bool a) {
+  return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) { return is_of_a(flap) == a; });
+}
+
+}  // namespace
+
+Row::Row(const Side& side, const std::vector<std::uint32_t>& triangles) {
+  for (const std::uint32_t t : triangles) entries_.push_back({box_of(side.triangle(t)), 0, t});
+  std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.box.lo.x < q.box.lo.x; });
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    entries_[i].reach = i == 0 ? entries_[i].box.hi.x : std::max(entries_[i].box.hi.x, entries_[i - 1].reach);
+}
+
+void Row::find(const Box& box, std::vector<std::uint32_t>& found) const {
+  auto entry = std::upper_bound(entries_.begin(), entries_.end(), box.hi.x,
+                                [](double x, const Entry& e) { return x < e.box.lo.x; });
+  while (entry != entries_.begin() && std::prev(entry)->reach >= box.lo.x) {
+    --entry;
+    if (overlap(entry->box, box)) found.push_back(entry->triangle);
+  }
+}
+
+std::vector<Row> rows_of(const Side& side, const Side& other) {
+  std::vector<Row> rows;
+  for (const auto& met : side.met) rows.emplace_back(other, met);
+  return rows;
+}
+
+std::vector<Uses> edges_of(const Side& side) {
+  std::map<std::array<std::uint32_t, 2>, Uses> edges;
+  for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) {
+    const auto& corners = side.part.body.placed.mesh->triangles[side.sheets.ids[t]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = side.part.topology.position[corners[k]];
+      const std::uint32_t q = side.part.topology.position[corners[(k + 1) % 3]];
+      edges[{std::min(p, q), std::max(p, q)}].push_back(3 * t + static_cast<std::uint32_t>(k));
+    }
+  }
+  std::vector<Uses> uses;
+  uses.reserve(edges.size());
+  for (auto& [positions, of_edge] : edges) uses.push_back(std::move(of_edge));
+  return uses;
+}
+
+bool AroundLines::look_around(const std::vector<Ray>& rays) {
+  std::optional<std::uint32_t> area;
+  for (const Ray& ray : rays) {
+    if (!has(ray, true) || !has(ray, false)) continue;
+    for (const Flap& flap : ray) {
+      if (!is_of_a(flap)) continue;
+      if (area) areas_.join(*area, flap.triangle / 2);
+      area = flap.triangle / 2;
+    }
+  }
+  if (alternate(rays)) return true;
+  for (std::size_t i = 0; area && i < rays.size(); ++i)
+    if (has(rays[i], true) != has(rays[i], false)) note_sides(rays, i, *area);
+  return false;
+}
+
+bool AroundLines::pass_at_areas() {
+  std::map<std::array<std::uint32_t, 3>, Place> places;
+  for (const Seen& seen : seen_) {
+    const std::uint32_t of_a = (seen.is_a ? seen.own : seen.from).triangle / 2;
+    const std::uint32_t of_b = (seen.is_a ? seen.from : seen.own).triangle / 2;
+    Place& place = places[{areas_.find(seen.area), a_.cluster[of_a], b_.cluster[of_b]}];
+    if (seen.is_a)
+      place.a_at_b.add(b_, of_b, seen.sides);
+    else
+      place.b_at_a.add(a_, of_a, seen.sides);
+  }
+  return std::any_of(places.begin(), places.end(), [](const auto& entry) {
+    return entry.second.a_at_b.has_both() && entry.second.b_at_a.has_both();
+  });
+}
+
+std::uint32_t AroundLines::cluster_of(const Flap& flap) const {
+  return (is_of_a(flap) ? a_ : b_).cluster[flap.triangle / 2];
+}
+
+/// Whether around a line there is, of some sheets, one, the other, the one and the other again. One of the four may be
+/// in both: a plate that lies on the web of a T goes through the flange if it goes on there.
+bool AroundLines::alternate(const std::vector<Ray>& rays) const {
+  std::set<std::uint32_t> clusters_a, clusters_b;
+  for (const Ray& ray : rays)
+    for (const Flap& flap : ray) (is_of_a(flap) ? clusters_a : clusters_b).insert(cluster_of(flap));
+  for (const std::uint32_t cluster_a : clusters_a)
+    for (const std::uint32_t cluster_b : clusters_b)
+      if (alternate(rays, cluster_a, cluster_b)) return true;
+  return false;
+}
+
+bool AroundLines::alternate(const std::vector<Ray>& rays, std::uint32_t cluster_a, std::uint32_t cluster_b) const {
+  enum class In : std::uint8_t { a, b, both };
+  std::vector<In> order;
+  for (const Ray& ray : rays) {
+    const auto has = [&](bool a) {
+      return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) {
+        return is_of_a(flap) == a && cluster_of(flap) == (a ? cluster_a : cluster_b);
+      });
+    };
+    const bool in_a = has(true), in_b = has(false);
+    if (in_a || in_b) order.push_back(!in_b ? In::a : !in_a ? In::b : In::both);
+  }
+  const auto alone = std::find_if(order.begin(), order.end(), [](In in) { return in != In::both; });
+  if (alone == order.end()) return false;
+  std::rotate(order.begin(), alone, order.end());
+  order.push_back(order.front());
+  int changes = 0;
+  bool is_parted = false;  ///< by a ray that is in both there is, of one sheet, one before and one behind it
+  In last = order.front();
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (order[i] == In::both) continue;
+    changes += int{order[i] != last};
+    is_parted |= order[i] == last && order[i - 1] == In::both;
+    last = order[i];
+  }
+  return changes >= 4 || (changes == 2 && is_parted);
+}
+
+/// Of a ray that is in one part alone: it is between two of the other's, behind the one and ahead of the next. Beside
+/// a single one it is on neither side: the other part ends there.
+void AroundLines::note_sides(const std::vector<Ray>& rays, std::size_t at, std::uint32_t area) {
+  const bool is_a = has(rays[at], true);
+  const auto next = [&](std::size_t step) {
+    std::size_t i = at;
+    do i = (i + step) % rays.size();
+    while (!has(rays[i], !is_a));
+    return i;
+  };
+  const std::size_t before = next(rays.size() - 1), after = next(1);
+  if (before == after) return;
+  for (const std::size_t i : {before, after})
+    for (const Flap& from : rays[i])
+      if (is_of_a(from) != is_a)
+        for (const Flap& own : rays[at])
+          seen_.push_back({area, own, from, is_a, from.ahead_is_front == (i == before) ? kAbove : kBelow});
+}
+
+}  // namespace impinge::clash
