@@ -139,6 +139,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const auto write_html = [&](Sink& sink) -> Result<void> {
     const Result<DrawnScene> scene = draw(review->assembly, arguments.page_triangles, stop);
     if (!scene) return scene.error();
+    if (!arguments.quiet) mention_simplified(*scene);
     return write_page(sink, *page, title_of(arguments.files), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();

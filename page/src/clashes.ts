@@ -229,6 +229,10 @@ const kVerbs: Record<Verdict, string> = {
   touching: 'touches',
   apart: 'is too near',
 };
+/** Of a pair that persists: its verdict comes before the earlier one. */
+export const isWorse = ({ pair }: Clash): boolean =>
+  pair?.change === 'persisting' && pair.was != null && kVerdicts.indexOf(pair.verdict) < kVerdicts.indexOf(pair.was);
+
 /** Of a motion it is not told which of two parts is the inner one. */
 export const verbOf = ({ verdict, pair }: Clash): string =>
   verdict === 'inside' && pair?.span ? 'lies inside or around' : kVerbs[verdict];
