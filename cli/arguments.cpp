@@ -36,6 +36,12 @@ struct Parser {
     const std::vector<CLI::App*> parsed = app.get_subcommands();
     return parsed.empty() ? nullptr : parsed.front();
   }
+
+  /// The same, or the program itself.
+  [[nodiscard]] const CLI::App& innermost() const {
+    const CLI::App* const named = command();
+    return named != nullptr ? *named : app;
+  }
 };
 
 std::vector<HelpEntry> options_of(const CLI::App& command) {
@@ -104,7 +110,7 @@ std::string commands_with(const Parser& parser, const std::string& option) {
 }
 
 Error unknown_option(const Parser& parser, const std::string& word) {
-  const CLI::App& command = parser.command() != nullptr ? *parser.command() : parser.app;
+  const CLI::App& command = parser.innermost();
   // An option and its value may have come as one word.
   const std::string name = word.substr(0, word.find('='));
   const std::vector<std::string> known = option_names(command);
@@ -147,7 +153,7 @@ std::vector<std::string> extras(const Parser& parser) {
 /// --first = maybe".
 std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
   std::string text = error.what();
-  const CLI::App& command = parser.command() != nullptr ? *parser.command() : parser.app;
+  const CLI::App& command = parser.innermost();
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
     std::string name = "--" + option->get_lnames().front();
