@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "command_options.hpp"
@@ -28,14 +29,20 @@ struct Parser {
   CLI::App* info = nullptr;
   CLI::App* devices = nullptr;
 
+  [[nodiscard]] std::array<const CLI::App*, 6> commands() const { return {check, clash, motion, view, info, devices}; }
+
   /// The command that the user is in; null before one is named.
   [[nodiscard]] const CLI::App* command() const {
     const std::vector<CLI::App*> parsed = app.get_subcommands();
     return parsed.empty() ? nullptr : parsed.front();
   }
-};
 
-Error bad(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
+  /// The same, or the program itself.
+  [[nodiscard]] const CLI::App& innermost() const {
+    const CLI::App* const named = command();
+    return named != nullptr ? *named : app;
+  }
+};
 
 std::vector<HelpEntry> options_of(const CLI::App& command) {
   std::vector<HelpEntry> entries;
@@ -66,31 +73,72 @@ std::string help_command(const Parser& parser) {
   return parser.command() == nullptr ? "impinge --help" : "impinge " + parser.command()->get_name() + " --help";
 }
 
-Error unexpected(const Parser& parser, const std::string& word) {
-  const CLI::App* const command = parser.command();
-  const bool option = word.starts_with('-');
-  if (command == nullptr && !option) {
-    return bad(fmt::format(
-        "there is no command '{}'; impinge check FILE... finds what touches, impinge --help tells more", word));
+/// The candidate that is nearest to the word: what the word begins, or what differs from it in few letters. Or nothing.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto letters =
+      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), [](char c) { return c != '-'; }));
+  std::size_t least = std::min<std::size_t>((letters + 1) / 2, 3) + 1;  // of two words so far apart neither is a slip
+  std::string found;
+  for (const std::string& candidate : candidates) {
+    const bool is_begun = letters > 1 && candidate.starts_with(word);
+    const std::size_t distance = is_begun ? 0 : edit_distance(word, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    found = candidate;
   }
-  if (command == parser.devices && !option)
-    return bad("impinge devices takes no file, and no word such as '" + word + "'");
+  return found;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+  return names;
+}
+
+/// "impinge clash, motion and view": the commands that have this option; empty if none has.
+std::string commands_with(const Parser& parser, const std::string& option) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : parser.commands()) {
+    const std::vector<std::string> options = option_names(*command);
+    if (std::find(options.begin(), options.end(), option) != options.end()) names.push_back(command->get_name());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "impinge " : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text.empty() ? text : text + (names.size() == 1 ? " has it" : " have it");
+}
+
+Error unknown_option(const Parser& parser, const std::string& word) {
+  const CLI::App& command = parser.innermost();
   // An option and its value may have come as one word.
   const std::string name = word.substr(0, word.find('='));
-  std::string nearest;
-  std::size_t distance = 4;
-  if (option && command != nullptr && command != parser.devices) {
-    for (const CLI::Option* known : command->get_options()) {
-      if (known->get_lnames().empty()) continue;
-      const std::string candidate = "--" + known->get_lnames().front();
-      if (const std::size_t d = edit_distance(name, candidate); d < distance) {
-        distance = d;
-        nearest = candidate;
-      }
-    }
+  const std::vector<std::string> known = option_names(command);
+  if (std::find(known.begin(), known.end(), name) != known.end())
+    return bad_option(fmt::format("'{}' stands before the command; options come after it, as in impinge {} FILE... {}",
+                                  name, command.get_name(), name));
+  std::string mend = commands_with(parser, name);
+  if (mend.empty()) {
+    mend = nearest(name, known);
+    if (!mend.empty()) mend = fmt::format("did you mean {}?", mend);
   }
-  const std::string mend = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
-  return bad(fmt::format("there is no option '{}' here{}; see {}", name, mend, help_command(parser)));
+  return bad_option(fmt::format("there is no option '{}' here{}; see {}", name,
+                                mend.empty() ? "" : fmt::format(" ({})", mend), help_command(parser)));
+}
+
+Error unexpected(const Parser& parser, const std::string& word) {
+  if (word.starts_with('-')) return unknown_option(parser, word);
+  if (parser.command() != nullptr && parser.command() != parser.devices)
+    return bad_option(
+        fmt::format("'{0}' stands before the command; write impinge {1} {0}", word, parser.command()->get_name()));
+  if (parser.command() != nullptr)
+    return bad_option("impinge devices takes no file, and no word such as '" + word + "'");
+  std::vector<std::string> commands;
+  for (const CLI::App* command : parser.commands()) commands.push_back(command->get_name());
+  const std::string meant = nearest(word, commands);
+  return bad_option(
+      fmt::format("there is no command '{}'{}; impinge check FILE... finds what touches, impinge --help tells more",
+                  word, meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant)));
 }
 
 /// The words that no command and no option took.
@@ -105,7 +153,7 @@ std::vector<std::string> extras(const Parser& parser) {
 /// --first = maybe".
 std::string in_plain_words(const Parser& parser, const CLI::ParseError& error) {
   std::string text = error.what();
-  const CLI::App& command = parser.command() != nullptr ? *parser.command() : parser.app;
+  const CLI::App& command = parser.innermost();
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_lnames().empty()) continue;
     std::string name = "--" + option->get_lnames().front();
@@ -125,9 +173,9 @@ Result<void> refuse_empty_values(int argc, const char* const* argv) {
     const std::string_view word(argv[i]);
     if (word == "--") break;
     if (word.starts_with("--") && word.ends_with('=') && word.find('=') == word.size() - 1)
-      return bad(fmt::format("'{}' has no value after the '='", word));
+      return bad_option(fmt::format("'{}' has no value after the '='", word));
     if (word.starts_with("--") && i + 1 < argc && *argv[i + 1] == '\0')
-      return bad(fmt::format("the value after '{}' is empty; leave both out, or give one", word));
+      return bad_option(fmt::format("the value after '{}' is empty; leave both out, or give one", word));
   }
   return {};
 }
@@ -163,23 +211,23 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError&) {
     // The only thing required is FILE.
     if (const auto extra = extras(parser); !extra.empty()) return unexpected(parser, extra.front());
-    return bad("no file to read is named; see " + help_command(parser));
+    return bad_option("no file to read is named; see " + help_command(parser));
   } catch (const CLI::RequiresError&) {
     // The only thing that requires another is --triangles.
-    return bad("--triangles goes into the JSON: name its file with --json FILE");
+    return bad_option("--triangles goes into the JSON: name its file with --json FILE");
   } catch (const CLI::ParseError& error) {
-    return bad(fmt::format("{}; see {}", in_plain_words(parser, error), help_command(parser)));
+    return bad_option(fmt::format("{}; see {}", in_plain_words(parser, error), help_command(parser)));
   }
   if (const auto extra = extras(parser); !extra.empty()) return unexpected(parser, extra.front());
   if (parser.app.get_subcommands().size() > 1)
-    return bad("check, clash, motion, view, info and devices cannot be asked for at once");
+    return bad_option("check, clash, motion, view, info and devices cannot be asked for at once");
   if (parser.check->parsed()) return take_check(std::move(raw));
   if (parser.clash->parsed()) return take_clash(std::move(raw));
   if (parser.motion->parsed()) return take_motion(std::move(raw));
   if (parser.view->parsed()) return take_view(std::move(raw));
   if (parser.info->parsed()) return take_info(std::move(raw));
   if (parser.devices->parsed()) return Command(DevicesArguments{});
-  return bad("no command is given; impinge check FILE... finds what touches, impinge --help tells more");
+  return bad_option("no command is given; impinge check FILE... finds what touches, impinge --help tells more");
 }
 
 }  // namespace impinge::cli

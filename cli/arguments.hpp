@@ -21,7 +21,7 @@ struct SceneArguments {
   std::optional<std::string> json;  ///< "-" is standard output
   int threads = 0;
   std::vector<std::pair<std::string, std::string>> ignored;
-  std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, all of them in `files`
+  std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, of `files` or the configuration
   std::uint64_t max_file_bytes = 2'000'000'000;
   bool quiet = false;
 };

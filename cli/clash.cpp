@@ -48,9 +48,13 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, c
   return clashes;
 }
 
-/// `configuration` may be null.
-Result<Review> make_review(const ClashArguments& arguments, const Configuration* configuration,
-                           const std::stop_token& stop) {
+/// What there is beside the files, if anything.
+struct Triage {
+  const Configuration* configuration = nullptr;
+  const Previous* previous = nullptr;
+};
+
+Result<Review> make_review(const ClashArguments& arguments, const Triage& triage, const std::stop_token& stop) {
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
   Review review;
   const auto start = Clock::now();
@@ -60,8 +64,8 @@ Result<Review> make_review(const ClashArguments& arguments, const Configuration*
   review.read_seconds = seconds_since(start);
 
   const auto read = Clock::now();
-  if (configuration != nullptr) {
-    Result<Plan> plan = Plan::make(*configuration, review.assembly);
+  if (triage.configuration != nullptr) {
+    Result<Plan> plan = Plan::make(*triage.configuration, review.assembly);
     if (!plan) return plan.error();
     review.plan = *std::move(plan);
   }
@@ -82,7 +86,7 @@ Result<Review> make_review(const ClashArguments& arguments, const Configuration*
   review.clashes.parts.clear();
   identify(review);
   review.types = types_of(review.assembly);
-  if (auto taken = take_stock(arguments, review); !taken) return taken.error();
+  take_stock(arguments, triage.previous, review);
   return review;
 }
 
@@ -100,6 +104,8 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const Result<ConfiguredClash> configured = configure(given);
   if (!configured) return configured.error();
   const ClashArguments& arguments = configured->arguments;
+  if (configured->configuration && !arguments.quiet)
+    for (const std::string& warning : configured->configuration->warnings) complain(warning);
   std::vector<std::string> inputs = arguments.files;
   if (arguments.config) inputs.push_back(*arguments.config);
   Documents documents(inputs);
@@ -108,8 +114,14 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
-  const Result<Review> review =
-      make_review(arguments, configured->configuration ? &*configured->configuration : nullptr, stop);
+  // Before the long work, which a file that cannot be used would cost.
+  const Result<Previous> previous =
+      arguments.previous ? read_previous(*arguments.previous, arguments.max_file_bytes) : Previous();
+  if (!previous) return previous.error();
+  const Result<Review> review = make_review(
+      arguments,
+      {configured->configuration ? &*configured->configuration : nullptr, arguments.previous ? &*previous : nullptr},
+      stop);
   if (!review) return review.error();
   if (!arguments.quiet) {
     mention_warnings(review->assembly);
@@ -120,6 +132,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const auto write_html = [&](Sink& sink) -> Result<void> {
     const Result<DrawnScene> scene = draw(review->assembly, arguments.page_triangles, stop);
     if (!scene) return scene.error();
+    if (!arguments.quiet) mention_simplified(*scene);
     return write_page(sink, *page, title_of(arguments.files), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();

@@ -55,8 +55,7 @@ std::vector<PairColumn> columns_after_names(const Review& review, const ClashArg
     columns.push_back({{"test", text}, [&review](const Clash& pair, const Standing&) {
                          return fit(printable(review.plan.tests()[pair.test].name), 40);
                        }});
-  if (arguments.previous)
-    columns.push_back({{"change", text}, [](const Clash&, const Standing& standing) { return change_text(standing); }});
+  if (arguments.previous) columns.push_back({{"change", text}, change_text});
   if (arguments.depth)
     columns.push_back({{"depth", number}, [](const Clash& pair, const Standing&) {
                          return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing;

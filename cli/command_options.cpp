@@ -24,6 +24,24 @@ void add_threads(CLI::App& command, Raw& raw) {
       ->type_name("N");
 }
 
+void add_tolerance(CLI::App& command, Raw& raw, const std::string& what) {
+  command.add_option("--tolerance", raw.tolerance, what + " (default: auto)")->type_name("auto|0|D");
+}
+
+void add_depth(CLI::App& command, bool& depth) {
+  command.add_flag("--depth", depth, "measure how deep the solids that overlap reach into each other");
+}
+
+/// `words` are those that the command takes.
+void add_fail_on(CLI::App& command, Raw& raw, const std::string& words, const std::string& more) {
+  command
+      .add_option(
+          "--fail-on", raw.fail_on,
+          words + ", or several with commas between them; may be given again (default: penetration,inside)" + more)
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+}
+
 void add_ignore(CLI::App& command, Raw& raw) {
   command
       .add_option("--ignore", raw.ignored,
@@ -138,25 +156,19 @@ void add_clash(CLI::App& command, Raw& raw) {
           "named tests between groups of parts, each with its mode, tolerance, clearance and exceptions, from a "
           "file (docs/triage.md); clash sets of IfcClash are read too")
       ->type_name("FILE");
-  command
-      .add_option("--tolerance", raw.tolerance,
-                  "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, "
-                  "2^-20 of a pair's largest coordinate (default: auto)")
-      ->type_name("auto|0|D");
+  add_tolerance(
+      command, raw,
+      "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, 2^-20 "
+      "of a pair's largest coordinate");
   command
       .add_option("--clearance", raw.clearance,
                   "list parts that are nearer to each other than C as well, with their distance")
       ->type_name("C");
-  command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
+  add_depth(command, to.depth);
   command.add_flag("--regions", to.regions,
                    "find the regions of contact, with place, area, normal and lines in the JSON");
-  command
-      .add_option("--fail-on", raw.fail_on,
-                  "what makes the exit code 1: contact, penetration, inside, clearance, or several with commas "
-                  "between them; may be given again (default: penetration,inside); with new, only what is new since "
-                  "--previous")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  add_fail_on(command, raw, "what makes the exit code 1: contact, penetration, inside, clearance",
+              "; with new, only what is new since --previous");
   add_json(command, raw, "verdicts");
   command
       .add_option("--html", raw.html,
@@ -197,14 +209,9 @@ void add_motion(CLI::App& command, Raw& raw) {
       .add_option("--animation", raw.animation,
                   "which of the file's animations, by name or number (default: the first)")
       ->type_name("NAME|N");
-  command.add_option("--tolerance", raw.tolerance, "as with impinge clash (default: auto)")->type_name("auto|0|D");
-  command.add_flag("--depth", to.depth, "measure how deep the solids that overlap reach into each other");
-  command
-      .add_option("--fail-on", raw.fail_on,
-                  "what is a clash: contact, penetration, inside, or several with commas between them; may be given "
-                  "again (default: penetration,inside)")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  add_tolerance(command, raw, "as with impinge clash");
+  add_depth(command, to.depth);
+  add_fail_on(command, raw, "what is a clash: contact, penetration, inside", "");
   add_json(command, raw, "times");
   command.add_option("--html", raw.html, "write a page to look at, with the motion on a timeline")->type_name("FILE");
   add_page_triangles(command, raw);

@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arguments.hpp"
@@ -23,6 +24,9 @@ struct Raw {
       threads, max_file, device_share, tolerance, clearance;
   std::vector<std::string> ignored, scales, fail_on;
 };
+
+/// What is wrong with the command line, as a sentence.
+inline Error bad_option(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
 
 /// Declare a command's options, which write into `raw` as the command line is parsed.
 void add_check(CLI::App& command, Raw& raw);

@@ -17,8 +17,8 @@ bool is_one_place(const std::string& a, const std::string& b) {
   if (a == "-" || b == "-") return false;
   std::error_code unknown;
   if (std::filesystem::equivalent(a, b, unknown)) return true;
-  const auto real_a = std::filesystem::weakly_canonical(std::filesystem::absolute(a), unknown);
-  const auto real_b = std::filesystem::weakly_canonical(std::filesystem::absolute(b), unknown);
+  const auto real_a = std::filesystem::weakly_canonical(std::filesystem::absolute(place_behind(a)), unknown);
+  const auto real_b = std::filesystem::weakly_canonical(std::filesystem::absolute(place_behind(b)), unknown);
   return !real_a.empty() && real_a == real_b;
 }
 

@@ -82,7 +82,7 @@ void identify(Review& review) {
   }
 }
 
-Result<void> take_stock(const ClashArguments& arguments, Review& review) {
+void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review) {
   const auto is_named = [&](const Clash& pair, Verdict verdict) {
     return review.plan.tests().empty() ? names(arguments.fail_on, verdict)
                                        : review.plan.names(pair.objects[0], pair.objects[1], pair.test, verdict);
@@ -92,13 +92,7 @@ Result<void> take_stock(const ClashArguments& arguments, Review& review) {
     return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
   };
   const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named};
-  if (arguments.previous) {
-    const Result<Previous> previous = read_previous(*arguments.previous, arguments.max_file_bytes);
-    if (!previous) return previous.error();
-    review.standings = compare(found, *previous, review.resolved);
-  } else {
-    review.standings = stand_alone(found);
-  }
+  review.standings = previous != nullptr ? compare(found, *previous, review.resolved) : stand_alone(found);
   const auto is_new = [](const Standing& standing) {
     return standing.change == Change::fresh ||
            std::any_of(standing.regions.begin(), standing.regions.end(),
@@ -109,7 +103,6 @@ Result<void> take_stock(const ClashArguments& arguments, Review& review) {
     const Clash& pair = review.clashes.pairs[i];
     standing.fails = is_named(pair, pair.verdict) && (!arguments.fail_on.fresh || is_new(standing));
   }
-  return {};
 }
 
 std::vector<std::string> words_of(const FailOn& fail_on) {

@@ -13,6 +13,7 @@
 #include "part.hpp"
 #include "triage/grouping.hpp"
 #include "triage/plan.hpp"
+#include "triage/previous.hpp"
 #include "triage/standing.hpp"
 
 namespace impinge::cli {
@@ -55,9 +56,8 @@ std::uint64_t count_failing(const Review& review);
 /// Fills in by what the pairs and files are known.
 void identify(Review& review);
 
-/// Fills in what the pairs are since the previous run, if there is one, and which fail. Errors: those of
-/// `read_previous`.
-Result<void> take_stock(const ClashArguments& arguments, Review& review);
+/// Fills in what the pairs are since the previous run, which may be null, and which fail.
+void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review);
 
 /// The words of `--fail-on` that are set.
 std::vector<std::string> words_of(const FailOn& fail_on);

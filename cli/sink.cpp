@@ -110,10 +110,9 @@ Result<Target> Target::check(std::string_view name, const DocumentKind& kind) {
     target.standard_output_ = true;
     return target;
   }
-  std::error_code ignored;
-  target.place_ = std::filesystem::path(name);
-  // A link stays a link: what it points to is replaced.
-  if (auto real = std::filesystem::canonical(target.place_, ignored); !ignored) target.place_ = std::move(real);
+  target.place_ = place_behind(name);
+  std::error_code unknown;
+  if (std::filesystem::is_symlink(target.place_, unknown)) return cannot_write(in_quotes(name), ELOOP);
 
   struct stat about {};
   if (::stat(target.place_.c_str(), &about) == 0) {
@@ -178,6 +177,19 @@ Result<void> Written::put() {
   if (::rename(temporary_.c_str(), place_.c_str()) != 0) return cannot_write(in_quotes(place_), errno);
   temporary_.clear();
   return {};
+}
+
+std::filesystem::path place_behind(const std::filesystem::path& name) {
+  constexpr int kMostLinks = 40;  // as the system allows
+  std::error_code unknown;
+  if (auto real = std::filesystem::canonical(name, unknown); !unknown) return real;
+  std::filesystem::path place = name;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(place, unknown); ++i) {
+    const auto next = std::filesystem::read_symlink(place, unknown);
+    if (unknown) break;
+    place = place.parent_path() / next;  // which is `next` alone if that begins at the root
+  }
+  return place;
 }
 
 void complain(std::string_view sentence) {

@@ -71,7 +71,8 @@ class Written {
 class Target {
  public:
   /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is
-  /// empty or begins like such a document: `--json a.obj b.obj` must not cost its author a.obj. Errors: `bad_file`.
+  /// empty or begins like such a document: `--json a.obj b.obj` must not cost its author a.obj. A link stays a link,
+  /// and what it points to is written. Errors: `bad_file`.
   static Result<Target> check(std::string_view name, const DocumentKind& kind);
 
   [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
@@ -101,6 +102,10 @@ class Target {
   bool direct_ = false;
   std::filesystem::path place_;
 };
+
+/// Where the bytes of a file of this name lie or would lie: what a link points to, also if nothing is there yet. Of
+/// links that lead in a circle, one of them.
+std::filesystem::path place_behind(const std::filesystem::path& name);
 
 /// "impinge: " and the sentence, on one line of standard error, safe for a terminal.
 void complain(std::string_view sentence);

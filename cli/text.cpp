@@ -210,15 +210,17 @@ bool matches_pattern(std::string_view pattern, std::string_view text) {
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   constexpr std::size_t kMost = 200;
   const std::vector<char32_t> from = characters(a, kMost), to = characters(b, kMost);
-  std::vector<std::size_t> row(to.size() + 1);
+  const auto same = [&](std::size_t i, std::size_t j) { return folded(from[i]) == folded(to[j]); };
+  // Rows of the table of Wagner and Fischer: for the characters before i and j, and one row further back for swaps.
+  std::vector<std::size_t> row(to.size() + 1), above(row.size()), before(row.size());
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before.swap(above);
+    above.swap(row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (folded(from[i]) == folded(to[j]) ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+      row[j + 1] = std::min({above[j] + (same(i, j) ? 0 : 1), above[j + 1] + 1, row[j] + 1});
+      if (i > 0 && j > 0 && same(i, j - 1) && same(i - 1, j)) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
   }
   return row.back();

@@ -36,8 +36,8 @@ std::string fit(std::string_view text, std::size_t width);
 /// Whether `text` is what the shell pattern says: `*` stands for any characters, `?` for one.
 bool matches_pattern(std::string_view pattern, std::string_view text);
 
-/// How many characters must be typed, deleted or replaced to turn one text into the other; case costs nothing.
-/// Texts are compared in their first 200 characters.
+/// How many characters must be typed, deleted, replaced or swapped with their neighbour to turn one text into the
+/// other; case costs nothing. Texts are compared in their first 200 characters.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// 1234567 as "1,234,567".

@@ -29,6 +29,7 @@ Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
   if (!scene) return scene.error();
   line.end();
   if (!arguments.quiet) mention_warnings(*assembly);
+  if (!arguments.quiet) mention_simplified(*scene);
 
   auto written = documents.write(kPage, [&](Sink& sink) {
     const auto write_report = [&](Sink& to) { return write_view_json(to, *assembly); };

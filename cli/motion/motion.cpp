@@ -94,6 +94,7 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
                                const MotionArguments& arguments, const std::stop_token& stop) {
   const Result<DrawnScene> scene = draw(report.assembly, arguments.page_triangles, stop);
   if (!scene) return scene.error();
+  if (!arguments.quiet) mention_simplified(*scene);
   const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene, arguments); };
   return write_page(
       sink, page, title_of(arguments.files), *scene, [&](Sink& to) { return write_view_json(to, report.assembly); },

@@ -70,7 +70,7 @@ std::string test_of(const Topic& topic) {
 std::string labels(const Topic& topic) {
   std::string text = xml_element("Labels", name(topic.clash.verdict));
   if (const std::string test = test_of(topic); !test.empty()) text += xml_element("Labels", test);
-  if (topic.standing.change != Change::unknown) text += xml_element("Labels", change_text(topic.standing));
+  if (topic.standing.change != Change::unknown) text += xml_element("Labels", change_text(topic.clash, topic.standing));
   return text;
 }
 
@@ -78,7 +78,7 @@ std::string triage(const Topic& topic) {
   std::string text;
   if (const std::string test = test_of(topic); !test.empty()) text += fmt::format("Test: {}\n", test);
   if (topic.standing.change == Change::unknown) return text;
-  text += "Since the earlier run: " + change_text(topic.standing);
+  text += "Since the earlier run: " + change_text(topic.clash, topic.standing);
   if (topic.standing.was && *topic.standing.was != topic.clash.verdict)
     text += fmt::format(", was {}", name(*topic.standing.was));
   return text + "\n";

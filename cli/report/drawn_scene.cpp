@@ -87,6 +87,7 @@ Affine about(const Point& middle, const Affine& map) {
 Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop) {
   constexpr std::uint64_t kFewest = 48;  // what a mesh keeps in any case: a box with holes
   DrawnScene scene;
+  scene.asked = most_triangles;
   for (const io::Object& object : assembly.objects) scene.triangles += object.mesh.triangle_count();
   const double share = scene.triangles > most_triangles
                            ? static_cast<double>(most_triangles) / static_cast<double>(scene.triangles)

@@ -30,12 +30,14 @@ struct DrawnScene {
   std::vector<DrawnObject> objects;  ///< those of the assembly
   std::uint64_t triangles = 0;       ///< of all objects as they are
   std::uint64_t shown = 0;           ///< and as they are drawn: fewer if meshes were simplified
+  std::uint64_t asked = 0;           ///< how many were to be drawn at most
 };
 
 /// The map of a mesh that was moved so that `middle` became its origin.
 Affine about(const Point& middle, const Affine& map);
 
-/// With about `most_triangles` over all objects, where that takes simplifying. Errors: `cancelled`.
+/// With about `most_triangles` over all objects, where that takes simplifying; with more where parts would lose
+/// their shape. Errors: `cancelled`.
 Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop);
 
 }  // namespace impinge::cli

@@ -15,6 +15,7 @@
 
 #include "json_writer.hpp"
 #include "report/encoded.hpp"
+#include "text.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -39,8 +40,8 @@ std::vector<std::filesystem::path> places_of_template() {
 }
 
 void write_scene(Sink& sink, const std::string& title, const DrawnScene& scene) {
-  sink.write(fmt::format("{{\"version\":1,\"title\":{},\"triangles\":{},\"shown\":{},\n\"meshes\":[",
-                         json_string(title), scene.triangles, scene.shown));
+  sink.write(fmt::format("{{\"version\":1,\"title\":{},\"triangles\":{},\"shown\":{},\"asked\":{},\n\"meshes\":[",
+                         json_string(title), scene.triangles, scene.shown, scene.asked));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     sink.write(fmt::format("{}{{\"vertices\":{},\"triangles\":{}}}", i > 0 ? "," : "", scene.meshes[i].xyz.size() / 3,
                            scene.meshes[i].triangles.size() / 3));
@@ -91,6 +92,16 @@ std::string title_of(const std::vector<std::string>& files) {
   for (const std::string& file : files)
     title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
   return title;
+}
+
+void mention_simplified(const DrawnScene& scene) {
+  if (scene.shown >= scene.triangles) return;
+  const std::string why =
+      scene.shown > scene.asked
+          ? fmt::format("with --page-triangles {} parts would lose their shape", grouped(scene.asked))
+          : fmt::format("it is simplified to some {}, which --page-triangles changes", grouped(scene.asked));
+  complain(fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
+                       grouped(scene.shown), counted(scene.triangles, "triangle"), why));
 }
 
 Result<void> write_page(Sink& sink, const std::string& page_template, const std::string& title, const DrawnScene& scene,

@@ -17,6 +17,9 @@ Result<std::string> read_page_template();
 /// The names of the files, without their folders.
 std::string title_of(const std::vector<std::string>& files);
 
+/// Says on standard error that the page draws fewer triangles than there are, or more than were asked for.
+void mention_simplified(const DrawnScene& scene);
+
 /// Writes a page that needs nothing else: the template, with the report and what is drawn in its middle
 /// (page/README.md describes them). `write_report` writes the report's JSON. Errors: those of `write_report`;
 /// `cancelled`. `write_motion`, if there is one, writes what the timeline plays.

@@ -46,9 +46,10 @@ Group read_selected(std::string_view word, const JsonReader::Place& place) {
 bool is_everything(std::string_view word) { return word == "IfcElement" || word == "IfcProduct"; }
 
 /// Empty: everything.
-std::vector<Group> read_selector(JsonReader& reader) {
-  const std::string text = reader.string();
-  const JsonReader::Place place = reader.place();
+std::vector<Group> read_selector(JsonReader& reader, Word& selector) {
+  selector.text = reader.string();
+  selector.place = reader.place();
+  const auto& [text, place] = selector;
   std::vector<Group> groups;
   std::string_view left = text;
   for (bool more = !trimmed(left).empty(); more && !reader.failed();) {
@@ -71,9 +72,10 @@ std::vector<Group> read_selector(JsonReader& reader) {
   return groups;
 }
 
-/// {file, selector, mode}
-Group read_source(JsonReader& reader) {
+/// {file, selector, mode}. A selector that is not looked at, because there is no mode, goes into `ignored`.
+Group read_source(JsonReader& reader, std::vector<Word>& ignored) {
   Group source;
+  Word selector;
   std::vector<Group> selected;
   std::string mode;
   source.place = reader.place_of_next();
@@ -85,10 +87,10 @@ Group read_source(JsonReader& reader) {
       if (reader.kind() == Kind::null)
         reader.skip();
       else
-        selected = read_selector(reader);
+        selected = read_selector(reader, selector);
     } else if (key == "mode") {
       mode = reader.kind() == Kind::null ? (reader.skip(), std::string()) : reader.string();
-      if (mode != "" && mode != "a" && mode != "i" && mode != "e")
+      if (!mode.empty() && mode != "a" && mode != "i" && mode != "e")
         reader.fail("the mode of a source is i (include), e (exclude) or a (all)");
     } else {
       reader.fail_unknown(key, known_keys().source);
@@ -96,6 +98,7 @@ Group read_source(JsonReader& reader) {
   });
   if (reader.failed()) return source;
   if (source.files.empty() || source.files.front().text.empty()) reader.fail("this source has no \"file\"");
+  if (!selected.empty() && mode.empty()) ignored.push_back(std::move(selector));
   if (selected.empty() || (mode != "i" && mode != "e")) return source;
   if (mode == "e") {
     source.except = std::move(selected);
@@ -107,20 +110,42 @@ Group read_source(JsonReader& reader) {
   return source;
 }
 
-std::optional<Group> read_sources(JsonReader& reader) {
+std::optional<Group> read_sources(JsonReader& reader, std::vector<Word>& ignored) {
   Group group;
   if (reader.kind() == Kind::null) return reader.skip(), std::nullopt;
   group.place = reader.place_of_next();
-  reader.array([&] { group.any.push_back(read_source(reader)); });
+  reader.array([&] { group.any.push_back(read_source(reader, ignored)); });
   if (group.any.empty()) return std::nullopt;
   return group;
 }
 
-NamedTest read_clash_set(JsonReader& reader) {
+/// A selector that is not looked at, and the name of the clash set that it is in.
+struct IgnoredSelector {
+  Word selector;
+  std::string set;
+};
+
+/// IfcClash looks at a selector only with a mode beside it, which is easily forgotten.
+void warn(const JsonReader& reader, const std::vector<IgnoredSelector>& ignored, std::vector<std::string>& warnings) {
+  constexpr std::size_t kMost = 5;  // more of them tell nothing new
+  for (std::size_t i = 0; i < std::min(ignored.size(), kMost); ++i) {
+    const std::string what = fmt::format(
+        "the clash set '{}' takes all of this file: as with IfcClash, the selector '{}' counts only with a \"mode\" "
+        "beside it, \"i\" to take what it names, \"e\" to leave that out, or \"a\" if all is meant",
+        fit(printable(ignored[i].set), 80), fit(printable(ignored[i].selector.text), 80));
+    warnings.push_back(reader.error_at(ignored[i].selector.place, what).message);
+  }
+  if (ignored.size() > kMost)
+    warnings.push_back(
+        fmt::format("{} more with a selector and no \"mode\"", counted(ignored.size() - kMost, "source")));
+}
+
+NamedTest read_clash_set(JsonReader& reader, std::vector<IgnoredSelector>& to_warn_of) {
   NamedTest test;
   std::string mode = "intersection";
   std::optional<Group> a;
   std::optional<double> tolerance, clearance;
+  std::vector<Word> ignored;
   bool allow_touching = false;
   reader.object([&](const std::string& key) {
     if (key == "name") {
@@ -131,9 +156,9 @@ NamedTest read_clash_set(JsonReader& reader) {
       if (mode != "intersection" && mode != "collision" && mode != "clearance")
         reader.fail("the mode of a clash set is intersection, collision or clearance");
     } else if (key == "a") {
-      a = read_sources(reader);
+      a = read_sources(reader, ignored);
     } else if (key == "b") {
-      test.b = read_sources(reader);
+      test.b = read_sources(reader, ignored);
     } else if (key == "tolerance") {
       tolerance = read_length(reader);
     } else if (key == "clearance") {
@@ -154,6 +179,7 @@ NamedTest read_clash_set(JsonReader& reader) {
   if (mode == "clearance" && clearance.value_or(0) == 0) reader.fail("mode clearance needs a \"clearance\" above 0");
   if (reader.failed()) return test;
   test.a = *std::move(a);
+  for (Word& selector : ignored) to_warn_of.push_back({std::move(selector), test.name.text});
   test.terms.mode = mode == "clearance"                     ? Mode::clearance
                     : mode == "collision" && allow_touching ? Mode::contact
                                                             : Mode::penetration;
@@ -166,8 +192,10 @@ NamedTest read_clash_set(JsonReader& reader) {
 }  // namespace
 
 void read_clash_sets(JsonReader& reader, Configuration& to) {
-  reader.array([&] { to.tests.push_back(read_clash_set(reader)); });
+  std::vector<IgnoredSelector> ignored;
+  reader.array([&] { to.tests.push_back(read_clash_set(reader, ignored)); });
   if (!reader.failed() && to.tests.empty()) reader.fail("this list has no clash sets in it");
+  if (!reader.failed()) warn(reader, ignored, to.warnings);
 }
 
 }  // namespace impinge::cli

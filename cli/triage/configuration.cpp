@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "text.hpp"
+#include "triage/mistaken_file.hpp"
 #include "triage/text_file.hpp"
 
 namespace impinge::cli {
@@ -184,10 +185,17 @@ NamedFile read_file(JsonReader& reader) {
   return file;
 }
 
+std::string no_configuration(std::string_view what) {
+  return fmt::format(
+      "this is no configuration, such as {{\"tests\": [{{\"name\": \"all\", \"a\": \"*\"}}]}} (docs/triage.md): {}",
+      what);
+}
+
 void read_object(JsonReader& reader, Configuration& to) {
   bool has_tests = false;
   reader.object([&](const std::string& key) {
     if (key == "$schema") return reader.string(), void();
+    if (key == "version") return reader.fail(no_configuration("it is a report, as --json writes it"));
     if (key == "files") return reader.array([&] { to.files.push_back(read_file(reader)); });
     if (key == "groups")
       return reader.object([&](const std::string& group) { to.groups.emplace(group, read_group(reader)); });
@@ -234,6 +242,8 @@ Result<Configuration> parse_configuration(std::string name, std::string text) {
   Configuration configuration;
   configuration.name = std::move(name);
   configuration.text = std::move(text);
+  if (const std::string instead = what_it_is_instead(configuration.text); !instead.empty())
+    return configuration.error_at({}, no_configuration(instead));
   JsonReader reader(configuration.text, configuration.name);
   if (reader.kind() == Kind::array)
     read_clash_sets(reader, configuration);

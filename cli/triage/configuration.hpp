@@ -82,6 +82,7 @@ struct Configuration {
   std::map<std::string, Group> groups;
   Terms terms;
   std::vector<NamedTest> tests;
+  std::vector<std::string> warnings;  ///< sentences on what was read, and is not what it looks like
 
   [[nodiscard]] Mode mode_of(const NamedTest& test) const {
     return test.terms.mode.value_or(terms.mode.value_or(Mode::penetration));

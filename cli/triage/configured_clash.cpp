@@ -17,6 +17,13 @@ Error said_twice(const Configuration& configuration, std::string_view option) {
                                         printable(configuration.name))};
 }
 
+/// The clearance of the command line is for tests that keep one and do not say which.
+bool has_use_for_clearance(const Configuration& configuration) {
+  return std::any_of(configuration.tests.begin(), configuration.tests.end(), [&](const NamedTest& test) {
+    return configuration.mode_of(test) == Mode::clearance && !test.terms.clearance;
+  });
+}
+
 }  // namespace
 
 Result<ConfiguredClash> configure(const ClashArguments& given) {
@@ -30,6 +37,10 @@ Result<ConfiguredClash> configure(const ClashArguments& given) {
   if (given.clearance > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
   if (given.tolerance) configuration.terms.tolerance = given.tolerance;
   if (given.clearance > 0) configuration.terms.clearance = given.clearance;
+  if (given.clearance > 0 && !has_use_for_clearance(configuration))
+    configuration.warnings.push_back(fmt::format(
+        "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
+        given.clearance, printable(configuration.name)));
   if (auto checked = check(configuration); !checked) return checked.error();
   if (auto added = add_files(configuration, to); !added) return added.error();
   if (to.files.empty())

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "text.hpp"
 
@@ -96,6 +97,28 @@ class FileAdder {
   ClashArguments& arguments_;
 };
 
+/// `--scale FILE=S`, where FILE is one on the command line or in the configuration, as either of them writes it.
+Result<void> add_scale(const Configuration& configuration, const std::string& file, double factor,
+                       ClashArguments& arguments) {
+  const auto bad = [&](const std::string& what) {
+    return Error{Code::bad_option, fmt::format("--scale {}={}: {}", printable(file), factor, what)};
+  };
+  auto known = std::find(arguments.files.begin(), arguments.files.end(), file);
+  if (known == arguments.files.end())
+    known = std::find_if(arguments.files.begin(), arguments.files.end(), [&](const std::string& other) {
+      return is_same_file(file, other) || is_same_file(from_folder(configuration, file), other);
+    });
+  if (known == arguments.files.end())
+    return bad(fmt::format("it is none of the files to read, on the command line or in {}{}",
+                           printable(configuration.name), nearest_file(arguments.files, file)));
+  for (const auto& [scaled, other] : arguments.scales)
+    if (scaled == *known)
+      return bad(fmt::format("this file has a scale already, {}, here or in {}; leave one out", other,
+                             printable(configuration.name)));
+  arguments.scales.emplace_back(*known, factor);
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> files_named(const Configuration& configuration, const std::string& word,
@@ -120,6 +143,7 @@ std::vector<std::uint32_t> files_named(const Configuration& configuration, const
 }
 
 Result<void> add_files(const Configuration& configuration, ClashArguments& arguments) {
+  const std::vector<std::pair<std::string, double>> asked = std::exchange(arguments.scales, {});
   FileAdder adder(configuration, arguments);
   for (const NamedFile& file : configuration.files)
     if (auto added = adder.add(file); !added) return added;
@@ -132,6 +156,8 @@ Result<void> add_files(const Configuration& configuration, ClashArguments& argum
       if (auto added = adder.add_all_of(*test.b); !added) return added;
     if (auto added = adder.add_all_of(test.terms); !added) return added;
   }
+  for (const auto& [file, factor] : asked)
+    if (auto added = add_scale(configuration, file, factor, arguments); !added) return added;
   return {};
 }
 

@@ -16,8 +16,9 @@ namespace impinge::cli {
 std::vector<std::uint32_t> files_named(const Configuration& configuration, const std::string& word,
                                        const std::vector<std::string>& files);
 
-/// Adds to the files to read those that the configuration names and that are not among them. Errors: `bad_file` (there
-/// is no such file).
+/// Adds to the files to read those that the configuration names and that are not among them, and finds out which files
+/// the given scales are for. Errors: `bad_file` (there is no such file); `bad_option` (a scale of no file, or a
+/// second).
 Result<void> add_files(const Configuration& configuration, ClashArguments& arguments);
 
 }  // namespace impinge::cli

@@ -113,7 +113,7 @@ Result<PartSet> PartSets::any_of(const std::vector<Group>& groups) {
   PartSet all(assembly_.objects.size());
   for (const Group& group : groups) {
     const Result<PartSet> set = of(group);
-    if (!set) return set;
+    if (!set) return set.error();
     unite(all, *set);
   }
   return all;
@@ -126,14 +126,14 @@ Result<PartSet> PartSets::of(const Group& group) {
     PartSet some(all.size());
     for (const Word& word : group.*list) {
       const Result<PartSet> set = of_word(word, list);
-      if (!set) return set;
+      if (!set) return set.error();
       unite(some, *set);
     }
     intersect(all, some);
   }
   if (!group.any.empty()) {
     const Result<PartSet> some = any_of(group.any);
-    if (!some) return some;
+    if (!some) return some.error();
     intersect(all, *some);
   }
   if (!group.except.empty()) {

@@ -6,12 +6,17 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <system_error>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "text.hpp"
 #include "triage/json_reader.hpp"
+#include "triage/mistaken_file.hpp"
 #include "triage/text_file.hpp"
 
 namespace impinge::cli {
@@ -190,21 +195,34 @@ NumberedPair read_pair(JsonReader& reader) {
   return numbered;
 }
 
+/// What a document with these keys is, if it is none of `impinge clash`.
+std::string_view what_has(const std::set<std::string>& keys) {
+  if (keys.contains("spans")) return "it is the JSON of impinge motion";
+  if (keys.contains("truncated") && !keys.contains("counts")) return "it is the JSON of impinge check";
+  if (!keys.contains("version") && keys.contains("tests")) return "it is a configuration, which --config takes";
+  if (keys.contains("pairs") && keys.contains("version")) return {};
+  if (keys.contains("version") && keys.contains("files")) return "it is the JSON of impinge info";
+  return "it has no \"version\" or no \"pairs\"";
+}
+
+std::string no_report(std::string_view what) {
+  return fmt::format("this is no report of an earlier run, which impinge clash FILE... --json REPORT writes: {}", what);
+}
+
 class Document {
  public:
   explicit Document(JsonReader& reader) : reader_(reader) {}
 
   void read() {
-    bool has_version = false, has_pairs = false;
+    std::set<std::string> keys;
     reader_.object([&](const std::string& key) {
+      keys.insert(key);
       if (key == "version") {
-        has_version = true;
         if (reader_.number() != 1)
           reader_.fail("this is a document of another version of impinge, which wrote version 1");
       } else if (key == "objects") {
         reader_.array([&] { read_object(); });
       } else if (key == "pairs") {
-        has_pairs = true;
         reader_.array([&] { pairs_.push_back(read_pair(reader_)); });
       } else if (key == "resolved") {
         reader_.array([&] { previous_.resolved.push_back(read_resolved(reader_)); });
@@ -212,8 +230,7 @@ class Document {
         reader_.skip();
       }
     });
-    if (!has_version || !has_pairs)
-      reader_.fail("this is no JSON of impinge clash: it has no \"version\" or no \"pairs\"");
+    if (const std::string_view other = what_has(keys); !other.empty()) reader_.fail(no_report(other));
   }
 
   Result<Previous> finish() {
@@ -256,13 +273,21 @@ class Document {
 }  // namespace
 
 Result<Previous> parse_previous(const std::string& name, const std::string& text) {
+  if (const std::string instead = what_it_is_instead(text); !instead.empty())
+    return JsonReader::error_in(text, name, {}, no_report(instead));
   JsonReader reader(text, name);
+  if (reader.kind() == Kind::array) reader.fail(no_report("it is a list"));
   Document document(reader);
   document.read();
   return document.finish();
 }
 
 Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(name, unknown) && !unknown)
+    return Error{Code::bad_file, fmt::format("--previous {}: there is no such file; a first run has nothing to compare "
+                                             "with: leave --previous out, and write {} with --json",
+                                             printable(name), printable(name))};
   const Result<std::string> text = read_text_file(name, most_bytes);
   if (!text) return text.error();
   return parse_previous(name, *text);

@@ -18,6 +18,9 @@ bool has_new_region(const Standing& standing) {
                      [](const RegionStanding& region) { return region.change == Change::fresh; });
 }
 
+/// Verdicts come with the worst first.
+bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
+
 /// "3 penetrating, 2 nearer".
 std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64_t& failing) {
   std::array<std::uint64_t, 6> counts{};
@@ -52,12 +55,16 @@ std::string summary_of_test(const Review& review, std::uint32_t test) {
 }
 
 std::string summary_of_changes(const Review& review, const std::string& previous) {
-  std::uint64_t fresh = 0, changed = 0, persisting = 0, resolved = 0;
-  for (const Standing& standing : review.standings)
+  std::uint64_t fresh = 0, changed = 0, persisting = 0, worse = 0, resolved = 0;
+  for (std::size_t i = 0; i < review.standings.size(); ++i) {
+    const Standing& standing = review.standings[i];
     ++(standing.change == Change::fresh ? fresh : has_new_region(standing) ? changed : persisting);
+    worse += standing.change != Change::fresh && is_worse(review.clashes.pairs[i], standing) ? 1 : 0;
+  }
   for (const Resolved& one : review.resolved) resolved += one.is_ambiguous ? 0 : 1;
-  return fmt::format("Since {}: {} new, {} with a new region, {} persisting, {} resolved.\n", printable(previous),
-                     grouped(fresh), grouped(changed), grouped(persisting), grouped(resolved));
+  return fmt::format("Since {}: {} new, {} with a new region, {} persisting, {} resolved{}.\n", printable(previous),
+                     grouped(fresh), grouped(changed), grouped(persisting), grouped(resolved),
+                     worse > 0 ? fmt::format("; {} worse than before", grouped(worse)) : "");
 }
 
 std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
@@ -68,9 +75,11 @@ std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
 
 }  // namespace
 
-std::string change_text(const Standing& standing) {
+std::string change_text(const Clash& pair, const Standing& standing) {
   if (standing.change == Change::fresh) return "new";
-  return has_new_region(standing) ? "new region" : "persisting";
+  const bool worse = is_worse(pair, standing);
+  if (has_new_region(standing)) return worse ? "worse, new region" : "new region";
+  return worse ? "worse" : "persisting";
 }
 
 void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,

@@ -14,8 +14,9 @@
 /// What triage adds to what `clash` prints.
 namespace impinge::cli {
 
-/// "new", "persisting" or "resolved"; a region of a persisting pair that is new is told as "new region".
-std::string change_text(const Standing& standing);
+/// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
+/// it has one.
+std::string change_text(const Clash& pair, const Standing& standing);
 
 /// A row for each group, the one with the worst pair first. `shown` is how many rows there are at most.
 void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,

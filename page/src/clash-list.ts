@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of clashes.
-import { type Clash, filterClashes, type Group, groupClashes, sortClashes, verbOf } from './clashes';
+import { type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
 import { kVerdicts } from './data';
 import { byId, el, nameOf, numberOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
@@ -162,6 +162,7 @@ export class ClashList {
     const tags = el('span', { class: 'tags' });
     if (clash.resolved) tags.append(el('span', { class: 'tag' }, 'resolved'));
     if (clash.pair?.change === 'new') tags.append(el('span', { class: 'tag new' }, 'new'));
+    if (isWorse(clash)) tags.append(el('span', { class: 'tag new' }, 'worse'));
     if (about.status) tags.append(el('span', { class: 'tag' }, nameText(about.status, 24)));
     row.replaceChildren(
       el('span', { role: 'gridcell', class: 'rank' }, counted(clash.rank)),

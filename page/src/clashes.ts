@@ -229,6 +229,10 @@ const kVerbs: Record<Verdict, string> = {
   touching: 'touches',
   apart: 'is too near',
 };
+/** Of a pair that persists: its verdict comes before the earlier one. */
+export const isWorse = ({ pair }: Clash): boolean =>
+  pair?.change === 'persisting' && pair.was != null && kVerdicts.indexOf(pair.verdict) < kVerdicts.indexOf(pair.was);
+
 /** A motion that an earlier version wrote does not tell which of two parts is the inner one. */
 export const verbOf = ({ verdict, pair }: Clash): string =>
   verdict === 'inside' && pair?.span && pair.inner === null ? 'lies inside or around' : kVerbs[verdict];

@@ -67,6 +67,8 @@ export interface Pair {
   id?: string;
   test?: string | null;
   change?: string | null;
+  /** The earlier verdict, with a previous run. */
+  was?: Verdict | null;
   status?: string | null;
   comment?: string | null;
 }
@@ -112,6 +114,8 @@ export interface SceneBlock {
   title: string;
   triangles: number;
   shown: number;
+  /** How many were to be drawn at most; parts may need more to keep their shape. */
+  asked?: number;
   meshes: { vertices: number; triangles: number }[];
   objects: { mesh: number; pose: number[] }[];
 }

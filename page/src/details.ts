@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the chosen clash or part.
-import { type Clash, verbOf } from './clashes';
+import { type Clash, isWorse, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
+
+function changeOf(clash: Clash): string[] | null {
+  if (clash.resolved) return ['resolved'];
+  if (!clash.pair?.change) return null;
+  const { change, was, verdict } = clash.pair;
+  if (!was || was === verdict) return [change];
+  return [`${change}${isWorse(clash) ? ', and worse' : ''}: it was ${was}`];
+}
 
 type Value = (Node | string)[];
 
@@ -80,7 +88,7 @@ export class Details {
       figures([
         ['Status', about.status ? [nameOf(about.status)] : null],
         ['Comment', about.comment ? [nameOf(about.comment, 2000)] : null],
-        ['Change', clash.pair?.change ? [clash.pair.change] : clash.resolved ? ['resolved'] : null],
+        ['Change', changeOf(clash)],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );

@@ -131,6 +131,7 @@ export function showSummary(
 /** Says that what is seen is coarser than what was computed on. */
 export function tellSimplified(scene: SceneBlock): void {
   if (scene.shown >= scene.triangles) return;
+  const why = scene.shown > (scene.asked ?? Infinity) ? ', as with fewer parts would lose their shape' : '';
   byId('facts').append(
     el(
       'span',
@@ -139,7 +140,7 @@ export function tellSimplified(scene: SceneBlock): void {
       countOf(scene.shown),
       ' of ',
       countOf(scene.triangles),
-      ' triangles; figures are of the full model',
+      ` triangles${why}; figures are of the full model`,
     ),
   );
 }

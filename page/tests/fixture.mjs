@@ -167,6 +167,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         id: `0000-${i}`,
         test: i % 3 ? 'bolts against plates' : null,
         change: i % 2 ? 'new' : 'persisting',
+        was: i % 2 ? null : i === 0 ? 'touching' : pair.verdict,
         status: i % 4 ? null : 'approved',
         comment: i ? null : 'seen by <b>two</b>',
       }),

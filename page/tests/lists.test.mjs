@@ -214,7 +214,7 @@ describe('the list of clashes', () => {
       '2 regions of contact',
       'seen by <b>two</b>',
       'approved',
-      'persisting',
+      'persisting, and worse: it was touching',
       '0000-0',
     ]) {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
@@ -226,6 +226,16 @@ describe('the list of clashes', () => {
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
     await page.keyboard.press('Escape');
     assert.ok(!page.url().includes('#'));
+  });
+
+  test('marks what got worse', async () => {
+    const marked = ranked.filter((pair) => pair.was && kOrder.indexOf(pair.verdict) < kOrder.indexOf(pair.was));
+    assert.deepEqual(marked, [report.pairs[0]]);
+    const rows = await listed(page, '.tags');
+    assert.deepEqual(
+      ranked.filter((_, i) => rows[i]?.includes('worse')),
+      marked,
+    );
   });
 
   test('is gone through with the keyboard', async () => {
@@ -426,8 +436,16 @@ describe('the page', () => {
     const { page, close } = await browser.open(
       compose({ report, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
     );
-    assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles/);
+    assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles; figures/);
     await close();
+    const more = await browser.open(
+      compose({ report, scene: { ...scene, triangles: 9999, shown: 1100, asked: 1000 }, geometry }),
+    );
+    assert.match(
+      await more.page.textContent('#facts'),
+      /simplified to 1.100 of 9.999 triangles, as with fewer parts would lose their shape; figures/,
+    );
+    await more.close();
   });
 
   const broken = {

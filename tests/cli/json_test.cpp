@@ -118,6 +118,33 @@ TEST_F(JsonDocument, ReplacesAnEarlierOneAndKeepsItsModeAndLinks) {
   EXPECT_EQ(about.st_mode & 07777U, 0640U);
 }
 
+TEST_F(JsonDocument, GoesWhereALinkPointsThoughNothingIsThere) {
+  std::filesystem::create_directory(folder.path() / "sub");
+  std::filesystem::create_symlink("second.json", folder.path() / "first.json");
+  std::filesystem::create_symlink("sub/new.json", folder.path() / "second.json");
+  EXPECT_EQ(check({"--json", "first.json"}).code, 1);
+  EXPECT_EQ(std::filesystem::read_symlink(folder.path() / "first.json"), "second.json");
+  EXPECT_EQ(std::filesystem::read_symlink(folder.path() / "second.json"), "sub/new.json");
+  EXPECT_TRUE(json::parse(folder.read("sub/new.json")).contains("pairs"));
+  // Absolute ones too.
+  std::filesystem::create_symlink(folder.path() / "sub" / "other.json", folder.path() / "third.json");
+  EXPECT_EQ(check({"--json", "third.json"}).code, 1);
+  EXPECT_TRUE(json::accept(folder.read("sub/other.json")));
+  std::filesystem::create_symlink("missing/new.json", folder.path() / "lost.json");
+  const Ended lost = check({"--json", "lost.json"});
+  EXPECT_EQ(lost.code, 2);
+  EXPECT_NE(lost.err.find("'lost.json': cannot create files in"), std::string::npos) << lost.err;
+  std::filesystem::create_symlink("round.json", folder.path() / "about.json");
+  std::filesystem::create_symlink("about.json", folder.path() / "round.json");
+  const Ended round = check({"--json", "round.json"});
+  EXPECT_EQ(round.code, 2);
+  EXPECT_NE(round.err.find("cannot write to 'round.json': Too many levels of symbolic links"), std::string::npos)
+      << round.err;
+  for (const char* link : {"lost.json", "about.json", "round.json"}) {
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / link)) << link;
+  }
+}
+
 TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
   const std::string before = folder.read("b.off");
   // The user forgot the name of the JSON file.

@@ -81,6 +81,11 @@ TEST(Text, EditDistanceCountsCharacters) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
   EXPECT_EQ(edit_distance("Bolt", "bOLT"), 0U);
   EXPECT_EQ(edit_distance("\xc3\xa4", "a"), 1U);
+  EXPECT_EQ(edit_distance("--htlm", "--html"), 1U);
+  EXPECT_EQ(edit_distance("--htlm", "--help"), 2U);
+  EXPECT_EQ(edit_distance("abcd", "badc"), 2U);
+  EXPECT_EQ(edit_distance("ca", "abc"), 3U);  // no character takes part in two changes
+  EXPECT_EQ(edit_distance("abc", ""), 3U);
 }
 
 TEST(Text, NumbersForPeople) {

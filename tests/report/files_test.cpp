@@ -96,8 +96,14 @@ TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
 TEST_F(Files, OnePlaceTakesOneDocument) {
   std::filesystem::create_directory(folder.path() / "sub");
   std::filesystem::create_symlink("sub", folder.path() / "link");
-  for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{
-           {"out", "out"}, {"out", "./out"}, {"sub/out", "link/out"}, {"out", "sub/../out"}, {"-", "-"}}) {
+  std::filesystem::create_symlink("sub/new", folder.path() / "dangling");
+  for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{{"out", "out"},
+                                                                                      {"out", "./out"},
+                                                                                      {"sub/out", "link/out"},
+                                                                                      {"out", "sub/../out"},
+                                                                                      {"dangling", "sub/new"},
+                                                                                      {"sub/new", "dangling"},
+                                                                                      {"-", "-"}}) {
     const Ended run = clash({"--csv", first, "--gltf", second});
     EXPECT_EQ(run.code, 2) << second;
     EXPECT_NE(run.err.find("--csv and --gltf cannot both go to"), std::string::npos) << run.err;

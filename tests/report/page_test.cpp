@@ -205,6 +205,7 @@ TEST_F(PageFile, LargeModelsAreSimplifiedAndSaySo) {
   folder.write("ball.off", sphere(40));
   EXPECT_EQ(run({"view", "ball.off", "a.off", "--html", "out.html", "--page-triangles", "1000"}).code, 0);
   const Page out = page();
+  EXPECT_EQ(out.scene.at("asked"), 1000);
   EXPECT_EQ(out.scene.at("triangles"), 6400 + 12);
   const auto shown = out.scene.at("shown").get<std::size_t>();
   EXPECT_EQ(shown, (out.triangles.at(0).size() + out.triangles.at(1).size()) / 3);
@@ -213,6 +214,26 @@ TEST_F(PageFile, LargeModelsAreSimplifiedAndSaySo) {
   EXPECT_EQ(out.corners(1), corners(box({0, 0, 0}, {2, 2, 2}))) << "a box keeps its triangles";
   for (std::size_t i = 0; i < out.xyz[0].size(); i += 3)
     EXPECT_NEAR(std::hypot(out.xyz[0][i], out.xyz[0][i + 1], out.xyz[0][i + 2]), 1, 0.1);
+}
+
+TEST_F(PageFile, WhatIsDrawnInPlaceOfTheModelIsSaid) {
+  folder.write("ball.off", sphere(40));
+  const auto drawn = [&] { return page().scene.at("shown").get<int>(); };
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"clash", "ball.off", "a.off", "--html", "out.html"});
+    return run(words).err;
+  };
+  EXPECT_EQ(with({}), "");
+  EXPECT_EQ(with({"--page-triangles", "6412"}), "");
+  // A ball of ten triangles is none, and the box has twelve.
+  const std::string few = with({"--page-triangles", "10"});
+  ASSERT_GT(drawn(), 10);
+  EXPECT_EQ(few, "impinge: the page draws " + std::to_string(drawn()) +
+                     " of 6,412 triangles: with --page-triangles 10 parts would lose their shape; verdicts and figures "
+                     "are those of the full model\n");
+  EXPECT_EQ(with({"--page-triangles", "10", "--quiet"}), "");
+  const Ended view = run({"view", "ball.off", "--html", "out.html", "--page-triangles", "10"});
+  EXPECT_NE(view.err.find("of 6,400 triangles: with --page-triangles 10 parts"), std::string::npos) << view.err;
 }
 
 TEST_F(PageFile, OfAViewHasNoClashes) {

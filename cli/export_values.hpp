@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "command_options.hpp"
+
+namespace impinge::cli {
+
+/// The files for other tools, with their units, axes and dates. Errors: `bad_option`.
+Result<void> take_exports(const Raw& raw, ExportArguments& to);
+
+}  // namespace impinge::cli

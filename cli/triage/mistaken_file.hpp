@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace impinge::cli {
+
+/// What a file is that was given in place of a JSON document, by how it begins: "it is empty", "it is a page, as --html
+/// writes it", "it is no JSON object". Empty if a JSON object or list begins there.
+std::string what_it_is_instead(std::string_view text);
+
+}  // namespace impinge::cli
