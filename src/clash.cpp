@@ -13,20 +13,17 @@
 #include "alike.hpp"
 #include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
-#include "clash/judge.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/region_side.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
 #include "domain_error.hpp"
 #include "known_clashes.hpp"
-#include "measure/nearest.hpp"
 #include "on_threads.hpp"
+#include "pair_case.hpp"
 #include "pipeline.hpp"
 #include "scene/validate_pose.hpp"
 #include "scene_state.hpp"
 #include "seen_part.hpp"
-#include "solid/locate.hpp"
 #include "stage_clock.hpp"
 
 namespace impinge {
@@ -49,99 +46,6 @@ Result<void> check_domain(const std::vector<Placed>& objects) {
   }
   return {};
 }
-
-std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const clash::Judgement& judgement,
-                                 const std::stop_token& stop) {
-  const clash::RegionSide side_a(a), side_b(b);
-  const double tolerance = judgement.tolerance;
-  std::optional<std::vector<exact::Contact>> within;
-  if (tolerance > 0)
-    within = clash::contacts_within(a.body, b.body, tolerance, clash::most_small_pairs(a.body, b.body), stop);
-  auto regions = clash::regions_of(side_a.side(), side_b.side(), within ? *within : judgement.contacts,
-                                   within ? tolerance : 0, {}, stop);
-  return regions ? *std::move(regions) : std::vector<Region>();
-}
-
-OverlapDepth find_depths(const SeenPart& a, const SeenPart& b, const clash::DepthGoal& goal) {
-  const solid::Part &part_a = a.known.linked.part, &part_b = b.known.linked.part;
-  if (part_a.solid && part_b.solid)
-    return clash::depths_of(part_a, part_b,
-                            clash::find_encounter(part_a.body, part_b.body, {.stop = goal.stop}).contacts, goal);
-  return {clash::depth_in(part_a.body, part_b.body, goal), clash::depth_in(part_b.body, part_a.body, goal)};
-}
-
-/// The verdicts on one pair of parts, and what else is asked for. What several terms have in common, or several pairs
-/// of equal parts in the same places, is found once.
-class PairCase {
- public:
-  PairCase(const SeenPart& a, const SeenPart& b, const ClashOptions& options) : a_(a), b_(b), options_(options) {}
-
-  Clash judge(const ClashTerms& terms) {
-    Clash clash;
-    clash.test = terms.test;
-    Found& found = find(terms.tolerance);
-    const clash::Judgement& judgement = found.judgement;
-    clash.verdict = judgement.verdict, clash.inner = judgement.inner;
-    clash.note = judgement.note, clash.tolerance = judgement.tolerance;
-    if (clash.verdict > terms.last) return clash;
-    clash.contacts = judgement.counts;
-    if (terms.clearance > 0 && !judgement.touch) {
-      if (!nearest_ || nearest_->clearance != terms.clearance)
-        nearest_ = Near{terms.clearance, nearest(terms.clearance)};
-      clash.nearest = nearest_->nearest;
-    }
-    const bool overlap = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::inside;
-    if (options_.depth && overlap && a_.known.facts.solid && b_.known.facts.solid) {
-      if (!depth_) depth_ = find_depths(a_, b_, clash::DepthGoal{.stop = options_.stop});
-      clash.overlap_depth = depth_;
-    }
-    if (options_.regions && clash.verdict != Verdict::apart) {
-      if (!found.regions) found.regions = find_regions(a_.part(), b_.part(), judgement, options_.stop);
-      clash.regions = *found.regions;
-    }
-    return clash;
-  }
-
- private:
-  struct Found {
-    std::optional<double> tolerance;
-    clash::Judgement judgement;
-    std::optional<std::vector<Region>> regions;
-  };
-  struct Near {
-    double clearance;
-    std::optional<Nearest> nearest;
-  };
-
-  /// There are as many as there are tolerances: few, unless every pair has one of its own.
-  Found& find(const std::optional<double>& tolerance) {
-    constexpr std::size_t kMost = 16;
-    for (Found& known : found_)
-      if (known.tolerance == tolerance) return known;
-    if (found_.size() == kMost) found_.clear();
-    Found& found = found_.emplace_back(
-        Found{tolerance, clash::judge_pair(a_.known, b_.known, {tolerance, options_.regions, options_.stop}), {}});
-    if (a_.whole || b_.whole) {
-      clash::Encounter met =
-          clash::find_encounter(a_.part().body, b_.part().body, {0, options_.regions, options_.stop});
-      found.judgement.counts = met.counts, found.judgement.contacts = std::move(met.contacts);
-    }
-    return found;
-  }
-
-  [[nodiscard]] std::optional<Nearest> nearest(double clearance) const {
-    const auto near =
-        measure::nearest_pair(a_.part().body.placed, b_.part().body.placed, clearance, 0, {.stop = options_.stop});
-    if (!near || near->distance >= clearance) return std::nullopt;
-    return Nearest{near->distance, near->error, near->a, near->b, near->triangle_a, near->triangle_b};
-  }
-
-  const SeenPart &a_, &b_;
-  const ClashOptions& options_;
-  std::vector<Found> found_;
-  std::optional<Near> nearest_;
-  std::optional<OverlapDepth> depth_;
-};
 
 bool is_listed(const Clash& clash, const ClashTerms& terms) {
   return clash.verdict <= terms.last && (clash.verdict != Verdict::apart || clash.nearest);
