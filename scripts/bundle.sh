@@ -21,6 +21,7 @@ folder=${2:-$root/build/bundle}
 for program in cli/impinge bin/impinge-import bin/impinge-gpu-figures; do
   [ -x "$build/$program" ] || fail "$build/$program is missing; build the preset release first"
 done
+[ -e "$root/build/page/report.html" ] || fail "$root/build/page/report.html is missing; './dev page' builds it"
 for tool in cmake ldd readelf tar gzip; do
   command -v "$tool" >/dev/null || fail "$tool is missing"
 done
@@ -95,6 +96,7 @@ be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC) or new
 GLIBCXX_$(newest GLIBCXX).
 
     bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA, IFC and others
+    bin/impinge clash FILE... --html report.html   # which parts clash, and a page to look at it
     bin/impinge --help
     ./gpu-figures.sh              # measures the CPU, a GPU and both: one table, within minutes
     ./gpu-figures.sh --quick      # whether that works, within a minute
@@ -171,6 +173,9 @@ said=$("$name/bin/impinge" --version)
 case $said in *"$version"*) ;; *) fail "'impinge --version' says $said" ;; esac
 touches flat.obj upright.obj
 touches flat.gltf upright.obj
+"$name/bin/impinge" clash --quiet --fail-on inside flat.gltf upright.obj --html report.html --bcf report.bcf >report.txt ||
+  fail "'impinge clash' ended with status $?"
+grep -q 'id="report"' report.html || fail 'there is no report in the page'
 "$name/gpu-figures.sh" --quick --only 'mutual motion' >figures.md
 grep -q '^| paper: mutual motion' figures.md || fail 'gpu-figures.sh printed no table'
 

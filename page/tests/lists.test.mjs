@@ -3,6 +3,7 @@
 //
 // The parts of the page that are read: lists, filters, figures, messages. Expected orders are worked out here from the report.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { blocksOf, compose } from './compose.mjs';
 import { listed, settled, startBrowser } from './browser.mjs';
@@ -27,6 +28,11 @@ const ranked = report.pairs
 const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
 const nameOf = (id) => report.objects[id].name;
+
+test('a page has the licences of what it contains', () => {
+  const licence = readFileSync(new URL('../node_modules/three/LICENSE', import.meta.url), 'utf8').trim();
+  assert.ok(compose({}).includes(licence));
+});
 
 describe('the list of clashes', () => {
   let browser;
