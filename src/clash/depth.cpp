@@ -125,7 +125,7 @@ class Search {
   }
 
  private:
-  [[nodiscard]] bool is_good(double most) const { return most * (1 - goal_.precision) <= least_ || most <= nothing_; }
+  [[nodiscard]] bool is_good(double most) const { return most <= (1 + goal_.precision) * least_ || most <= nothing_; }
 
   // Depth is 0 outside, and no two points' depths differ by more than their distance: with the middle in the depth d,
   // no point of a piece of radius r is deeper than d + r, and with it farther than r outside none is inside at all. Nor
