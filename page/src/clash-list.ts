@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of clashes.
-import { type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
+import { changeOf, type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
 import { kVerdicts } from './data';
 import { byId, el, nameOf, numberOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
@@ -161,8 +161,9 @@ export class ClashList {
     const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
     const tags = el('span', { class: 'tags' });
     if (clash.resolved) tags.append(el('span', { class: 'tag' }, 'resolved'));
-    if (clash.pair?.change === 'new') tags.append(el('span', { class: 'tag new' }, 'new'));
-    if (isWorse(clash)) tags.append(el('span', { class: 'tag new' }, 'worse'));
+    const change = clash.pair && changeOf(clash.pair);
+    if (change && change !== 'persisting') tags.append(el('span', { class: 'tag new' }, change));
+    if (isWorse(clash.pair)) tags.append(el('span', { class: 'tag new' }, 'worse'));
     if (about.status) tags.append(el('span', { class: 'tag' }, nameText(about.status, 24)));
     row.replaceChildren(
       el('span', { role: 'gridcell', class: 'rank' }, counted(clash.rank)),

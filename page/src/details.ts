@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the chosen clash or part.
-import { type Clash, isWorse, verbOf } from './clashes';
+import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
-function changeOf(clash: Clash): string[] | null {
+function changeText(clash: Clash): string[] | null {
   if (clash.resolved) return ['resolved'];
   if (!clash.pair?.change) return null;
   const { change, was, verdict } = clash.pair;
-  if (!was || was === verdict) return [change];
-  return [`${change}${isWorse(clash) ? ', and worse' : ''}: it was ${was}`];
+  const fresh = newRegionsOf(clash.pair);
+  const regions = fresh === 0 ? '' : fresh === 1 ? ', with a new region' : `, with ${counted(fresh)} new regions`;
+  if (!was || was === verdict) return [change + regions];
+  return [`${change}${regions}${isWorse(clash.pair) ? ', and worse' : ''}: it was ${was}`];
 }
 
 type Value = (Node | string)[];
@@ -88,7 +90,7 @@ export class Details {
       figures([
         ['Status', about.status ? [nameOf(about.status)] : null],
         ['Comment', about.comment ? [nameOf(about.comment, 2000)] : null],
-        ['Change', changeOf(clash)],
+        ['Change', changeText(clash)],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );

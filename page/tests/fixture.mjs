@@ -172,6 +172,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         comment: i ? null : 'seen by <b>two</b>',
       }),
     );
+    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting' }));
     report.resolved = [
       {
         a: objects[0],

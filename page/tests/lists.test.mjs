@@ -27,6 +27,8 @@ const ranked = report.pairs
   .map(({ pair }) => pair);
 const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
+const changeOf = ({ change, regions }) =>
+  change === 'persisting' && regions.some((region) => region.change === 'new') ? 'new region' : change;
 const nameOf = (id) => report.objects[id].name;
 
 test('a page has the licences of what it contains', () => {
@@ -67,8 +69,7 @@ describe('the list of clashes', () => {
     for (const fact of [
       '12 parts in 2 files',
       '12 solids',
-      '6 new, 6 persisting',
-      '1 resolved',
+      '6 new, 1 with a new region, 5 persisting, 1 resolved; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
     ]) {
@@ -153,12 +154,14 @@ describe('the list of clashes', () => {
       ['test', 'bolts against plates'],
       ['status', 'approved'],
       ['change', 'new'],
+      ['change', 'new region'],
+      ['change', 'persisting'],
     ]) {
       await page.selectOption(`#filter-${key}`, value);
       assert.deepEqual(
         await listed(page),
-        ranksOf((pair) => pair[key] === value),
-        key,
+        ranksOf((pair) => (key === 'change' ? changeOf(pair) : pair[key]) === value),
+        `${key} ${value}`,
       );
       await clear();
     }
@@ -242,6 +245,20 @@ describe('the list of clashes', () => {
       ranked.filter((_, i) => rows[i]?.includes('worse')),
       marked,
     );
+  });
+
+  test('marks known clashes with a new region', async () => {
+    const marked = ranked.filter((pair) => changeOf(pair) === 'new region');
+    assert.deepEqual(marked, [report.pairs[4]]);
+    const rows = await listed(page, '.tags');
+    assert.deepEqual(
+      ranked.filter((_, i) => rows[i]?.includes('new region')),
+      marked,
+    );
+    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(marked[0]));
+    await settled(page);
+    assert.match(await page.textContent('#details-body'), /Changepersisting, with a new region(?!,)/);
+    await page.keyboard.press('Escape');
   });
 
   test('is gone through with the keyboard', async () => {
