@@ -269,6 +269,13 @@ describe('the 3D view', () => {
     const count = await frames(page);
     await page.waitForTimeout(400);
     assert.equal(await frames(page), count);
+    await page.selectOption('#sort', 'name');
+    await page.selectOption('#group', 'part');
+    await page.fill('#clash-search', 'bolt');
+    await page.click('.chip.failing');
+    await settled(page);
+    assert.equal(await frames(page), count, 'the list alone changed');
+    await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press('1');
     await settled(page);
     assert.ok((await frames(page)) > count);
