@@ -4,7 +4,7 @@
 // The figures of the chosen clash or part.
 import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
-import { byId, button, countOf, el, nameOf, numberOf } from './dom';
+import { byId, button, countOf, el, nameOf, numberOf, remarkOf } from './dom';
 import { counted, fileName } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -89,7 +89,7 @@ export class Details {
     nodes.push(
       figures([
         ['Status', about.status ? [nameOf(about.status)] : null],
-        ['Comment', about.comment ? [nameOf(about.comment, 2000)] : null],
+        ['Comment', about.comment ? [remarkOf(about.comment)] : null],
         ['Change', changeText(clash)],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
@@ -230,7 +230,7 @@ export class Details {
         hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...point(region.normal)),
         region.change && el('span', { class: 'tag' }, region.change),
         region.status && el('span', { class: 'tag' }, nameOf(region.status, 40)),
-        region.comment && el('span', { class: 'wide' }, nameOf(region.comment, 2000)),
+        region.comment && el('span', { class: 'wide' }, remarkOf(region.comment)),
       ),
     );
     return element;

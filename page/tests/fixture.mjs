@@ -169,10 +169,10 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         change: i % 2 ? 'new' : 'persisting',
         was: i % 2 ? null : i === 0 ? 'touching' : pair.verdict,
         status: i % 4 ? null : 'approved',
-        comment: i ? null : 'seen by <b>two</b>',
+        comment: i ? null : 'seen by <b>two</b>\r\nnot by\u202e three\nor four',
       }),
     );
-    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting' }));
+    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting', comment: i ? null : 'one\ntwo' }));
     report.resolved = [
       {
         a: objects[0],

@@ -237,6 +237,22 @@ describe('the list of clashes', () => {
     assert.ok(!page.url().includes('#'));
   });
 
+  test('shows what people wrote in its lines', async () => {
+    for (const [pair, lines] of [
+      [report.pairs[0], ['seen by <b>two</b>', 'not by\\u202e three', 'or four']],
+      [report.pairs[4], ['one', 'two']],
+    ]) {
+      await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(pair));
+      await settled(page);
+      const remark = page.locator('#details-body .remark');
+      assert.equal(await remark.innerText(), lines.join('\n'));
+      assert.equal(await remark.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
+      const height = await remark.evaluate((one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight));
+      assert.ok(height > lines.length - 0.5, `${height} lines`);
+    }
+    await page.keyboard.press('Escape');
+  });
+
   test('marks what got worse', async () => {
     const marked = ranked.filter((pair) => pair.was && kOrder.indexOf(pair.verdict) < kOrder.indexOf(pair.was));
     assert.deepEqual(marked, [report.pairs[0]]);
@@ -353,6 +369,32 @@ describe('the tree of parts', () => {
     await page.keyboard.press('ArrowLeft');
     assert.deepEqual((await listed(page, '.name', '#parts-tree')).slice(0, 2), ['left.stl', 'right.stl'], 'closed');
     await close();
+  });
+
+  test('counts in red what fails, and nothing else', async () => {
+    const nothing = report.pairs.map((pair) => ({ ...pair, fails: false }));
+    for (const pairs of [report.pairs, nothing]) {
+      const { page, close } = await browser.open(compose({ report: { ...report, pairs }, scene, geometry }), {
+        height: 1600,
+      });
+      const red = await page.evaluate(() => {
+        const bad = document.createElement('i');
+        bad.style.color = 'var(--bad)';
+        document.body.append(bad);
+        const colour = getComputedStyle(bad).color;
+        bad.remove();
+        return [...document.querySelectorAll('#parts-tree .row')]
+          .filter((row) => getComputedStyle(row.querySelector('.badge')).color === colour)
+          .map((row) => row.querySelector('.name').textContent);
+      });
+      const failing = report.objects.filter(({ id }) =>
+        pairs.some((pair) => pair.fails && (pair.a === id || pair.b === id)),
+      );
+      assert.equal(red.length, failing.length);
+      for (const name of ['bolt', 'plate', 'post'])
+        assert.equal(red.includes(name), failing.some((one) => one.name === name), name);
+      await close();
+    }
   });
 
   test('hides, isolates and shows', async () => {
