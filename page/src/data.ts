@@ -71,7 +71,7 @@ export interface Pair {
   was?: Verdict | null;
   status?: string | null;
   comment?: string | null;
-  /** Another pair has the same id but for the order of the parts. */
+  /** Only its place in the order of the parts tells a part of it from its twin. */
   ambiguous?: boolean;
 }
 

@@ -10,7 +10,7 @@ import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
 function changeText(clash: Clash): string[] | null {
-  if (clash.resolved) return ['resolved'];
+  if (clash.resolved) return [clash.resolved.ambiguous ? 'not known: it may still be there' : 'resolved'];
   if (!clash.pair?.change) return null;
   const { change, was, verdict } = clash.pair;
   const fresh = newRegionsOf(clash.pair);
@@ -18,6 +18,13 @@ function changeText(clash: Clash): string[] | null {
   if (!was || was === verdict) return [change + regions];
   return [`${change}${regions}${isWorse(clash.pair) ? ', and worse' : ''}: it was ${was}`];
 }
+
+/** What it means that nothing but their order tells parts apart (docs/triage.md). */
+const twinsText = (clash: Clash): string =>
+  'One of these parts has a twin of the same name, shape and place. ' +
+  (clash.resolved
+    ? 'Nothing says whether this was written about it or its twin.'
+    : 'So no status or comment is carried over from the last report.');
 
 type Value = (Node | string)[];
 
@@ -91,6 +98,7 @@ export class Details {
         ['Status', about.status ? [nameOf(about.status)] : null],
         ['Comment', about.comment ? [remarkOf(about.comment)] : null],
         ['Change', changeText(clash)],
+        ['Twins', about.ambiguous ? [twinsText(clash)] : null],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );

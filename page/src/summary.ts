@@ -56,7 +56,7 @@ function toleranceFact(report: Report): Fact | null {
 function changeFact(report: Report): Fact | null {
   const changes = report.pairs.map(changeOf).filter((change) => change !== null);
   const resolved = (report.resolved ?? []).filter((one) => !one.ambiguous).length;
-  if (!report.settings?.previous && !changes.length && !resolved) return null;
+  if (!report.settings?.previous && !changes.length && !report.resolved?.length) return null;
   const count = (wanted: string) => changes.filter((change) => change === wanted).length;
   const fact: Fact = [
     'since the last report ',
@@ -69,6 +69,8 @@ function changeFact(report: Report): Fact | null {
     countOf(resolved),
     ' resolved',
   ];
+  const ofTwins = (report.resolved?.length ?? 0) - resolved;
+  if (ofTwins) fact.push(', ', countOf(ofTwins), ' of twins, not known which');
   const worse = report.pairs.filter(isWorse).length;
   if (worse) fact.push('; ', el('strong', {}, counted(worse)), ' worse than before');
   return fact;

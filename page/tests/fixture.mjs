@@ -167,6 +167,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         id: `0000-${i}`,
         test: i % 3 ? 'bolts against plates' : null,
         change: i % 2 ? 'new' : 'persisting',
+        ambiguous: i === 1,
         was: i % 2 ? null : i === 0 ? 'touching' : pair.verdict,
         status: i % 4 ? null : 'approved',
         comment: i ? null : 'seen by <b>two</b>\r\nnot by\u202e three\nor four',
@@ -182,6 +183,17 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         centroid: places[0],
         status: 'closed',
         comment: null,
+        ambiguous: false,
+      },
+      {
+        a: objects[0],
+        b: objects[1],
+        verdict: 'touching',
+        test: null,
+        centroid: null,
+        status: 'open',
+        comment: null,
+        ambiguous: true,
       },
     ];
   }

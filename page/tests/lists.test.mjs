@@ -69,7 +69,7 @@ describe('the list of clashes', () => {
     for (const fact of [
       '12 parts in 2 files',
       '12 solids',
-      '6 new, 1 with a new region, 5 persisting, 1 resolved; 1 worse than before',
+      '6 new, 1 with a new region, 5 persisting, 1 resolved, 1 of twins, not known which; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
     ]) {
@@ -166,7 +166,7 @@ describe('the list of clashes', () => {
       await clear();
     }
     await page.click('.chip.resolved');
-    assert.deepEqual(await listed(page), [String(ranked.length + 1)]);
+    assert.deepEqual(await listed(page), [ranked.length + 1, ranked.length + 2].map(String));
     await clear();
   });
 
@@ -229,7 +229,7 @@ describe('the list of clashes', () => {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
-    assert.match(await page.textContent('#live'), /^Clash \d+ of 13: bolt penetrates plate, depth 0.5123$/);
+    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123$/);
     await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(report.pairs[1]));
     await settled(page);
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
@@ -247,10 +247,33 @@ describe('the list of clashes', () => {
       const remark = page.locator('#details-body .remark');
       assert.equal(await remark.innerText(), lines.join('\n'));
       assert.equal(await remark.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
-      const height = await remark.evaluate((one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight));
+      const height = await remark.evaluate(
+        (one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight),
+      );
       assert.ok(height > lines.length - 0.5, `${height} lines`);
     }
     await page.keyboard.press('Escape');
+  });
+
+  test('tells of twins', async () => {
+    const [gone, ambiguous] = [ranked.length + 1, ranked.length + 2];
+    const told = [];
+    for (const rank of [rankOf(report.pairs[0]), rankOf(report.pairs[1]), gone, ambiguous]) {
+      await page.evaluate((one) => (location.hash = `#clash=${one}`), rank);
+      await settled(page);
+      told.push(await page.textContent('#details-body'));
+    }
+    assert.deepEqual(
+      told.map((text) => text.includes('has a twin of the same name, shape and place')),
+      [false, true, false, true],
+    );
+    assert.match(told[1], /no status or comment is carried over/);
+    assert.match(told[2], /Changeresolved/);
+    assert.match(told[3], /Changenot known: it may still be there/);
+    await page.keyboard.press('Escape');
+    await page.click('.chip.resolved');
+    assert.deepEqual(await listed(page, '.tag'), ['resolved', 'of a twin']);
+    await clear();
   });
 
   test('marks what got worse', async () => {
