@@ -2,7 +2,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The controls above the list of clashes: what is shown of it, in which order, in which groups.
-import { changeOf, type Clash, emptyFilter, type Filter, type GroupKey, isFiltering, kChanges, type SortKey } from './clashes';
+import {
+  changeOf,
+  type Clash,
+  emptyFilter,
+  type Filter,
+  type GroupKey,
+  isFiltering,
+  kChanges,
+  type SortKey,
+} from './clashes';
 import { kVerdicts, type Report } from './data';
 import { byId, button, el, setPressed } from './dom';
 import { counted, nameText } from './format';
