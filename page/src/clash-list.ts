@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of clashes.
-import { type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
+import { changeOf, type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
 import { kVerdicts } from './data';
 import { byId, el, nameOf, numberOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
@@ -151,7 +151,7 @@ export class ClashList {
 
   private fillClash(row: HTMLElement, clash: Clash): void {
     row.className = `row clash verdict ${clash.verdict}`;
-    row.classList.toggle('is-resolved', clash.resolved !== null);
+    row.classList.toggle('is-resolved', clash.resolved !== null && !clash.resolved.ambiguous);
     row.setAttribute('aria-selected', String(clash === this.store.state.clash));
     row.removeAttribute('aria-expanded');
     if (this.store.state.group === 'none') row.removeAttribute('aria-level');
@@ -160,9 +160,10 @@ export class ClashList {
     const about = clash.pair ?? clash.resolved!;
     const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
     const tags = el('span', { class: 'tags' });
-    if (clash.resolved) tags.append(el('span', { class: 'tag' }, 'resolved'));
-    if (clash.pair?.change === 'new') tags.append(el('span', { class: 'tag new' }, 'new'));
-    if (isWorse(clash)) tags.append(el('span', { class: 'tag new' }, 'worse'));
+    if (clash.resolved) tags.append(el('span', { class: 'tag' }, clash.resolved.ambiguous ? 'of a twin' : 'resolved'));
+    const change = clash.pair && changeOf(clash.pair);
+    if (change && change !== 'persisting') tags.append(el('span', { class: 'tag new' }, change));
+    if (isWorse(clash.pair)) tags.append(el('span', { class: 'tag new' }, 'worse'));
     if (about.status) tags.append(el('span', { class: 'tag' }, nameText(about.status, 24)));
     row.replaceChildren(
       el('span', { role: 'gridcell', class: 'rank' }, counted(clash.rank)),
@@ -210,5 +211,5 @@ export function sentenceOf(clash: Clash, place: string): string {
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
   if (clash.pair?.span) parts.push(spanText(clash.pair.span));
-  return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
+  return `${clash.resolved && !clash.resolved.ambiguous ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
 }

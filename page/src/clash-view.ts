@@ -7,7 +7,7 @@ import type { Clash } from './clashes';
 import { calmColour, kPartColours, type Rgb, themeColour, verdictColour, worst } from './colours';
 import type { Pair, Report, SceneBlock, Vec3, Verdict } from './data';
 import type { Stroke } from './overlay';
-import { findSight, samplesOf } from './sight';
+import { findSight, isHiddenBy, type Obstacle, samplesOf, type Sight } from './sight';
 import type { State } from './store';
 import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, unite } from './vector';
 
@@ -20,8 +20,8 @@ export class ClashView {
   private readonly worstOf: (Verdict | null)[];
   private clashingNow = '';
 
-  /** The contact of the chosen clash is seen from nowhere: the larger part is drawn as of glass. */
-  private isBuried = false;
+  /** Which of the two parts of the chosen clash hide what there is to see of it: they are drawn as of glass. */
+  private hiding: [boolean, boolean] = [false, false];
 
   constructor(
     private readonly report: Report,
@@ -69,8 +69,7 @@ export class ClashView {
     const [a, b] = [themeColour(kPartColours.a), themeColour(kPartColours.b)];
     const picked = themeColour(kPartColours.picked);
     const plain = themeColour('--plain-part');
-    // What hides a buried contact is the larger part.
-    const [hidesA, hidesB] = this.isBuried && clash ? this.largerOf(clash) : [false, false];
+    const [hidesA, hidesB] = this.hiding;
     const alphaOf = (hides: boolean) => (hides ? kThinGlass : glass ? kGlass : 1);
     const colours = new Map<number | string | null, Rgb>();
     const base = (id: number): Rgb => {
@@ -98,7 +97,7 @@ export class ClashView {
   /** From which direction to look at the chosen clash; the present one, if much of it is seen from there. */
   lookFrom(state: State, present: Vec3): Vec3 {
     const { clash, region } = state;
-    this.isBuried = false;
+    this.hiding = [false, false];
     if (!clash) return present;
     const regions = clash.pair?.regions ?? [];
     const lines = (region >= 0 ? [regions[region]] : regions).flatMap((one) => one.lines);
@@ -107,8 +106,19 @@ export class ClashView {
     const obstacles = parts.map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
     const gap = radiusOf(this.partsBox(clash)) * 2e-3;
     const sight = findSight(obstacles, samplesOf(lines), present, gap);
-    this.isBuried = sight.isBuried;
+    this.hiding = this.whatHides(clash, obstacles, sight, gap);
     return sight.direction;
+  }
+
+  private whatHides(clash: Clash, obstacles: Obstacle[], sight: Sight, gap: number): [boolean, boolean] {
+    // The inner part stands first. Where it is not known which that is, it is the smaller one.
+    if (clash.pair && clash.verdict === 'inside')
+      return clash.pair.inner === null ? this.largerOf(clash) : [false, true];
+    // What hides a buried contact is the larger part.
+    if (sight.isBuried) return this.largerOf(clash);
+    if (obstacles.length < 2) return [false, false];
+    const [a, b] = obstacles;
+    return [isHiddenBy(a, b, sight.direction, gap), isHiddenBy(b, a, sight.direction, gap)];
   }
 
   strokes(state: State): Stroke[] {

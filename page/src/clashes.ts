@@ -148,7 +148,7 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (filter.parts && !filter.parts.has(clash.first) && !filter.parts.has(clash.second)) return false;
   if (filter.test && about.test !== filter.test) return false;
   if (filter.status && about.status !== filter.status) return false;
-  return !filter.change || clash.pair?.change === filter.change;
+  return !filter.change || (clash.pair !== null && changeOf(clash.pair) === filter.change);
 }
 
 export function filterClashes(clashes: Clash[], filter: Filter): Clash[] {
@@ -229,8 +229,22 @@ const kVerbs: Record<Verdict, string> = {
   touching: 'touches',
   apart: 'is too near',
 };
+
+/** What a pair is since the previous run, as the table counts it; null without one. */
+export type Change = 'new' | 'new region' | 'persisting';
+export const kChanges: readonly Change[] = ['new', 'new region', 'persisting'];
+
+export const newRegionsOf = (pair: Pair): number =>
+  pair.change === 'persisting' ? (pair.regions ?? []).filter((region) => region.change === 'new').length : 0;
+
+export function changeOf(pair: Pair): Change | null {
+  if (pair.change === 'new') return 'new';
+  if (pair.change !== 'persisting') return null;
+  return newRegionsOf(pair) ? 'new region' : 'persisting';
+}
+
 /** Of a pair that persists: its verdict comes before the earlier one. */
-export const isWorse = ({ pair }: Clash): boolean =>
+export const isWorse = (pair: Pair | null): boolean =>
   pair?.change === 'persisting' && pair.was != null && kVerdicts.indexOf(pair.verdict) < kVerdicts.indexOf(pair.was);
 
 /** A motion that an earlier version wrote does not tell which of two parts is the inner one. */

@@ -71,6 +71,8 @@ export interface Pair {
   was?: Verdict | null;
   status?: string | null;
   comment?: string | null;
+  /** Only its place in the order of the parts tells a part of it from its twin. */
+  ambiguous?: boolean;
 }
 
 interface Place {
@@ -87,6 +89,8 @@ export interface Resolved {
   centroid?: Vec3 | null;
   status?: string | null;
   comment?: string | null;
+  /** It may still be there: nothing says which of several equal pairs it was. */
+  ambiguous?: boolean;
 }
 
 export interface Settings {
@@ -97,6 +101,8 @@ export interface Settings {
   fail_on: string[];
   ignore?: unknown[];
   within_products?: boolean;
+  /** The report of an earlier run. */
+  previous?: string | null;
 }
 
 export interface Report {

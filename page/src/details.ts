@@ -2,20 +2,29 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the chosen clash or part.
-import { type Clash, isWorse, verbOf } from './clashes';
+import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
-import { byId, button, countOf, el, nameOf, numberOf } from './dom';
+import { byId, button, countOf, el, nameOf, numberOf, remarkOf } from './dom';
 import { counted, fileName } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
-function changeOf(clash: Clash): string[] | null {
-  if (clash.resolved) return ['resolved'];
+function changeText(clash: Clash): string[] | null {
+  if (clash.resolved) return [clash.resolved.ambiguous ? 'not known: it may still be there' : 'resolved'];
   if (!clash.pair?.change) return null;
   const { change, was, verdict } = clash.pair;
-  if (!was || was === verdict) return [change];
-  return [`${change}${isWorse(clash) ? ', and worse' : ''}: it was ${was}`];
+  const fresh = newRegionsOf(clash.pair);
+  const regions = fresh === 0 ? '' : fresh === 1 ? ', with a new region' : `, with ${counted(fresh)} new regions`;
+  if (!was || was === verdict) return [change + regions];
+  return [`${change}${regions}${isWorse(clash.pair) ? ', and worse' : ''}: it was ${was}`];
 }
+
+/** What it means that nothing but their order tells parts apart (docs/triage.md). */
+const twinsText = (clash: Clash): string =>
+  'One of these parts has a twin of the same name, shape and place. ' +
+  (clash.resolved
+    ? 'Nothing says whether this was written about it or its twin.'
+    : 'So no status or comment is carried over from the last report.');
 
 type Value = (Node | string)[];
 
@@ -87,8 +96,9 @@ export class Details {
     nodes.push(
       figures([
         ['Status', about.status ? [nameOf(about.status)] : null],
-        ['Comment', about.comment ? [nameOf(about.comment, 2000)] : null],
-        ['Change', changeOf(clash)],
+        ['Comment', about.comment ? [remarkOf(about.comment)] : null],
+        ['Change', changeText(clash)],
+        ['Twins', about.ambiguous ? [twinsText(clash)] : null],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );
@@ -228,7 +238,7 @@ export class Details {
         hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...point(region.normal)),
         region.change && el('span', { class: 'tag' }, region.change),
         region.status && el('span', { class: 'tag' }, nameOf(region.status, 40)),
-        region.comment && el('span', { class: 'wide' }, nameOf(region.comment, 2000)),
+        region.comment && el('span', { class: 'wide' }, remarkOf(region.comment)),
       ),
     );
     return element;

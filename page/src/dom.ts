@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Making elements. All text goes in as text: nothing that a file says is ever read as markup.
-import { counted, nameText, rounded } from './format';
+import { counted, nameText, remarkText, rounded } from './format';
 
 type Child = Node | string | null | undefined | false;
 
@@ -37,6 +37,9 @@ export const countOf = (value: number): HTMLElement =>
 export function nameOf(name: string, longest = 200): HTMLElement {
   return el('bdi', { class: 'name', title: nameText(name, 2000) }, nameText(name, longest));
 }
+
+/** What people wrote, line by line. */
+export const remarkOf = (remark: string): HTMLElement => el('span', { class: 'remark' }, remarkText(remark));
 
 export function button(
   text: string,

@@ -2,7 +2,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The controls above the list of clashes: what is shown of it, in which order, in which groups.
-import { type Clash, emptyFilter, type Filter, type GroupKey, isFiltering, type SortKey } from './clashes';
+import {
+  changeOf,
+  type Clash,
+  emptyFilter,
+  type Filter,
+  type GroupKey,
+  isFiltering,
+  kChanges,
+  type SortKey,
+} from './clashes';
 import { kVerdicts, type Report } from './data';
 import { byId, button, el, setPressed } from './dom';
 import { counted, nameText } from './format';
@@ -23,12 +32,15 @@ function numberField(label: string, id: string, onChange: (value: number) => voi
   return el('label', { class: 'field' }, el('span', {}, label), input);
 }
 
-/** The values that a key of triage takes in the report, sorted. */
-function valuesOf(report: Report, key: 'test' | 'status' | 'change'): string[] {
+/** The values that a key of triage takes in the report: changes as they are counted, the others sorted. */
+function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
+  if (key === 'change') {
+    const changes = new Set(report.pairs.map(changeOf));
+    return kChanges.filter((one) => changes.has(one)).map((one) => [one, one === 'new region' ? `with a ${one}` : one]);
+  }
   const values = new Set<string>();
-  for (const pair of report.pairs) if (pair[key]) values.add(pair[key]);
-  if (key !== 'change') for (const resolved of report.resolved ?? []) if (resolved[key]) values.add(resolved[key]);
-  return [...values].sort();
+  for (const about of [...report.pairs, ...(report.resolved ?? [])]) if (about[key]) values.add(about[key]);
+  return [...values].sort().map((value) => [value, nameText(value, 60)]);
 }
 
 export class Filters {
@@ -144,7 +156,7 @@ export class Filters {
     for (const key of ['test', 'status', 'change'] as const) {
       const values = valuesOf(this.report, key);
       if (!values.length) continue;
-      const choices: Choice[] = [['', `any ${key}`], ...values.map((value): Choice => [value, nameText(value, 60)])];
+      const choices: Choice[] = [['', `any ${key}`], ...values];
       fields.push(
         chooser(`Only of ${key}`, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`),
       );

@@ -35,6 +35,7 @@ export class PartsTree {
   private readonly leafOf: Int32Array;
   private readonly texts: string[];
   private readonly clashesOf: Int32Array;
+  private readonly fails: Uint8Array;
   private readonly open = new Set<number>();
   private shown: number[] = [];
   private query = '';
@@ -56,10 +57,12 @@ export class PartsTree {
     this.leafOf = new Int32Array(objects.length);
     this.texts = objects.map((part) => `${part.path}\n${part.name}\n${part.product}`.toLowerCase());
     this.clashesOf = new Int32Array(objects.length);
+    this.fails = new Uint8Array(objects.length);
     for (const { pair, first, second } of clashes) {
       if (!pair) continue;
       ++this.clashesOf[first];
       ++this.clashesOf[second];
+      if (pair.fails) this.fails[first] = this.fails[second] = 1;
     }
     this.build();
     this.rows = new VirtualRows(byId('parts-tree'), 'treeitem', {
@@ -195,7 +198,8 @@ export class PartsTree {
     const count = node.part < 0 ? `${counted(parts.length)}` : clashes ? counted(clashes) : '';
     const words = node.part < 0 ? plural(parts.length, 'part') : plural(clashes, 'clash', 'clashes');
     row.setAttribute('aria-label', `${nameText(node.label, 120)}, ${words}${isGone ? ', hidden' : ''}`);
-    const badge = el('span', { class: node.part < 0 ? 'badge quiet' : 'badge', title: words }, count);
+    const badge = el('span', { class: 'badge quiet', title: words }, count);
+    badge.classList.toggle('failing', node.part >= 0 && this.fails[node.part] === 1);
     if (!count) badge.hidden = true;
     const eye = el('span', { class: 'eye', title: isGone ? 'Show (H)' : 'Hide (H)', 'data-act': 'hide' });
     row.replaceChildren(indent, nameOf(node.label), badge, eye);

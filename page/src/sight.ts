@@ -66,6 +66,21 @@ function isBlocked({ positions: p, corners }: Obstacle, from: Vec3, d: Vec3): bo
   return false;
 }
 
+const kVertices = 24;
+
+/** Corners of the triangles of a part, evenly taken, in the world. */
+function verticesOf({ positions: p, corners, pose }: Obstacle): Vec3[] {
+  const step = Math.max(1, Math.floor(corners.length / kVertices));
+  const points: Vec3[] = [];
+  for (let i = 0; i < corners.length && points.length < kVertices; i += step) {
+    const [x, y, z] = [0, 1, 2].map((k) => p[3 * corners[i] + k]);
+    points.push(
+      [0, 4, 8].map((row) => pose[row] * x + pose[row + 1] * y + pose[row + 2] * z + pose[row + 3]) as Vec3,
+    );
+  }
+  return points;
+}
+
 /** The share of the points that nothing hides from a far viewer in a direction. `gap`: what lies so near hides nothing. */
 function seenShare(obstacles: Obstacle[], points: Vec3[], direction: Vec3, gap: number): number {
   let seen = 0;
@@ -110,4 +125,10 @@ export function findSight(obstacles: Obstacle[], points: Vec3[], present: Vec3, 
   return best.share < kTooLittle
     ? { direction: present, isBuried: true }
     : { direction: best.direction, isBuried: false };
+}
+
+/** Whether next to nothing of a part is seen from a direction, as the other one is in the way. */
+export function isHiddenBy(other: Obstacle, part: Obstacle, direction: Vec3, gap: number): boolean {
+  if ((kVertices * other.corners.length) / 3 > kMostTests) return false;
+  return seenShare([other], verticesOf(part), direction, gap) < kTooLittle;
 }

@@ -28,6 +28,9 @@ const kUpwardsY = /\.(glb|gltf|obj|fbx|dae)$/i;
 const isStill = (): boolean =>
   matchMedia('(prefers-reduced-motion: reduce)').matches || new URLSearchParams(location.search).has('still');
 
+/** How the list is put together; nothing of it is seen in the view. */
+const kOfTheList: ReadonlySet<keyof State> = new Set(['filter', 'sort', 'group'] as const);
+
 export class Stage {
   view: View | null = null;
   private look: ClashView | null = null;
@@ -156,7 +159,7 @@ export class Stage {
   private follow(state: State, changed: ReadonlySet<keyof State>): void {
     const { view, look } = this;
     if (changed.has('clash')) this.showLegend(state);
-    if (!view || !look) return;
+    if (!view || !look || [...changed].every((key) => kOfTheList.has(key))) return;
     const doOthersClash = changed.has('time') && this.moveParts(state.time);
     const isElsewhere = changed.has('clash') || changed.has('region');
     const from = isElsewhere ? look.lookFrom(state, view.camera.goalBack()) : null;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The top of the page: what came out, in plain words.
-import type { Clash } from './clashes';
+import { changeOf, type Clash, isWorse } from './clashes';
 import { kVerdicts, type Report, type SceneBlock, type Verdict } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText, plural } from './format';
@@ -52,13 +52,28 @@ function toleranceFact(report: Report): Fact | null {
   return ['tolerance automatic, ', numberOf(least), ' to ', numberOf(greatest)];
 }
 
-function triageFacts(report: Report): Fact[] {
-  const facts: Fact[] = [];
-  const fresh = report.pairs.filter((pair) => pair.change === 'new').length;
-  const known = report.pairs.filter((pair) => pair.change === 'persisting').length;
-  if (fresh + known) facts.push([el('strong', {}, counted(fresh)), ' new, ', countOf(known), ' persisting']);
-  if (report.resolved?.length) facts.push([countOf(report.resolved.length), ' resolved since the last report']);
-  return facts;
+/** The same counts as the command prints. */
+function changeFact(report: Report): Fact | null {
+  const changes = report.pairs.map(changeOf).filter((change) => change !== null);
+  const resolved = (report.resolved ?? []).filter((one) => !one.ambiguous).length;
+  if (!report.settings?.previous && !changes.length && !report.resolved?.length) return null;
+  const count = (wanted: string) => changes.filter((change) => change === wanted).length;
+  const fact: Fact = [
+    'since the last report ',
+    el('strong', {}, counted(count('new'))),
+    ' new, ',
+    el('strong', {}, counted(count('new region'))),
+    ' with a new region, ',
+    countOf(count('persisting')),
+    ' persisting, ',
+    countOf(resolved),
+    ' resolved',
+  ];
+  const ofTwins = (report.resolved?.length ?? 0) - resolved;
+  if (ofTwins) fact.push(', ', countOf(ofTwins), ' of twins, not known which');
+  const worse = report.pairs.filter(isWorse).length;
+  if (worse) fact.push('; ', el('strong', {}, counted(worse)), ' worse than before');
+  return fact;
 }
 
 /** What was looked at, and what such looking cannot see. */
@@ -116,7 +131,7 @@ export function showSummary(
     motion && stepsFact(motion),
     partFacts(report, motion),
     motion && motion.animation.name ? ['animation ', nameOf(motion.animation.name, 60)] : null,
-    ...triageFacts(report),
+    changeFact(report),
     deepestFact(report, clashes, choose),
     toleranceFact(report),
   ];

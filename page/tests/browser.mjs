@@ -82,7 +82,10 @@ export function listed(page, selector = '.rank', list = '#clash-list') {
   );
 }
 
-/** How many colours a picture of an element has, and the picture. */
+/**
+ * How many colours a picture of an element has, and the picture. `a` and `b`: the shares of it that have the full colours
+ * of the first and of the second part of a clash, which are blue and orange.
+ */
 export async function picture(page, selector = '#canvas') {
   const box = await page.locator(selector).boundingBox();
   const png = await page.screenshot({ clip: box });
@@ -96,11 +99,15 @@ export async function picture(page, selector = '#canvas') {
     context.drawImage(image, 0, 0);
     const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
     const seen = new Map();
+    let [a, b] = [0, 0];
     for (let i = 0; i < bytes.length; i += 4) {
       const key = (bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2];
       seen.set(key, (seen.get(key) ?? 0) + 1);
+      if (bytes[i + 2] - bytes[i] > 60) ++a;
+      if (bytes[i] - bytes[i + 2] > 100) ++b;
     }
-    return { count: seen.size, most: Math.max(...seen.values()) / (bytes.length / 4) };
+    const size = bytes.length / 4;
+    return { count: seen.size, most: Math.max(...seen.values()) / size, a: a / size, b: b / size };
   }, png.toString('base64'));
   return { png, ...colours };
 }

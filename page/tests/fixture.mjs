@@ -167,11 +167,13 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         id: `0000-${i}`,
         test: i % 3 ? 'bolts against plates' : null,
         change: i % 2 ? 'new' : 'persisting',
+        ambiguous: i === 1,
         was: i % 2 ? null : i === 0 ? 'touching' : pair.verdict,
         status: i % 4 ? null : 'approved',
-        comment: i ? null : 'seen by <b>two</b>',
+        comment: i ? null : 'seen by <b>two</b>\r\nnot by\u202e three\nor four',
       }),
     );
+    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting', comment: i ? null : 'one\ntwo' }));
     report.resolved = [
       {
         a: objects[0],
@@ -181,6 +183,17 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         centroid: places[0],
         status: 'closed',
         comment: null,
+        ambiguous: false,
+      },
+      {
+        a: objects[0],
+        b: objects[1],
+        verdict: 'touching',
+        test: null,
+        centroid: null,
+        status: 'open',
+        comment: null,
+        ambiguous: true,
       },
     ];
   }
@@ -188,6 +201,68 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
 }
 
 export const reviewPage = (options) => compose(review(options));
+
+/** Cubes with something in them, or nearly so, far from each other. A cube that pokes out stands on a corner of its own. */
+export function nestedPage() {
+  const [r2, r3, r6] = [Math.SQRT1_2, Math.sqrt(1 / 3), Math.sqrt(1 / 6)];
+  const onCorner = (x, y, z) => [r2, -r2, 0, x, r6, r6, -2 * r6, y, r3, r3, r3, z];
+  const meshes = [box(10, 10, 10), box(2, 2, 2), box(4, 4, 4, 3), box(2, 2, 30), box(2, 2, 10)];
+  const placed = [
+    [1, at(0, 0, 0)],
+    [0, at(0, 0, 0)],
+    [0, at(100, 0, 0)],
+    [4, at(100, 0, 0)], // from face to face
+    [2, onCorner(200, 0, 2)], // its upper corner is at 2 + sqrt(12), the cube around it ends at 5
+    [0, at(200, 0, 0)],
+    [3, at(300, 0, 0)],
+    [0, at(300, 0, 0)],
+    [0, at(400, 0, 0)],
+    [2, onCorner(400, 0, 2)],
+  ];
+  const objects = placed.map(([mesh], id) => part(id, `cube ${id}`, '', 'nested.stl', meshes[mesh].corners.length / 3, 1));
+  const square = (x, z, s) => ({
+    pairs: 4,
+    box: [
+      [x - s, -s, z],
+      [x + s, s, z],
+    ],
+    area: 4 * s * s,
+    length: 8 * s,
+    centroid: [x, 0, z],
+    normal: [0, 0, 1],
+    lines: [[[x - s, -s, z], [x + s, -s, z], [x + s, s, z], [x - s, s, z], [x - s, -s, z]]],
+  });
+  const pair = (a, b, verdict, inner, regions) => ({
+    id: `pair ${a / 2}`,
+    a,
+    b,
+    crossing: 0,
+    touching: 0,
+    coplanar: 0,
+    verdict,
+    inner,
+    note: null,
+    tolerance: 1e-6,
+    fails: true,
+    overlap_depth: null,
+    regions,
+  });
+  const pairs = [
+    pair(0, 1, 'inside', 0, []),
+    pair(2, 3, 'inside', 3, [square(100, 5, 1), square(100, -5, 1)]),
+    pair(4, 5, 'penetrating', null, [square(200, 5, 0.6)]),
+    pair(6, 7, 'penetrating', null, [square(300, 5, 1), square(300, -5, 1)]),
+    pair(8, 9, 'penetrating', null, [square(400, 5, 0.6)]),
+  ];
+  const { report } = review({ triage: false });
+  const counts = { ...report.counts, inside: 2, penetrating: 3, fail: 5 };
+  const scene = sceneOf(
+    'nested.stl',
+    meshes,
+    placed.map(([mesh, pose]) => ({ mesh, pose })),
+  );
+  return compose({ report: { ...report, objects, pairs, counts }, scene, geometry: geometryText(meshes) });
+}
 
 /** 10,000 parts of 108 triangles, and 15,000 pairs. */
 export function plantPage() {

@@ -27,6 +27,8 @@ const ranked = report.pairs
   .map(({ pair }) => pair);
 const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
+const changeOf = ({ change, regions }) =>
+  change === 'persisting' && regions.some((region) => region.change === 'new') ? 'new region' : change;
 const nameOf = (id) => report.objects[id].name;
 
 test('a page has the licences of what it contains', () => {
@@ -67,8 +69,7 @@ describe('the list of clashes', () => {
     for (const fact of [
       '12 parts in 2 files',
       '12 solids',
-      '6 new, 6 persisting',
-      '1 resolved',
+      '6 new, 1 with a new region, 5 persisting, 1 resolved, 1 of twins, not known which; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
     ]) {
@@ -153,17 +154,19 @@ describe('the list of clashes', () => {
       ['test', 'bolts against plates'],
       ['status', 'approved'],
       ['change', 'new'],
+      ['change', 'new region'],
+      ['change', 'persisting'],
     ]) {
       await page.selectOption(`#filter-${key}`, value);
       assert.deepEqual(
         await listed(page),
-        ranksOf((pair) => pair[key] === value),
-        key,
+        ranksOf((pair) => (key === 'change' ? changeOf(pair) : pair[key]) === value),
+        `${key} ${value}`,
       );
       await clear();
     }
     await page.click('.chip.resolved');
-    assert.deepEqual(await listed(page), [String(ranked.length + 1)]);
+    assert.deepEqual(await listed(page), [ranked.length + 1, ranked.length + 2].map(String));
     await clear();
   });
 
@@ -226,12 +229,51 @@ describe('the list of clashes', () => {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
-    assert.match(await page.textContent('#live'), /^Clash \d+ of 13: bolt penetrates plate, depth 0.5123$/);
+    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123$/);
     await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(report.pairs[1]));
     await settled(page);
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
     await page.keyboard.press('Escape');
     assert.ok(!page.url().includes('#'));
+  });
+
+  test('shows what people wrote in its lines', async () => {
+    for (const [pair, lines] of [
+      [report.pairs[0], ['seen by <b>two</b>', 'not by\\u202e three', 'or four']],
+      [report.pairs[4], ['one', 'two']],
+    ]) {
+      await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(pair));
+      await settled(page);
+      const remark = page.locator('#details-body .remark');
+      assert.equal(await remark.innerText(), lines.join('\n'));
+      assert.equal(await remark.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
+      const height = await remark.evaluate(
+        (one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight),
+      );
+      assert.ok(height > lines.length - 0.5, `${height} lines`);
+    }
+    await page.keyboard.press('Escape');
+  });
+
+  test('tells of twins', async () => {
+    const [gone, ambiguous] = [ranked.length + 1, ranked.length + 2];
+    const told = [];
+    for (const rank of [rankOf(report.pairs[0]), rankOf(report.pairs[1]), gone, ambiguous]) {
+      await page.evaluate((one) => (location.hash = `#clash=${one}`), rank);
+      await settled(page);
+      told.push(await page.textContent('#details-body'));
+    }
+    assert.deepEqual(
+      told.map((text) => text.includes('has a twin of the same name, shape and place')),
+      [false, true, false, true],
+    );
+    assert.match(told[1], /no status or comment is carried over/);
+    assert.match(told[2], /Changeresolved/);
+    assert.match(told[3], /Changenot known: it may still be there/);
+    await page.keyboard.press('Escape');
+    await page.click('.chip.resolved');
+    assert.deepEqual(await listed(page, '.tag'), ['resolved', 'of a twin']);
+    await clear();
   });
 
   test('marks what got worse', async () => {
@@ -242,6 +284,20 @@ describe('the list of clashes', () => {
       ranked.filter((_, i) => rows[i]?.includes('worse')),
       marked,
     );
+  });
+
+  test('marks known clashes with a new region', async () => {
+    const marked = ranked.filter((pair) => changeOf(pair) === 'new region');
+    assert.deepEqual(marked, [report.pairs[4]]);
+    const rows = await listed(page, '.tags');
+    assert.deepEqual(
+      ranked.filter((_, i) => rows[i]?.includes('new region')),
+      marked,
+    );
+    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(marked[0]));
+    await settled(page);
+    assert.match(await page.textContent('#details-body'), /Changepersisting, with a new region(?!,)/);
+    await page.keyboard.press('Escape');
   });
 
   test('is gone through with the keyboard', async () => {
@@ -336,6 +392,32 @@ describe('the tree of parts', () => {
     await page.keyboard.press('ArrowLeft');
     assert.deepEqual((await listed(page, '.name', '#parts-tree')).slice(0, 2), ['left.stl', 'right.stl'], 'closed');
     await close();
+  });
+
+  test('counts in red what fails, and nothing else', async () => {
+    const nothing = report.pairs.map((pair) => ({ ...pair, fails: false }));
+    for (const pairs of [report.pairs, nothing]) {
+      const { page, close } = await browser.open(compose({ report: { ...report, pairs }, scene, geometry }), {
+        height: 1600,
+      });
+      const red = await page.evaluate(() => {
+        const bad = document.createElement('i');
+        bad.style.color = 'var(--bad)';
+        document.body.append(bad);
+        const colour = getComputedStyle(bad).color;
+        bad.remove();
+        return [...document.querySelectorAll('#parts-tree .row')]
+          .filter((row) => getComputedStyle(row.querySelector('.badge')).color === colour)
+          .map((row) => row.querySelector('.name').textContent);
+      });
+      const failing = report.objects.filter(({ id }) =>
+        pairs.some((pair) => pair.fails && (pair.a === id || pair.b === id)),
+      );
+      assert.equal(red.length, failing.length);
+      for (const name of ['bolt', 'plate', 'post'])
+        assert.equal(red.includes(name), failing.some((one) => one.name === name), name);
+      await close();
+    }
   });
 
   test('hides, isolates and shows', async () => {

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { listed, picture, settled, startBrowser } from './browser.mjs';
 import { compose } from './compose.mjs';
-import { plantPage, review, reviewPage } from './fixture.mjs';
+import { nestedPage, plantPage, review, reviewPage } from './fixture.mjs';
 
 const stand = (page) => page.evaluate(() => structuredClone(window.impinge.stand()));
 const frames = (page) => page.evaluate(() => window.impinge.frames());
@@ -231,12 +231,51 @@ describe('the 3D view', () => {
     await close();
   });
 
+  test('what hides a part of the chosen clash is seen through, and the control stays as it is', async () => {
+    for (const scheme of ['light', 'dark']) {
+      const { page, close } = await browser.open(nestedPage(), { scheme });
+      const shown = async (what) => {
+        const index = ['inside', 'flush', 'poking', 'through', 'around'].indexOf(what);
+        await page.evaluate((i) => {
+          const { store, clashes } = window.impinge;
+          store.select(clashes.find((clash) => clash.pair.id === `pair ${i}`));
+        }, index);
+        await settled(page);
+        return picture(page);
+      };
+      for (const what of ['inside', 'flush']) {
+        const { a, b } = await shown(what);
+        assert.ok(a > 0.005 && b < 0.02, `${what}, ${scheme}: the inner part stands first; ${a}, ${b}`);
+      }
+      const poking = await shown('poking');
+      assert.ok(poking.a > 0.05 && poking.b < 0.02, `poking, ${scheme}: ${poking.a}, ${poking.b}`);
+      const around = await shown('around');
+      assert.ok(around.b > 0.05 && around.a < 0.02, `around, ${scheme}: ${around.a}, ${around.b}`);
+      const through = await shown('through');
+      assert.ok(through.a > 0.005 && through.b > 0.05, `through, ${scheme}: ${through.a}, ${through.b}`);
+      assert.equal(await page.isChecked('#glass'), false);
+      await page.keyboard.press('x');
+      await shown('inside');
+      const back = await shown('through');
+      assert.ok(back.b < through.b / 2, `the user sees through both: ${back.a}, ${back.b} after ${through.a}, ${through.b}`);
+      assert.equal(await page.isChecked('#glass'), true);
+      await close();
+    }
+  });
+
   test('draws only when something changed', async () => {
     const { page, close } = await browser.open(reviewPage());
     await settled(page);
     const count = await frames(page);
     await page.waitForTimeout(400);
     assert.equal(await frames(page), count);
+    await page.selectOption('#sort', 'name');
+    await page.selectOption('#group', 'part');
+    await page.fill('#clash-search', 'bolt');
+    await page.click('.chip.failing');
+    await settled(page);
+    assert.equal(await frames(page), count, 'the list alone changed');
+    await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press('1');
     await settled(page);
     assert.ok((await frames(page)) > count);
