@@ -155,6 +155,13 @@ TEST_F(NamedTests, SayWhatTheyCannotFind) {
       "impinge: c/clash.json:1: /tests/0/a/group: no group of this configuration is 'pipe'; the nearest is 'pipes'\n");
   EXPECT_EQ(error(R"({"groups":{"a":{"group":"b"},"b":{"group":"a"}},"tests":[{"name":"n","a":{"group":"a"}}]})"),
             "impinge: c/clash.json:1: /groups/b/group: the group 'a' is made of itself\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"unused":"pipe1","other":["pipe2","pip"]}})"),
+            "impinge: c/clash.json:1: /groups/other/1: nothing is named 'pip'; the nearest name is 'pipe1'\n")
+      << "of groups that no test uses as well";
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"unused":{"name":"pipe*","except":"*"}}})"),
+            "impinge: c/clash.json:1: /groups/unused: no part is in this group\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"a":{"group":"a"}}})"),
+            "impinge: c/clash.json:1: /groups/a/group: the group 'a' is made of itself\n");
   EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"pipe1"}]})"),
             "impinge: c/clash.json:1: /tests/0/a: only one part is named here, and no part is tested against itself\n");
   EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*","ignore":{"pairs":[["pipe1","x"]]}}]})"),
