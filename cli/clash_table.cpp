@@ -23,25 +23,6 @@ std::string length_text(double length) { return fmt::format("{:.4g}", length); }
 /// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
 const std::string kNothing = "-";
 
-/// Short enough for a column; the JSON has the sentence.
-std::string note_text(Note note) {
-  switch (note) {
-    case Note::none:
-      return kNothing;
-    case Note::overlap_within_tolerance:
-      return "overlap within tolerance";
-    case Note::outside_within_tolerance:
-      return "outside within tolerance";
-    case Note::gap_within_tolerance:
-      return "gap within tolerance";
-    case Note::equal_within_tolerance:
-      return "equal within tolerance";
-    case Note::tolerance_not_applied:
-      return "tolerance not applied";
-  }
-  return kNothing;
-}
-
 struct PairColumn {
   Column column;
   std::function<std::string(const Clash& pair, const Standing& standing)> text;
@@ -156,6 +137,24 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
 }
 
 }  // namespace
+
+std::string note_text(Note note) {
+  switch (note) {
+    case Note::none:
+      return kNothing;
+    case Note::overlap_within_tolerance:
+      return "overlap within tolerance";
+    case Note::outside_within_tolerance:
+      return "outside within tolerance";
+    case Note::gap_within_tolerance:
+      return "gap within tolerance";
+    case Note::equal_within_tolerance:
+      return "equal within tolerance";
+    case Note::tolerance_not_applied:
+      return "tolerance not applied";
+  }
+  return kNothing;
+}
 
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
