@@ -197,11 +197,11 @@ TEST_F(NamedTests, AreSummedUpAndGrouped) {
                   {"name":"rest","mode":"contact","a":"slab","b":"pipe*","may_touch":true}]})";
   const std::string out = clash(configuration).out;
   EXPECT_TRUE(
-      out.starts_with("verdict      part   part  test\n"
-                      "penetrating  pipe1  beam  hard\n"
-                      "penetrating  pipe2  beam  hard\n"
-                      "touching     pipe1  slab  rest\n"
-                      "touching     pipe2  slab  rest\n\n"))
+      out.starts_with("verdict      part   part  fails  test\n"
+                      "penetrating  pipe1  beam  yes    hard\n"
+                      "penetrating  pipe2  beam  yes    hard\n"
+                      "touching     pipe1  slab  -      rest\n"
+                      "touching     pipe2  slab  -      rest\n\n"))
       << out;
   EXPECT_NE(out.find("hard: penetration of 4 parts against each other, tolerance auto: 2 penetrating; 2 fail.\n"
                      "rest: contact of 1 part against 2 parts, tolerance auto: 2 touching; none fails.\n"
