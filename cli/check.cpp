@@ -18,6 +18,7 @@
 #include "stats.hpp"
 #include "table.hpp"
 #include "text.hpp"
+#include "triage/remarks.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -127,6 +128,7 @@ Result<void> print_answer(const Answer& answer, const CheckArguments& arguments,
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
   Documents documents(arguments.files);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
   if (!arguments.quiet) {

@@ -19,6 +19,7 @@
 #include "scene_command.hpp"
 #include "text.hpp"
 #include "triage/configured_clash.hpp"
+#include "triage/remarks.hpp"
 #include "triage/triage_table.hpp"
 
 namespace impinge::cli {
@@ -109,7 +110,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   std::vector<std::string> inputs = arguments.files;
   if (arguments.config) inputs.push_back(*arguments.config);
   Documents documents(inputs);
-  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kJson, arguments.json, arguments.previous); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
@@ -118,6 +119,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const Result<Previous> previous =
       arguments.previous ? read_previous(*arguments.previous, arguments.max_file_bytes) : Previous();
   if (!previous) return previous.error();
+  if (auto kept = keep_remarks(arguments, *previous); !kept) return kept.error();
   const Result<Review> review = make_review(
       arguments,
       {configured->configuration ? &*configured->configuration : nullptr, arguments.previous ? &*previous : nullptr},

@@ -23,23 +23,11 @@ std::string length_text(double length) { return fmt::format("{:.4g}", length); }
 /// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
 const std::string kNothing = "-";
 
-/// Short enough for a column; the JSON has the sentence.
-std::string note_text(Note note) {
-  switch (note) {
-    case Note::none:
-      return kNothing;
-    case Note::overlap_within_tolerance:
-      return "overlap within tolerance";
-    case Note::outside_within_tolerance:
-      return "outside within tolerance";
-    case Note::gap_within_tolerance:
-      return "gap within tolerance";
-    case Note::equal_within_tolerance:
-      return "equal within tolerance";
-    case Note::tolerance_not_applied:
-      return "tolerance not applied";
-  }
-  return kNothing;
+/// What fails by default the verdicts tell; otherwise a column does, unless all of them fail or none.
+bool marks_failing(const Review& review, const ClashArguments& arguments) {
+  if (!arguments.config && words_of(arguments.fail_on) == words_of(ClashArguments().fail_on)) return false;
+  const std::uint64_t failing = count_failing(review);
+  return failing > 0 && failing < review.clashes.pairs.size();
 }
 
 struct PairColumn {
@@ -51,6 +39,9 @@ std::vector<PairColumn> columns_after_names(const Review& review, const ClashArg
   using enum Column::Kind;
   const std::vector<Clash>& pairs = review.clashes.pairs;
   std::vector<PairColumn> columns;
+  if (marks_failing(review, arguments))
+    columns.push_back(
+        {{"fails", text}, [](const Clash&, const Standing& standing) { return standing.fails ? "yes" : kNothing; }});
   if (review.plan.tests().size() > 1)
     columns.push_back({{"test", text}, [&review](const Clash& pair, const Standing&) {
                          return fit(printable(review.plan.tests()[pair.test].name), 40);
@@ -156,6 +147,24 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
 }
 
 }  // namespace
+
+std::string note_text(Note note) {
+  switch (note) {
+    case Note::none:
+      return kNothing;
+    case Note::overlap_within_tolerance:
+      return "overlap within tolerance";
+    case Note::outside_within_tolerance:
+      return "outside within tolerance";
+    case Note::gap_within_tolerance:
+      return "gap within tolerance";
+    case Note::equal_within_tolerance:
+      return "equal within tolerance";
+    case Note::tolerance_not_applied:
+      return "tolerance not applied";
+  }
+  return kNothing;
+}
 
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {

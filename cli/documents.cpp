@@ -9,9 +9,7 @@
 #include <system_error>
 
 namespace impinge::cli {
-namespace {
 
-/// Also of files that do not exist yet.
 bool is_one_place(const std::string& a, const std::string& b) {
   if (a == b) return true;
   if (a == "-" || b == "-") return false;
@@ -22,9 +20,8 @@ bool is_one_place(const std::string& a, const std::string& b) {
   return !real_a.empty() && real_a == real_b;
 }
 
-}  // namespace
-
-Result<void> Documents::order(const DocumentKind& kind, const std::optional<std::string>& place) {
+Result<void> Documents::order(const DocumentKind& kind, const std::optional<std::string>& place,
+                              const std::optional<std::string>& known) {
   if (!place) return {};
   for (const std::string& file : files_) {
     std::error_code unknown;
@@ -35,7 +32,7 @@ Result<void> Documents::order(const DocumentKind& kind, const std::optional<std:
     if (is_one_place(*place, other.place))
       return Error{Code::bad_option, fmt::format("{} and {} cannot both go to {}", other.kind->option, kind.option,
                                                  *place == "-" ? "standard output" : *place)};
-  Result<Target> target = Target::check(*place, kind);
+  Result<Target> target = Target::check(*place, kind, known && is_one_place(*place, *known));
   if (!target) return target.error();
   ordered_.push_back({&kind, *place, *std::move(target), {}});
   return {};

@@ -19,6 +19,7 @@
 #include "sink.hpp"
 #include "table.hpp"
 #include "text.hpp"
+#include "triage/remarks.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -154,6 +155,7 @@ void print_file(const FileFacts& facts, Sink& out) {
 Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
   Documents documents(arguments.files);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   const bool table = !documents.on_standard_output();
   Sink out(STDOUT_FILENO, "standard output");
   std::vector<FileFacts> files;

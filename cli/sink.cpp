@@ -33,7 +33,7 @@ std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'
 bool is_empty_or_one(const std::filesystem::path& file, const DocumentKind& kind) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  std::array<char, 64> head{};
+  std::array<char, 512> head{};
   const ssize_t got = ::read(descriptor, head.data(), head.size());
   ::close(descriptor);
   if (got < 0) return false;
@@ -41,9 +41,14 @@ bool is_empty_or_one(const std::filesystem::path& file, const DocumentKind& kind
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos || kind.begins_one(text);
 }
 
+/// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
 bool begins_json(std::string_view head) {
-  const std::size_t first = head.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && head[first] == '{';
+  std::string text(head.substr(head.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+  std::erase_if(text, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; });
+  for (const char* begin : {R"("objects":[{"id":0,"name":")", R"("objects":[],"pairs":[)",
+                            R"("settings":{"tolerance":)", R"("files":[{"file":")", R"("animation":{"name":")"})
+    if (text.starts_with(R"({"version":1,)" + std::string(begin))) return true;
+  return false;
 }
 bool begins_page(std::string_view head) { return head.starts_with("<!doctype html>"); }
 bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
@@ -104,7 +109,7 @@ Result<void> Sink::flush() {
   return {};
 }
 
-Result<Target> Target::check(std::string_view name, const DocumentKind& kind) {
+Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bool is_one) {
   Target target;
   if (name == "-") {
     target.standard_output_ = true;
@@ -121,9 +126,9 @@ Result<Target> Target::check(std::string_view name, const DocumentKind& kind) {
                    fmt::format("{} is a directory; name a file for the {}", in_quotes(name), kind.noun)};
     target.direct_ = !S_ISREG(about.st_mode);
     if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
-    if (!target.direct_ && !is_empty_or_one(target.place_, kind))
-      return Error{Code::bad_file, fmt::format("{} exists and holds no {}, so it is not replaced; the word after "
-                                               "{} is the file to write",
+    if (!target.direct_ && !is_one && !is_empty_or_one(target.place_, kind))
+      return Error{Code::bad_file, fmt::format("{} exists and holds no {} of impinge, so it is not replaced; the "
+                                               "word after {} is the file to write",
                                                in_quotes(name), kind.noun, kind.option)};
   }
   if (!target.direct_) {

@@ -72,8 +72,8 @@ class Target {
  public:
   /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is
   /// empty or begins like such a document: `--json a.obj b.obj` must not cost its author a.obj. A link stays a link,
-  /// and what it points to is written. Errors: `bad_file`.
-  static Result<Target> check(std::string_view name, const DocumentKind& kind);
+  /// and what it points to is written. `is_one`: such a document is there, however it begins. Errors: `bad_file`.
+  static Result<Target> check(std::string_view name, const DocumentKind& kind, bool is_one = false);
 
   [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
 

@@ -18,6 +18,7 @@
 #include "report/page.hpp"
 #include "scene_command.hpp"
 #include "text.hpp"
+#include "triage/remarks.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -106,6 +107,7 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
 Result<bool> motion(const MotionArguments& arguments, const std::stop_token& stop) {
   Documents documents(arguments.files);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();

@@ -21,10 +21,11 @@ void write_spans(Sink& sink, const std::vector<ClashSpan>& spans, bool depth) {
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const ClashSpan& span = spans[i];
     const std::string inner = span.inner < 0 ? "null" : fmt::format("{}", span.objects[span.inner]);
-    sink.write(
-        fmt::format("{}\n{{\"a\":{},\"b\":{},\"from\":{},\"to\":{},\"worst\":\"{}\",\"inner\":{},\"worst_at\":{}",
-                    i > 0 ? "," : "", span.objects[0], span.objects[1], json_moment(span.from), json_moment(span.to),
-                    name(span.worst), inner, json_number(span.worst_at)));
+    sink.write(fmt::format(
+        "{}\n{{\"a\":{},\"b\":{},\"from\":{},\"to\":{},\"worst\":\"{}\",\"inner\":{},\"worst_at\":{},\"note\":{}",
+        i > 0 ? "," : "", span.objects[0], span.objects[1], json_moment(span.from), json_moment(span.to),
+        name(span.worst), inner, json_number(span.worst_at),
+        span.note == Note::none ? "null" : json_string(sentence(span.note))));
     if (depth) sink.write(",\"overlap_depth\":" + json_depth(span.overlap_depth));
     sink.write("}");
   }

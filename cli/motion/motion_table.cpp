@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "clash_table.hpp"
 #include "table.hpp"
 #include "text.hpp"
 
@@ -43,8 +44,12 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
   table.rows = spans.size();
   table.columns = {{"from", number}, {"to", number}, {"part", name}, {"part", name}, {"worst", text}, {"at", number}};
   if (arguments.depth) table.columns.push_back({"depth", number});
+  const std::size_t note = table.columns.size();
+  if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))
+    table.columns.push_back({"note", text});
   table.cell = [&](std::size_t row, std::size_t column) -> std::string {
     const ClashSpan& span = spans[order[row]];
+    if (column == note) return note_text(span.note);
     switch (column) {
       case 0:
         return span.from ? time_text(span.from->hi, step) : "start";

@@ -122,9 +122,12 @@ class Search {
       return depth ? std::max(depth->a_in_b.hi, depth->b_in_a.hi) : 0;
     };
     const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
-    if (rank(clash.verdict, depth_of(clash.overlap_depth)) >= rank(span.worst, depth_of(span.overlap_depth))) return;
-    span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time,
-    span.overlap_depth = clash.overlap_depth;
+    const bool not_applied = clash.note == Note::tolerance_not_applied || span.note == Note::tolerance_not_applied;
+    if (rank(clash.verdict, depth_of(clash.overlap_depth)) < rank(span.worst, depth_of(span.overlap_depth))) {
+      span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time, span.note = clash.note;
+      span.overlap_depth = clash.overlap_depth;
+    }
+    if (not_applied) span.note = Note::tolerance_not_applied;
   }
 
   /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.

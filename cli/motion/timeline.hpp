@@ -29,6 +29,7 @@ struct ClashSpan {
   int inner = -1;                             ///< then, as `Clash::inner`
   double worst_at = 0;                        ///< seconds: of the first such frame; the deepest if depths are measured
   std::optional<OverlapDepth> overlap_depth;  ///< then
+  Note note = Note::none;                     ///< then; but that the tolerance was not applied, of any frame
 };
 
 struct TimelineOptions {

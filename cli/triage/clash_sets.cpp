@@ -142,6 +142,7 @@ void warn(const JsonReader& reader, const std::vector<IgnoredSelector>& ignored,
 
 NamedTest read_clash_set(JsonReader& reader, std::vector<IgnoredSelector>& to_warn_of) {
   NamedTest test;
+  test.place = reader.place_of_next();
   std::string mode = "intersection";
   std::optional<Group> a;
   std::optional<double> tolerance, clearance;

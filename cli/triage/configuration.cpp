@@ -156,6 +156,7 @@ bool read_term(JsonReader& reader, const std::string& key, Terms& terms) {
 
 NamedTest read_test(JsonReader& reader) {
   NamedTest test;
+  test.place = reader.place_of_next();
   bool has_a = false;
   reader.object([&](const std::string& key) {
     if (key == "clearance") test.clearance_place = reader.place();
@@ -261,7 +262,7 @@ Result<void> check(const Configuration& configuration) {
                                     fmt::format("two tests are named '{}'", printable(test.name.text)));
     const Mode mode = configuration.mode_of(test);
     if (mode == Mode::clearance && configuration.clearance_of(test) == 0)
-      return configuration.error_at(test.name.place, "mode clearance needs a \"clearance\", the distance to keep");
+      return configuration.error_at(test.place, "mode clearance needs a \"clearance\", the distance to keep");
     if (mode != Mode::clearance && test.terms.clearance)
       return configuration.error_at(
           test.clearance_place,

@@ -63,6 +63,7 @@ struct Terms {
 };
 
 struct NamedTest {
+  JsonReader::Place place;
   Word name;
   Group a;
   std::optional<Group> b;  ///< nothing: a against itself

@@ -55,11 +55,23 @@ class Plan::Maker {
       if (auto added = add_rules(test.terms); !added) return added.error();
       plan_.tests_.push_back(std::move(planned));
     }
+    if (auto checked = check_groups(); !checked) return checked.error();
     lay_out_rows();
     return std::move(plan_);
   }
 
  private:
+  /// A group that nothing uses may be a word that was mistyped elsewhere; what is in it must be right all the same.
+  Result<void> check_groups() {
+    for (const auto& [name, group] : configuration_.groups) {
+      Group all;
+      all.named = {{name, group.place}};
+      all.place = group.place;
+      if (auto set = sets_.of(all); !set) return set.error();
+    }
+    return {};
+  }
+
   Result<std::uint32_t> add(const Group& group) {
     Result<PartSet> set = sets_.of(group);
     if (!set) return set.error();

@@ -18,7 +18,7 @@ class Approval : public testing::Test {
  protected:
   /// The report of a run in the folder, whose pairs must all have ids of their own.
   json run(const std::vector<std::string>& words, const std::string& in = ".") {
-    std::string line = "cd " + in + " && impinge clash --json out.json --quiet";
+    std::string line = "cd " + in + " && rm -f out.json && impinge clash --json out.json --quiet";
     for (const std::string& word : words) line += " '" + word + "'";
     const Ended ended = shell(folder, line);
     EXPECT_LE(ended.code, 1) << ended.err;

@@ -146,6 +146,18 @@ TEST_F(Clash, ExitCodeIsWhatFailOnNames) {
   }
 }
 
+TEST_F(Clash, MarksWhatFailsIfTheVerdictsAloneDoNotTell) {
+  EXPECT_EQ(first_block(clash({"--fail-on", "inside"}).out),
+            "verdict      part   part   fails\n"
+            "duplicate    d      d2     -\n"
+            "inside       small  big    yes\n"
+            "penetrating  a      b      -\n"
+            "crossing     e      sheet  -\n"
+            "touching     b      c      -\n");
+  for (const char* words : {"contact", "clearance,contact", "penetration,inside"})
+    EXPECT_EQ(clash({"--fail-on", words, "--clearance", "0.001"}).out.find("fails"), std::string::npos) << words;
+}
+
 TEST_F(Clash, SaysThatNothingTouchesOrIsNear) {
   const Ended far = impinge(folder, {"clash", "a.off", "g.off"});
   EXPECT_EQ(far.code, 0);

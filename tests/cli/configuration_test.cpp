@@ -132,7 +132,10 @@ TEST(Configuration, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"},{"name":"n","a":"y"}]})"),
             "c.json:1: /tests/1/name: two tests are named 'n'");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","mode":"clearance"}]})"),
-            "c.json:1: /tests/0/name: mode clearance needs a \"clearance\", the distance to keep");
+            "c.json:1: /tests/0: mode clearance needs a \"clearance\", the distance to keep");
+  EXPECT_EQ(mistake("{\"mode\":\"clearance\",\"tests\":[\n{\"name\":\"m\",\"a\":\"x\",\"clearance\":1},\n{\n\"name\":"
+                    "\"n\",\"a\":\"x\"}]}"),
+            "c.json:3: /tests/1: mode clearance needs a \"clearance\", the distance to keep");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","clearance":1}]})"),
             "c.json:1: /tests/0/clearance: only mode clearance keeps a clearance, and this test has mode penetration");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","a":"y"}]})"), "c.json:1: /tests/0/a: this key stands here twice");

@@ -29,7 +29,8 @@ class Interruption : public testing::TestWithParam<int> {};
 void expect_clean_end(const std::vector<std::string>& arguments, int signal) {
   const Folder folder;
   write_long_work(folder);
-  folder.write("out.json", "{\"old\":true}");
+  const std::string old = R"({"version":1,"objects":[],"pairs":[]})";
+  folder.write("out.json", old);
   const std::vector<std::string> before = folder.names();
   std::vector<std::string> words{IMPINGE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -45,7 +46,7 @@ void expect_clean_end(const std::vector<std::string>& arguments, int signal) {
   EXPECT_EQ(run.err, "impinge: interrupted; there is no result\n");
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(folder.names(), before);
-  EXPECT_EQ(folder.read("out.json"), "{\"old\":true}");
+  EXPECT_EQ(folder.read("out.json"), old);
 }
 
 TEST_P(Interruption, EndsCleanlyWithoutHalfADocument) {

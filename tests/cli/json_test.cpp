@@ -107,7 +107,7 @@ TEST_F(JsonDocument, QuietSilencesTheTableNotTheDocument) {
 }
 
 TEST_F(JsonDocument, ReplacesAnEarlierOneAndKeepsItsModeAndLinks) {
-  folder.write("real.json", "{\"old\":true}");
+  folder.write("real.json", R"({"version":1,"objects":[],"pairs":[]})");
   ::chmod((folder.path() / "real.json").c_str(), 0640);
   std::filesystem::create_symlink("real.json", folder.path() / "link.json");
   EXPECT_EQ(check({"--json", "link.json"}).code, 1);
@@ -150,7 +150,7 @@ TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
   // The user forgot the name of the JSON file.
   const Ended forgot = impinge(folder, {"check", "--json", "b.off", "a.off"});
   EXPECT_EQ(forgot.code, 2);
-  EXPECT_NE(forgot.err.find("holds no JSON"), std::string::npos) << forgot.err;
+  EXPECT_NE(forgot.err.find("holds no JSON of impinge"), std::string::npos) << forgot.err;
   const Ended input = check({"--json", "./b.off"});
   EXPECT_EQ(input.code, 2);
   EXPECT_NE(input.err.find("one of the files to read"), std::string::npos) << input.err;
@@ -160,9 +160,10 @@ TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
 }
 
 TEST_F(JsonDocument, AnErrorLeavesTheOldOneAlone) {
-  folder.write("out.json", "{\"old\":true}");
+  const std::string old = R"({"version":1,"objects":[],"pairs":[]})";
+  folder.write("out.json", old);
   EXPECT_EQ(check({"missing.off", "--json", "out.json"}).code, 2);
-  EXPECT_EQ(folder.read("out.json"), "{\"old\":true}");
+  EXPECT_EQ(folder.read("out.json"), old);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.off", "b.off", "out.json"}));
 }
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <thread>
 
+#include "impinge/clash.hpp"
 #include "motion/mover.hpp"
 #include "program.hpp"
 #include "scenes/mechanism.hpp"
@@ -215,6 +216,23 @@ TEST_F(Motion, OptionsSayWhatIsAClash) {
   EXPECT_EQ(run({"--ignore", "still", "moved"}).code, 2);
   // A tolerance of a quarter of the wall, 2 * 8 / 24, is the greatest: it excuses so much of the way.
   expect_moment(report({"--tolerance", "0.1"}).at("spans").at(0).at("from"), 2.1, 1e-5);
+}
+
+TEST_F(Motion, SaysWhereTheToleranceIsNotApplied) {
+  write_passing(folder);
+  // Above a quarter of the wall: the times are the exact ones.
+  const json thick = report({"--frames", "16", "--tolerance", "0.2"});
+  ASSERT_EQ(thick.at("spans").size(), 1U);
+  expect_moment(thick["spans"][0].at("from"), 2, 1e-5);
+  EXPECT_EQ(thick["spans"][0].at("note"), sentence(Note::tolerance_not_applied));
+  EXPECT_NE(run({"--tolerance", "0.2"}).out.find("  tolerance not applied\n"), std::string::npos);
+  const json excused = report({"--frames", "16", "--tolerance", "0.1"});
+  EXPECT_TRUE(excused.at("spans").at(0).at("note").is_null());
+  EXPECT_EQ(run({"--frames", "16", "--tolerance", "0.1"}).out.find("note"), std::string::npos);
+  write(scenes::four_bar_linkage(kSeconds));
+  const json rods = report({"--tolerance", "0.3", "--depth"});
+  for (const json& span : rods.at("spans")) EXPECT_EQ(span.at("note"), sentence(Note::tolerance_not_applied));
+  EXPECT_FALSE(rods.at("spans").empty());
 }
 
 TEST_F(Motion, OneOfSeveralAnimationsIsChosen) {

@@ -155,6 +155,13 @@ TEST_F(NamedTests, SayWhatTheyCannotFind) {
       "impinge: c/clash.json:1: /tests/0/a/group: no group of this configuration is 'pipe'; the nearest is 'pipes'\n");
   EXPECT_EQ(error(R"({"groups":{"a":{"group":"b"},"b":{"group":"a"}},"tests":[{"name":"n","a":{"group":"a"}}]})"),
             "impinge: c/clash.json:1: /groups/b/group: the group 'a' is made of itself\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"unused":"pipe1","other":["pipe2","pip"]}})"),
+            "impinge: c/clash.json:1: /groups/other/1: nothing is named 'pip'; the nearest name is 'pipe1'\n")
+      << "of groups that no test uses as well";
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"unused":{"name":"pipe*","except":"*"}}})"),
+            "impinge: c/clash.json:1: /groups/unused: no part is in this group\n");
+  EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*"}],"groups":{"a":{"group":"a"}}})"),
+            "impinge: c/clash.json:1: /groups/a/group: the group 'a' is made of itself\n");
   EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"pipe1"}]})"),
             "impinge: c/clash.json:1: /tests/0/a: only one part is named here, and no part is tested against itself\n");
   EXPECT_EQ(error(R"({"tests":[{"name":"n","a":"*","ignore":{"pairs":[["pipe1","x"]]}}]})"),
@@ -190,11 +197,11 @@ TEST_F(NamedTests, AreSummedUpAndGrouped) {
                   {"name":"rest","mode":"contact","a":"slab","b":"pipe*","may_touch":true}]})";
   const std::string out = clash(configuration).out;
   EXPECT_TRUE(
-      out.starts_with("verdict      part   part  test\n"
-                      "penetrating  pipe1  beam  hard\n"
-                      "penetrating  pipe2  beam  hard\n"
-                      "touching     pipe1  slab  rest\n"
-                      "touching     pipe2  slab  rest\n\n"))
+      out.starts_with("verdict      part   part  fails  test\n"
+                      "penetrating  pipe1  beam  yes    hard\n"
+                      "penetrating  pipe2  beam  yes    hard\n"
+                      "touching     pipe1  slab  -      rest\n"
+                      "touching     pipe2  slab  -      rest\n\n"))
       << out;
   EXPECT_NE(out.find("hard: penetration of 4 parts against each other, tolerance auto: 2 penetrating; 2 fail.\n"
                      "rest: contact of 1 part against 2 parts, tolerance auto: 2 touching; none fails.\n"
