@@ -50,7 +50,10 @@ bool begins_json(std::string_view head) {
     if (text.starts_with(R"({"version":1,)" + std::string(begin))) return true;
   return false;
 }
-bool begins_page(std::string_view head) { return head.starts_with("<!doctype html>"); }
+/// As page/src/index.html does.
+bool begins_page(std::string_view head) {
+  return head.starts_with("<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors;");
+}
 bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
 /// Other zip archives and other models are somebody's own.
 bool begins_bcf(std::string_view head) {

@@ -16,6 +16,7 @@ export interface Span {
   worst: Verdict;
   /** With `inside`, the part that lies in the other at `worst_at`. */
   inner?: number | null;
+  note?: string | null;
   worst_at: number;
   overlap_depth: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
 }
@@ -103,7 +104,7 @@ export function pairsOf({ spans, times }: Motion): Pair[] {
     coplanar: 0,
     verdict: span.worst,
     inner: span.inner ?? null,
-    note: null,
+    note: span.note ?? null,
     tolerance: null,
     fails: false,
     overlap_depth: span.overlap_depth,

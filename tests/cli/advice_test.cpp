@@ -145,7 +145,7 @@ TEST_F(Advice, WhatIsNoEarlierReportIsCalledWhatItIs) {
   EXPECT_EQ(told("solid pipe\n"), no_report + "it is no JSON object\n");
   EXPECT_EQ(told("[1]"), no_report + "it is a list\n");
   EXPECT_EQ(told("{}"), no_report + "it has no \"version\" or no \"pairs\"\n");
-  EXPECT_EQ(told("<!doctype html><title>t</title>"), no_report + "it is a page, as --html writes it\n");
+  EXPECT_EQ(told(kPageHead + "<title>t</title>"), no_report + "it is a page, as --html writes it\n");
   EXPECT_EQ(told("rank,verdict,fails\r\n"), no_report + "it is a table of clashes, as --csv writes it\n");
   EXPECT_EQ(told(R"({"tests":[{"name":"t","a":"*"}]})"), no_report + "it is a configuration, which --config takes\n");
   // Documents of the other commands, as they are written.
@@ -182,7 +182,7 @@ TEST_F(Advice, WhatIsNoConfigurationIsCalledWhatItIs) {
   EXPECT_EQ(told(""), none + "it is empty\n");
   EXPECT_EQ(told("tests: all\n"), none + "it is no JSON object\n");
   EXPECT_EQ(told("true"), none + "it is no JSON object\n");
-  EXPECT_EQ(told("<!doctype html>"), none + "it is a page, as --html writes it\n");
+  EXPECT_EQ(told(kPageHead), none + "it is a page, as --html writes it\n");
   const std::string report = told(clash({"--json", "-"}).out);
   EXPECT_EQ(report, "impinge: c.json:1: /version: " + none.substr(none.find("this is")) +
                         "it is a report, as --json writes it\n");

@@ -34,7 +34,7 @@ TEST(Help, ExamplesRun) {
   folder.write("plate.stl", stl(cube(0, 0, 0)));
   folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
   impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});
-  folder.write("page.html", "<!doctype html><!-- impinge: data -->");
+  folder.write("page.html", kPageHead + "<!-- impinge: data -->");
   const std::string page_program = "IMPINGE_PAGE=" + (folder.path() / "page.html").string() + " ";
   std::size_t count = 0;
   for (const auto& page : kPages) {

@@ -391,7 +391,7 @@ TEST_F(Motion, AnInterruptLeavesNoFile) {
 class MotionPage : public Motion {
  protected:
   void SetUp() override {
-    folder.write("page.html", "<!doctype html><title>t</title>\n<!-- impinge: data -->\n");
+    folder.write("page.html", kPageHead + "<title>t</title>\n<!-- impinge: data -->\n");
     launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
   }
   Launch launch;

@@ -14,6 +14,10 @@
 /// Runs the built program as a shell would, with everything that it says caught.
 namespace impinge::test {
 
+/// What a page of impinge begins with, and the file in which its program is.
+inline const std::string kPageHead =
+    "<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors; SPDX-License-Identifier: MIT -->\n";
+
 /// A fresh folder that goes away with all that is in it.
 class Folder {
  public:

@@ -20,7 +20,7 @@ struct Output {
   std::string option, name, beginning;
 };
 const std::vector<Output> kOutputs{{"--json", "out.json", "{"},
-                                   {"--html", "out.html", "<!doctype html>"},
+                                   {"--html", "out.html", kPageHead},
                                    {"--csv", "out.csv", "rank,verdict,"},
                                    {"--bcf", "out.bcf", "PK\3\4"},
                                    {"--gltf", "out.glb", "glTF"}};
@@ -30,7 +30,7 @@ class Files : public testing::Test {
   void SetUp() override {
     folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
     folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
-    folder.write("page.html", "<!doctype html><html><!-- impinge: data --></html>\n");
+    folder.write("page.html", kPageHead + "<html><!-- impinge: data --></html>\n");
     launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {

@@ -124,7 +124,7 @@ std::vector<std::array<long, 3>> corners(const Solid& solid) {
 class PageFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder.write("page.html", "<!doctype html><title>t</title>\n<!-- impinge: data -->\n<script>run()</script>\n");
+    folder.write("page.html", kPageHead + "<title>t</title>\n<!-- impinge: data -->\n<script>run()</script>\n");
     launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
     folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
     folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
@@ -140,7 +140,7 @@ TEST_F(PageFile, HoldsTheReportAndWhatIsDrawn) {
   const Ended ended = run({"clash", "a.off", "b.off", "far.off", "--html", "out.html", "--json", "out.json"});
   EXPECT_EQ(ended.code, 1) << ended.err;
   const Page out = page();
-  EXPECT_EQ(out.before, "<!doctype html><title>t</title>\n");
+  EXPECT_EQ(out.before, kPageHead + "<title>t</title>\n");
   EXPECT_EQ(out.after, "\n<script>run()</script>\n");
   EXPECT_EQ(out.report, json::parse(folder.read("out.json")));
   EXPECT_TRUE(out.report.at("settings").at("depth"));
