@@ -19,26 +19,59 @@ bool has(const Ray& ray, bool a) {
 
 }  // namespace
 
-Row::Row(const Side& side, const std::vector<std::uint32_t>& triangles) {
-  for (const std::uint32_t t : triangles) entries_.push_back({box_of(side.triangle(t)), 0, t});
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.box.lo.x < q.box.lo.x; });
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    entries_[i].reach = i == 0 ? entries_[i].box.hi.x : std::max(entries_[i].box.hi.x, entries_[i - 1].reach);
+AlongEdge::AlongEdge(const Side& side, const Side& other)
+    : side_(side), other_(other), is_asked_(other.sheets.ids.size()) {
+  boxes_.reserve(side.sheets.ids.size());
+  for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) boxes_.push_back(box_of(side.triangle(t)));
 }
 
-void Row::find(const Box& box, std::vector<std::uint32_t>& found) const {
-  auto entry = std::upper_bound(entries_.begin(), entries_.end(), box.hi.x,
-                                [](double x, const Entry& e) { return x < e.box.lo.x; });
-  while (entry != entries_.begin() && std::prev(entry)->reach >= box.lo.x) {
-    --entry;
-    if (overlap(entry->box, box)) found.push_back(entry->triangle);
+/// Many that meet as many others, such as those around the hub of a flat fan, would name each other once for each pair:
+/// then each of them is looked at once.
+std::vector<std::uint32_t> AlongEdge::find(const Box& box, const std::vector<std::uint32_t>& others) {
+  constexpr std::size_t kFew = 64;
+  std::size_t pairs = 0;
+  for (const std::uint32_t other : others) pairs += other_.met[other].size();
+  std::vector<std::uint32_t> found;
+  if (pairs <= kFew) {
+    for (const std::uint32_t other : others)
+      for (const std::uint32_t t : other_.met[other])
+        if (overlap(boxes_[t], box)) found.push_back(t);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
+  for (const std::uint32_t other : others) is_asked_[other] = true;
+  for (const std::uint32_t t : find_all(box))
+    if (std::any_of(side_.met[t].begin(), side_.met[t].end(), [&](std::uint32_t other) { return is_asked_[other]; }))
+      found.push_back(t);
+  for (const std::uint32_t other : others) is_asked_[other] = false;
+  return found;
 }
 
-std::vector<Row> rows_of(const Side& side, const Side& other) {
-  std::vector<Row> rows;
-  for (const auto& met : side.met) rows.emplace_back(other, met);
-  return rows;
+std::vector<std::uint32_t> AlongEdge::find_all(const Box& box) {
+  if (!tree_) {
+    std::vector<broad::BoxTree::Entry> entries;
+    entries.reserve(boxes_.size());
+    for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
+      const auto& [lo, hi] = boxes_[t];
+      entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, t});
+    }
+    tree_.emplace().build(entries);
+  }
+  const std::array<std::uint32_t, 1> asked{0};
+  tree_->find(asked, {&box, 1}, search_);
+  std::vector<std::uint32_t> found(search_.found.size());
+  std::transform(search_.found.begin(), search_.found.end(), found.begin(),
+                 [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<std::uint32_t> triangles_of(const Uses& uses) {
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(uses.size());
+  for (const std::uint32_t use : uses) triangles.push_back(use / 3);
+  return triangles;
 }
 
 std::vector<Uses> edges_of(const Side& side) {

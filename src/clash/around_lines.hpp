@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "broad/box_tree.hpp"
 #include "clash/flaps.hpp"
 #include "clash/sheets.hpp"
 #include "core/disjoint_sets.hpp"
@@ -41,26 +42,28 @@ std::array<Side, 2> sides_of(const solid::Part& a, const solid::Part& b, const P
   return sides;
 }
 
-/// Triangles by their boxes' places along an axis.
-class Row {
+/// Finds a side's triangles along an edge.
+class AlongEdge {
  public:
-  Row(const Side& side, const std::vector<std::uint32_t>& triangles);
-  void find(const Box& box, std::vector<std::uint32_t>& found) const;
+  AlongEdge(const Side& side, const Side& other);
+
+  /// Those whose boxes overlap this one and that some of these, of the other side, meet. Sorted.
+  std::vector<std::uint32_t> find(const Box& box, const std::vector<std::uint32_t>& others);
 
  private:
-  struct Entry {
-    Box box;
-    double reach;  ///< of all until this one
-    std::uint32_t triangle;
-  };
-  std::vector<Entry> entries_;
-};
+  [[nodiscard]] std::vector<std::uint32_t> find_all(const Box& box);
 
-/// For each triangle of a side, the other's that it meets.
-std::vector<Row> rows_of(const Side& side, const Side& other);
+  const Side &side_, &other_;
+  std::vector<Box> boxes_;
+  std::optional<broad::BoxTree> tree_;  ///< over them, once it is needed
+  broad::BoxTree::Search search_;
+  std::vector<bool> is_asked_;  ///< of the other side's; none but while they are looked for
+};
 
 /// An edge of some of a side's triangles: each use is three times a triangle's index, and which of its edges.
 using Uses = std::vector<std::uint32_t>;
+/// The triangles, once each.
+std::vector<std::uint32_t> triangles_of(const Uses& uses);
 std::vector<Uses> edges_of(const Side& side);
 
 /// Flaps are numbered by twice their triangle's index, and 1 for those of b.

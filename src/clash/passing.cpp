@@ -30,8 +30,8 @@ class Passing {
         margin_(kReach * tolerance),
         stop_(stop),
         around_(a_.sheets, b_.sheets),
-        rows_of_a_(rows_of(b_, a_)),
-        rows_of_b_(rows_of(a_, b_)) {}
+        along_a_(a_, b_),
+        along_b_(b_, a_) {}
 
   bool find() {
     return some_cross() || look_along_edges(a_, true) || look_along_edges(b_, false) ||
@@ -88,12 +88,13 @@ class Passing {
     if (!line) return false;
     const Vec3 margin{margin_, margin_, margin_};
     const Box box{min(from, to) - margin, max(from, to) + margin};
-    std::vector<std::uint32_t> own, other;
-    for (const std::uint32_t use : uses) (is_a ? rows_of_b_ : rows_of_a_)[use / 3].find(box, other);
+    AlongEdge &along_own = is_a ? along_a_ : along_b_, &along_other = is_a ? along_b_ : along_a_;
+    const std::vector<std::uint32_t> other = along_other.find(box, triangles_of(uses));
     std::vector<NearStretch> stretches = stretches_of(*line, other, !is_a);
     if (stretches.empty()) return false;
-    for (const NearStretch& stretch : stretches) (is_a ? rows_of_a_ : rows_of_b_)[stretch.number / 2].find(box, own);
-    const std::vector<NearStretch> of_own = stretches_of(*line, own, is_a);
+    std::vector<std::uint32_t> there;
+    for (const NearStretch& stretch : stretches) there.push_back(stretch.number / 2);
+    const std::vector<NearStretch> of_own = stretches_of(*line, along_own.find(box, there), is_a);
     stretches.insert(stretches.end(), of_own.begin(), of_own.end());
     return look_at_sections(*line, stretches);
   }
@@ -124,9 +125,8 @@ class Passing {
     return passing;
   }
 
-  std::vector<NearStretch> stretches_of(const NearLine& line, std::vector<std::uint32_t>& triangles, bool of_a) const {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::vector<NearStretch> stretches_of(const NearLine& line, const std::vector<std::uint32_t>& triangles,
+                                        bool of_a) const {
     std::vector<NearStretch> stretches;
     for (const std::uint32_t t : triangles)
       if (const auto stretch = near_.stretch(line, local(of_a ? a_ : b_, t), 2 * t + (of_a ? 0 : 1)))
@@ -139,7 +139,7 @@ class Passing {
   double margin_;  ///< in the world
   const std::stop_token& stop_;
   AroundLines around_;
-  std::vector<Row> rows_of_a_, rows_of_b_;  ///< those that are near each triangle of the other part
+  AlongEdge along_a_, along_b_;
 };
 
 }  // namespace

@@ -27,8 +27,8 @@ class Passing {
         flat_a_(flat[0]),
         flat_b_(flat[1]),
         around_(a_.sheets, b_.sheets),
-        rows_of_a_(rows_of(b_, a_)),
-        rows_of_b_(rows_of(a_, b_)) {
+        along_a_(a_, b_),
+        along_b_(b_, a_) {
     join_areas();
   }
 
@@ -58,14 +58,15 @@ class Passing {
 
   bool look_along(const Line& line, const std::vector<std::uint32_t>& uses, bool is_a) {
     const Box box{min(line.from(), line.to()), max(line.from(), line.to())};
-    std::vector<std::uint32_t> own, other;
-    for (const std::uint32_t use : uses) (is_a ? rows_of_b_ : rows_of_a_)[use / 3].find(box, other);
+    AlongEdge &along_own = is_a ? along_a_ : along_b_, &along_other = is_a ? along_b_ : along_a_;
+    const std::vector<std::uint32_t> other = along_other.find(box, triangles_of(uses));
     if (is_flat(uses, other, is_a)) return join_across(line, other, is_a), false;
     std::vector<Stretch> stretches = stretches_of(line, other, !is_a);
     if (stretches.empty()) return false;
-    for (const Stretch& stretch : stretches)
-      (is_a ? rows_of_a_ : rows_of_b_)[stretch.flaps[0].triangle >> 1].find(box, own);
-    for (Stretch& stretch : stretches_of(line, own, is_a)) stretches.push_back(std::move(stretch));
+    std::vector<std::uint32_t> there;
+    for (const Stretch& stretch : stretches) there.push_back(stretch.flaps[0].triangle >> 1);
+    for (Stretch& stretch : stretches_of(line, along_own.find(box, there), is_a))
+      stretches.push_back(std::move(stretch));
     bool passing = false;
     each_section(std::move(stretches), [&](const std::vector<const Stretch*>& open, const auto&, const auto&) {
       std::vector<Flap> flaps;
@@ -86,27 +87,23 @@ class Passing {
   /// In one plane there are two half-planes around a line, so that nothing passes and nothing is on one side of the
   /// other: what is left of `look_around` is that areas are joined. What is in one half-plane is in one area already,
   /// and so is all that a triangle on both sides of the line shares an area with. Areas are joined anew where all end.
-  void join_across(const Line& line, std::vector<std::uint32_t>& other, bool is_a) {
+  void join_across(const Line& line, const std::vector<std::uint32_t>& other, bool is_a) {
     std::vector<EdgeOnLine> edges;
-    const auto list = [&](std::vector<std::uint32_t>& triangles, bool of_a) {
-      std::sort(triangles.begin(), triangles.end());
-      triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    const auto list = [&](const std::vector<std::uint32_t>& triangles, bool of_a) {
       for (const std::uint32_t t : triangles)
         if (const auto edge = edge_on_line(line, (of_a ? a_ : b_).triangle(t), t, of_a)) edges.push_back(*edge);
     };
     list(other, !is_a);
     const Box box{min(line.from(), line.to()), max(line.from(), line.to())};
-    std::vector<std::uint32_t> own;
-    for (const EdgeOnLine& edge : edges) (is_a ? rows_of_a_ : rows_of_b_)[edge.triangle].find(box, own);
-    list(own, is_a);
+    std::vector<std::uint32_t> there;
+    for (const EdgeOnLine& edge : edges) there.push_back(edge.triangle);
+    list((is_a ? along_a_ : along_b_).find(box, there), is_a);
     for (const std::vector<std::uint32_t>& of_a : where_all_meet(edges))
       for (const std::uint32_t t : of_a) around_.join(of_a[0], t);
   }
 
   /// What triangles have of the line between its points. Numbers are twice a triangle's index, and 1 for those of b.
-  std::vector<Stretch> stretches_of(const Line& line, std::vector<std::uint32_t>& triangles, bool of_a) const {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::vector<Stretch> stretches_of(const Line& line, const std::vector<std::uint32_t>& triangles, bool of_a) const {
     const exact::Rational from = line.along(line.from()), to = line.along(line.to());
     std::vector<Stretch> stretches;
     for (const std::uint32_t t : triangles) {
@@ -121,7 +118,7 @@ class Passing {
   const Side &a_, &b_;
   const std::vector<bool>&flat_a_, &flat_b_;  ///< per triangle: whether all that it meets lies in its plane
   AroundLines around_;
-  std::vector<Row> rows_of_a_, rows_of_b_;  ///< those that touch each triangle of the other part
+  AlongEdge along_a_, along_b_;
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
       "hierarchy/wide_boxes-inl.hpp", "hierarchy/placed_tree.hpp", "hierarchy/round_up.hpp",
       "exact/triangle_pair.hpp"}},
     {"clash",
-     {"exact/contact.hpp", "exact/orientation.hpp", "exact/rational.hpp", "exact/segment.hpp",
+     {"broad/box_tree.hpp", "exact/contact.hpp", "exact/orientation.hpp", "exact/rational.hpp", "exact/segment.hpp",
       "exact/triangle_pair.hpp", "solid/body.hpp", "solid/cells.hpp", "solid/locate.hpp", "solid/part.hpp",
       "solid/topology.hpp", "solid/triangles.hpp", "measure/nearest.hpp", "measure/triangle_distance.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
