@@ -21,7 +21,8 @@ struct Found {
   std::function<double(const Clash&)> slack;         ///< how far a region may move beyond its own size
   std::function<bool(const Clash&, Verdict)> names;  ///< whether this verdict on the pair would be a failure
   /// Of the pairs of its parts' twins, and itself, the ids that are known.
-  std::function<std::vector<std::string>(const Clash&, const std::function<bool(const std::string&)>&)> twins;
+  std::function<std::vector<std::string>(const Clash&, const std::function<bool(const std::string&)>&)> twins =
+      [](const auto&, const auto&) { return std::vector<std::string>(); };
 };
 
 /// Ids for the regions of each pair, all of them new if there is no previous run.
