@@ -19,7 +19,7 @@ class Approval : public testing::Test {
  protected:
   /// The report of a run in the folder, whose pairs must all have ids of their own.
   json run(const std::vector<std::string>& words, const std::string& in = ".") {
-    std::string line = "cd " + in + " && impinge clash --json out.json --quiet";
+    std::string line = "cd " + in + " && rm -f out.json && impinge clash --json out.json --quiet";
     for (const std::string& word : words) line += " '" + word + "'";
     const Ended ended = shell(folder, line);
     EXPECT_LE(ended.code, 1) << ended.err;
@@ -188,7 +188,8 @@ TEST_F(Approval, ComesBackWhenATwinIsTakenOutAgain) {
     keep(first, "last.json");
 
     folder.write("a.gltf", gltf({bolt, bolt, plate}));
-    const Ended ended = shell(folder, "impinge clash a.gltf --previous last.json --json week.json" + between);
+    const Ended ended =
+        shell(folder, "rm -f week.json; impinge clash a.gltf --previous last.json --json week.json" + between);
     EXPECT_NE(ended.err.find("such as bolt / plate, is not taken over"), std::string::npos) << ended.err;
     EXPECT_NE(ended.out.find(": 2 new, 0 with a new region, 1 persisting, 0 resolved.\n"), std::string::npos)
         << ended.out;
@@ -247,7 +248,8 @@ TEST_F(Approval, StaysWithTheLastOfTwinsIfAllThatWasWrittenAgrees) {
     std::string previous = "last.json";
     for (int week = 0; week < 3; ++week) {
       const Ended ended =
-          shell(folder, "impinge clash a.gltf --regions --json out.json --fail-on new --previous " + previous);
+          shell(folder,
+                "rm -f out.json; impinge clash a.gltf --regions --json out.json --fail-on new --previous " + previous);
       EXPECT_EQ(ended.code, 0) << ended.out;
       EXPECT_EQ(ended.err.find("is not taken over") != std::string::npos, each.kept == nullptr) << ended.err;
       const json report = json::parse(folder.read("out.json"));
