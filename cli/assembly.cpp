@@ -36,9 +36,14 @@ Result<Assembly> read_assembly(const SceneArguments& arguments, ProgressLine& pr
   assembly.files = arguments.files;
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {
     const std::string& file = arguments.files[i];
-    const double done = all_bytes > 0 ? static_cast<double>(bytes_read) / static_cast<double>(all_bytes) : -1;
-    progress.phase(fmt::format("reading {} ({} of {})", printable(file), i + 1, arguments.files.size()),
-                   [done, several = arguments.files.size() > 1] { return several ? done : -1.0; });
+    // Of a single file nobody knows how far it is read.
+    constexpr double kMega = 1e6;
+    const Work work = arguments.files.size() > 1
+                          ? Work{static_cast<double>(bytes_read) / kMega, static_cast<double>(all_bytes) / kMega}
+                          : Work();
+    progress.phase(
+        fmt::format("reading {} ({} of {})", printable(file), i + 1, arguments.files.size()), [work] { return work; },
+        "MB");
     io::ReadOptions options;
     options.max_file_bytes = arguments.max_file_bytes;
     options.scale = scale_of(arguments, file);

@@ -48,8 +48,9 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.predict_cost = arguments.stats;
   options.progress = &progress;
   options.stop = stop;
-  line.phase(fmt::format("checking {}", counted(assembly.objects.size(), "object")),
-             [&progress] { return fraction_of(progress); });
+  line.phase(
+      fmt::format("checking {}", counted(assembly.objects.size(), "object")), [&progress] { return work_of(progress); },
+      "pairs");
   Result<Contacts> contacts = scene->collide(options);
   line.end();  // it looks at `progress`
   if (stop.stop_requested()) return interrupted();

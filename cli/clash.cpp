@@ -42,7 +42,8 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, c
   }
   options.progress = &progress;
   options.stop = stop;
-  line.phase(fmt::format("judging {}", counted(scene.size(), "part")), [&progress] { return fraction_of(progress); });
+  line.phase(
+      fmt::format("judging {}", counted(scene.size(), "part")), [&progress] { return work_of(progress); }, "steps");
   Result<Clashes> clashes = find_clashes(scene, options);
   line.end();  // it looks at `progress`
   if (stop.stop_requested()) return interrupted();

@@ -54,7 +54,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
                            const std::stop_token& stop) {
   FileFacts facts;
   facts.file = file;
-  line.phase("reading " + printable(file), [] { return -1.0; });
+  line.phase("reading " + printable(file));
   io::ReadOptions options;
   options.max_file_bytes = arguments.max_file_bytes;
   options.stop = stop;
@@ -68,8 +68,9 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
   const std::size_t total = model->objects.size();
   for (std::size_t i = 0; i < total; ++i) {
     if (stop.stop_requested()) return interrupted();
-    line.phase(fmt::format("examining {} ({} of {})", printable(model->objects[i].name), i + 1, total),
-               [done = static_cast<double>(i) / static_cast<double>(total)] { return done; });
+    line.phase(
+        fmt::format("examining {} ({} of {})", printable(model->objects[i].name), i + 1, total),
+        [work = Work{static_cast<double>(i), static_cast<double>(total)}] { return work; }, "parts");
     Result<ObjectFacts> about = facts_of(std::move(model->objects[i]), stop);
     if (!about) return about.error();
     if (!about->part)

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "sink.hpp"
 #include "text.hpp"
@@ -46,10 +48,12 @@ ProgressLine::ProgressLine(int descriptor, bool wanted) : descriptor_(descriptor
 
 ProgressLine::~ProgressLine() { end(); }
 
-void ProgressLine::phase(std::string label, std::function<double()> fraction) {
+void ProgressLine::phase(std::string label, std::function<Work()> work, std::string unit) {
   const std::scoped_lock lock(mutex_);
   label_ = std::move(label);
-  fraction_ = std::move(fraction);
+  work_ = std::move(work);
+  if (unit != unit_) pace_ = {};
+  unit_ = std::move(unit);
 }
 
 void ProgressLine::end() {
@@ -57,15 +61,21 @@ void ProgressLine::end() {
   painter_.request_stop();
   painter_.join();
   wipe();
-  fraction_ = nullptr;
+  work_ = nullptr;
 }
 
 void ProgressLine::draw() {
-  if (!fraction_) return;
+  if (!work_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   // One column stays free: some terminals wrap when the last one is written.
   const std::size_t width = width_of(descriptor_).value_or(80) - 1;
-  put(descriptor_, "\r" + progress_text(label_, fraction_(), elapsed.count(), width) + "\x1b[K");
+  const Work work = work_();
+  pace_.note(elapsed.count(), work);
+  const std::optional<double> rate = pace_.rate(), left = pace_.seconds_left();
+  put(descriptor_, "\r" +
+                       progress_text(label_, work.total > 0 ? work.done / work.total : -1, elapsed.count(), width,
+                                     rate ? rate_text(*rate, unit_) : "", left ? left_text(*left) : "") +
+                       "\x1b[K");
   drawn_ = true;
 }
 
@@ -74,16 +84,23 @@ void ProgressLine::wipe() {
   drawn_ = false;
 }
 
-std::string progress_text(const std::string& label, double fraction, double elapsed_seconds, std::size_t width) {
+std::string progress_text(const std::string& label, double fraction, double elapsed_seconds, std::size_t width,
+                          const std::string& rate, const std::string& left) {
   const std::string time = fmt::format("{:.1f} s", elapsed_seconds);
   if (!(fraction >= 0)) return fit(fmt::format("{}  {}", label, time), width);
-  constexpr std::size_t kBar = 20;
   const double part = std::min(fraction, 1.0);
   // Rounded down: 100 % is said only when it is so.
-  const auto filled = static_cast<std::size_t>(part * kBar);
   const auto percent = static_cast<int>(part * 100);
-  const std::string bar =
-      fmt::format("  [{}{}] {:3} %  {}", std::string(filled, '#'), std::string(kBar - filled, '.'), percent, time);
+  const auto bar_of = [&](std::size_t length, const std::string& after) {
+    const auto filled = static_cast<std::size_t>(part * static_cast<double>(length));
+    return fmt::format("  [{}{}] {:3} %  {}{}{}", std::string(filled, '#'), std::string(length - filled, '.'), percent,
+                       time, after.empty() ? "" : "  ", after);
+  };
+  constexpr std::size_t kBar = 20;
+  const std::string both = rate.empty() || left.empty() ? rate + left : fmt::format("{}, {}", rate, left);
+  for (const auto& [length, after] : {std::pair(kBar, both), std::pair(kBar / 2, both), std::pair(kBar, left)})
+    if (const std::string bar = bar_of(length, after); columns(label) + columns(bar) <= width) return label + bar;
+  const std::string bar = bar_of(kBar, "");
   constexpr std::size_t kShortestLabel = 10;
   if (columns(bar) + kShortestLabel > width) return fit(fmt::format("{} {} %", label, percent), width);
   return fit(label, width - columns(bar)) + bar;

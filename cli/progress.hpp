@@ -9,6 +9,8 @@
 #include <string>
 #include <thread>
 
+#include "pace.hpp"
+
 namespace impinge::cli {
 
 /// A line that shows how far long work has come. It is drawn only on a terminal, first when the work has taken half a
@@ -21,9 +23,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// What is being done now (a printable text), and how much of it is done, 0 to 1; negative: nobody knows.
-  /// `fraction` is called from another thread until the next phase or `end`.
-  void phase(std::string label, std::function<double()> fraction);
+  /// What is being done now (a printable text), how much of it is done, and in what that is counted. `work` is called
+  /// from another thread until the next phase or `end`. Phases that share the work have one pace.
+  void phase(
+      std::string label, std::function<Work()> work = [] { return Work(); }, std::string unit = {});
   /// Wipes the line; nothing is drawn after that.
   void end();
 
@@ -36,12 +39,17 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::string label_;
-  std::function<double()> fraction_;
+  std::function<Work()> work_;
+  std::string unit_;
+  Pace pace_;
   bool drawn_ = false;
   std::jthread painter_;
 };
 
-/// The line itself, at most `width` columns: "checking  [#####.....]  50 %  12.3 s".
-std::string progress_text(const std::string& label, double fraction, double elapsed_seconds, std::size_t width);
+/// The line itself, at most `width` columns: "checking  [#####.....]  50 %  12.3 s  80 pairs/s, 13 s left". Where that
+/// is too wide, the rate is left out first, then the time that is left; either may be empty. `fraction` is 0 to 1;
+/// negative: nobody knows.
+std::string progress_text(const std::string& label, double fraction, double elapsed_seconds, std::size_t width,
+                          const std::string& rate = {}, const std::string& left = {});
 
 }  // namespace impinge::cli

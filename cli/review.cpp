@@ -4,13 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
-#include "report/identity.hpp"
 #include "triage/matching.hpp"
 
 namespace impinge::cli {
+namespace {
+
+std::pair<const Identity&, const Identity&> parts_of(const Review& review, const Clash& pair) {
+  return {review.identities[pair.objects[0]], review.identities[pair.objects[1]]};
+}
+
+/// The name that tells it apart from the same two parts' pairs of other tests.
+std::string test_of(const Review& review, const Clash& pair) {
+  return review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name;
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments) {
   if (arguments.within_products) return std::vector<std::uint32_t>(assembly.objects.size());
@@ -72,12 +85,10 @@ std::uint64_t count_failing(const Review& review) {
 
 void identify(Review& review) {
   review.file_names = names_of_files(review.assembly.files);
-  const std::vector<Identity> parts = identities_of(review.assembly, review.file_names);
+  review.identities = identities_of(review.assembly, review.file_names);
   for (const Clash& pair : review.clashes.pairs) {
-    const Identity &a = parts[pair.objects[0]], &b = parts[pair.objects[1]];
-    // Pairs of several tests are told apart by these.
-    review.ids.push_back(
-        guid_of_pair(a.key, b.key, review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name));
+    const auto [a, b] = parts_of(review, pair);
+    review.ids.push_back(guid_of_pair(a.key, b.key, test_of(review, pair)));
     review.ambiguous.push_back(a.is_ambiguous || b.is_ambiguous);
   }
 }
@@ -91,7 +102,11 @@ void take_stock(const ClashArguments& arguments, const Previous* previous, Revie
   const auto slack = [&](const Clash& pair) {
     return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
   };
-  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named};
+  const auto twins = [&](const Clash& pair, const std::function<bool(const std::string&)>& is_known) {
+    const auto [a, b] = parts_of(review, pair);
+    return guids_of_twins(a, b, test_of(review, pair), is_known);
+  };
+  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named, twins};
   review.standings = previous != nullptr ? compare(found, *previous, review.resolved) : stand_alone(found);
   const auto is_new = [](const Standing& standing) {
     return standing.change == Change::fresh ||

@@ -11,6 +11,7 @@
 #include "assembly.hpp"
 #include "impinge/clash.hpp"
 #include "part.hpp"
+#include "report/identity.hpp"
 #include "triage/grouping.hpp"
 #include "triage/plan.hpp"
 #include "triage/previous.hpp"
@@ -24,6 +25,7 @@ struct Review {
   std::vector<Part> parts;              ///< for each object
   Clashes clashes;                      ///< its `parts` are moved to those above
   std::vector<std::string> file_names;  ///< for each file, as `names_of_files`
+  std::vector<Identity> identities;     ///< for each object
   std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
   std::vector<bool> ambiguous;          ///< for each pair: another one has it as well as this, but for the parts' order
   Plan plan;                            ///< without tests, if there is no configuration

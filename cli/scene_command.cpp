@@ -32,9 +32,8 @@ Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments
   return scene;
 }
 
-double fraction_of(const Progress& progress) {
-  const std::uint64_t total = progress.total.load();
-  return total > 0 ? static_cast<double>(progress.done.load()) / static_cast<double>(total) : -1.0;
+Work work_of(const Progress& progress) {
+  return {static_cast<double>(progress.done.load()), static_cast<double>(progress.total.load())};
 }
 
 void mention_warnings(const Assembly& assembly) {

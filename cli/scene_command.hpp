@@ -11,6 +11,7 @@
 #include "assembly.hpp"
 #include "impinge/options.hpp"
 #include "impinge/scene.hpp"
+#include "pace.hpp"
 #include "sink.hpp"
 
 /// What `check` and `clash` do alike.
@@ -25,8 +26,8 @@ double seconds_since(Clock::time_point start);
 Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments,
                        std::span<const std::uint32_t> groups = {});
 
-/// How much of the work is done, 0 to 1; negative before it has been counted.
-double fraction_of(const Progress& progress);
+/// How much of the work is done, for a progress line.
+Work work_of(const Progress& progress);
 
 /// Says on standard error that the files have warnings, if they have.
 void mention_warnings(const Assembly& assembly);

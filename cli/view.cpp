@@ -24,7 +24,7 @@ Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
   const Result<Assembly> assembly = read_assembly(arguments, line, stop);
   if (!assembly) return assembly.error();
-  line.phase("drawing", [] { return -1.0; });
+  line.phase("drawing");
   const Result<DrawnScene> scene = draw(*assembly, arguments.page_triangles, stop);
   if (!scene) return scene.error();
   line.end();

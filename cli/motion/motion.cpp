@@ -76,8 +76,9 @@ Result<Timeline> run(const MotionArguments& arguments, const Assembly& assembly,
   options.threads = arguments.threads;
   options.progress = &progress;
   options.stop = stop;
-  line.phase(fmt::format("moving {}", counted(assembly.objects.size(), "part")),
-             [&progress] { return fraction_of(progress); });
+  line.phase(
+      fmt::format("moving {}", counted(assembly.objects.size(), "part")), [&progress] { return work_of(progress); },
+      "frames");
   const std::vector<std::uint32_t> groups = products_of(assembly);
   Assembly placed = assembly;
   const auto make_scene = [&](const std::vector<Posed>& posed) {
@@ -113,7 +114,7 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   if (!page) return page.error();
 
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
-  line.phase("reading " + printable(arguments.files.front()), [] { return -1.0; });
+  line.phase("reading " + printable(arguments.files.front()));
   const Result<io::Model> model = read_model(arguments, stop);
   if (!model) return model.error();
   const Result<const io::Animation*> animation = choose(*model, arguments);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 
 #include "progress.hpp"
@@ -21,9 +20,13 @@ Result<void> write_topics(Sink& sink, const Review& review, const ClashArguments
                           const std::stop_token& stop) {
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
   std::atomic<std::size_t> done = 0;
-  line.phase(fmt::format("drawing {}", counted(topics.pairs.size(), "topic")), [&] {
-    return static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(topics.pairs.size(), 1));
-  });
+  const auto total = static_cast<double>(topics.pairs.size());
+  line.phase(
+      fmt::format("drawing {}", counted(topics.pairs.size(), "topic")),
+      [&, total] {
+        return Work{static_cast<double>(done), total};
+      },
+      "topics");
   Result<void> written = write_bcf(
       sink, review, arguments, topics, [&] { ++done; }, stop);
   line.end();  // it looks at `done`

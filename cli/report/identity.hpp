@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +19,15 @@ std::vector<std::string> names_of_files(const std::vector<std::string>& files);
 
 /// What an object is known by, whatever its number is.
 struct Identity {
-  std::string key;  ///< no two objects have one
+  std::string key;        ///< no two objects have one
+  std::string first_key;  ///< that of the first of its twins; without any, its own
   /// Others have the same names, shape and place: only their order tells which of them it is.
   bool is_ambiguous = false;
 };
 
 /// For each object: the name of its file, and its GlobalId or else its path. Where several have the same, their shape
-/// and place tell them apart; where that is the same too, their order.
+/// and place tell them apart; where that is the same too, their order. The first of several twins is known by what it
+/// would be known by without the others.
 std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names);
 
 /// The GlobalId of the IFC product that an object is part of, "" for none.
@@ -35,5 +38,10 @@ std::string guid_of(std::string_view text);
 
 /// That of a clash between two objects, in any order; `what` tells several of the same two apart.
 std::string guid_of_pair(std::string_view key_a, std::string_view key_b, std::string_view what = {});
+
+/// Of the clashes between a twin of the one, or itself, and a twin of the other, in any number of them: those that are
+/// known, in a fixed order.
+std::vector<std::string> guids_of_twins(const Identity& a, const Identity& b, std::string_view what,
+                                        const std::function<bool(const std::string& guid)>& is_known);
 
 }  // namespace impinge::cli

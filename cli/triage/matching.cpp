@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "report/identity.hpp"
+#include "triage/written.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -108,38 +109,80 @@ class Comparison {
 
   std::vector<Standing> compare() {
     std::vector<Standing> standings;
-    std::unordered_set<std::string_view> ids, ambiguous;
-    for (std::size_t i = 0; i < found_.pairs.size(); ++i) {
-      ids.insert(found_.ids[i]);
-      if (found_.ambiguous[i]) ambiguous.insert(found_.ids[i]);
+    for (const std::string& id : found_.ids) ids_.insert(id);
+    for (std::size_t i = 0; i < found_.pairs.size(); ++i)
       standings.push_back(compare(found_.pairs[i], found_.ids[i], found_.ambiguous[i]));
-    }
     for (const Previous::Pair& pair : previous_.pairs)
-      if (!ids.contains(pair.id)) to_.push_back(resolved_pair(pair));
+      if (!ids_.contains(pair.id))
+        to_.push_back(resolved_pair(dealt_with_.contains(pair.id) ? without_remarks(pair) : pair));
     // What nobody wrote about has been told once.
     for (std::size_t i = 0; i < previous_.resolved.size(); ++i)
       if (!is_back_[i] && has_remark(previous_.resolved[i])) to_.push_back(previous_.resolved[i]);
-    for (Resolved& resolved : to_) resolved.is_ambiguous = ambiguous.contains(resolved.id);
+    for (Resolved& resolved : to_)
+      resolved.is_ambiguous =
+          ambiguous_.contains(resolved.id) || (gone_twins_.contains(resolved.id) && has_remark(resolved));
     return standings;
   }
 
  private:
+  /// What the previous run knew of a pair, and of its twins if it is the only one left of them.
+  struct Past {
+    std::vector<const Previous::Pair*> pairs;
+    std::vector<const Resolved*> resolved;  ///< whole pairs
+  };
+
+  Past past_of(const Clash& pair, const std::string& id, bool is_ambiguous) {
+    std::vector<std::string> ids{id};
+    const auto is_known = [&](const std::string& each) { return pairs_.contains(each) || resolved_.contains(each); };
+    for (std::string& twin : found_.twins(pair, is_known)) {
+      if (twin == id || ids_.contains(twin)) continue;
+      if (is_ambiguous)
+        gone_twins_.insert(std::move(twin));
+      else
+        ids.push_back(std::move(twin));
+    }
+    Past past;
+    for (const std::string& each : ids) {
+      if (const auto known = pairs_.find(each); known != pairs_.end())
+        past.pairs.push_back(&previous_.pairs[known->second]);
+      if (const auto known = resolved_.find(each); known != resolved_.end())
+        for (const std::size_t i : known->second)
+          if (previous_.resolved[i].region.empty()) past.resolved.push_back(&previous_.resolved[i]);
+    }
+    return past;
+  }
+
+  /// What the pair is known as; what was written about twins is in it if they agree, and else withheld.
+  std::optional<Previous::Pair> known_as(const Past& past, const std::string& id, bool is_ambiguous) {
+    if (past.pairs.empty()) return std::nullopt;
+    const Previous::Pair* const written = first_written(past.pairs);
+    Previous::Pair old = written != nullptr ? *written : *past.pairs.front();
+    ids_.insert(past.pairs.front()->id);
+    for (const Previous::Pair* const each : past.pairs) dealt_with_.insert(each->id);
+    old.id = id;
+    if (written == nullptr || (!is_ambiguous && agree(past.pairs, *written))) return old;
+    // It was there, or its equal was; what was written about which of them, nobody can say.
+    for (const Previous::Pair* const each : past.pairs)
+      if (Resolved withheld = resolved_pair(*each); has_remark(withheld)) withhold(std::move(withheld), id);
+    return without_remarks(std::move(old));
+  }
+
+  void withhold(Resolved resolved, const std::string& id) {
+    resolved.id = id;
+    to_.push_back(std::move(resolved));
+    ambiguous_.insert(id);
+  }
+
   Standing compare(const Clash& pair, const std::string& id, bool is_ambiguous) {
     Standing standing;
     standing.regions.resize(pair.regions.size());
     is_matched_.assign(pair.regions.size(), false);
     std::unordered_set<std::string> used;
-    const auto known = pairs_.find(id);
-    Previous::Pair bare;
-    const Previous::Pair* old = known == pairs_.end() ? nullptr : &previous_.pairs[known->second];
-    standing.change = old == nullptr ? Change::fresh : Change::persisting;
-    if (old != nullptr && is_ambiguous) {
-      // It was there, or its equal was; what was written about which of them, nobody can say.
-      if (Resolved withheld = resolved_pair(*old); has_remark(withheld)) to_.push_back(std::move(withheld));
-      bare = without_remarks(*old);
-      old = &bare;
-    }
-    if (old != nullptr) {
+    if (is_ambiguous) ambiguous_.insert(id);
+    const Past past = past_of(pair, id, is_ambiguous);
+    const std::optional<Previous::Pair> old = known_as(past, id, is_ambiguous);
+    standing.change = old ? Change::persisting : Change::fresh;
+    if (old) {
       standing.was = old->verdict;
       standing.remark = old->remark;
       // Whoever looked at it then saw no failure.
@@ -152,7 +195,7 @@ class Comparison {
     if (is_ambiguous)
       keep_ids(id, used);
     else
-      bring_back(pair, id, standing, used);
+      bring_back(pair, id, what_comes_back(past, id), standing, used);
     for (RegionStanding& region : standing.regions)
       if (region.change == Change::unknown) region.change = Change::fresh;
     name_regions(id, std::move(used), standing.regions);
@@ -187,46 +230,67 @@ class Comparison {
     }
   }
 
-  /// Remarks on what had been resolved and is there again.
-  void bring_back(const Clash& pair, const std::string& id, Standing& standing, std::unordered_set<std::string>& used) {
+  /// Of what had been resolved of a pair that is there again, the whole pair, if any; it keeps what may be another's.
+  const Resolved* what_comes_back(const Past& past, const std::string& id) {
+    const Previous::Pair* const known = first_written(past.pairs);
+    const Resolved* const back = first_written(past.resolved);
+    const bool is_taken = known == nullptr && back != nullptr && agree(past.resolved, *back);
+    for (const Resolved* const each : past.resolved) {
+      is_back_[static_cast<std::size_t>(each - previous_.resolved.data())] = true;
+      const Written written = written_about(*each);
+      if (written.is_empty() || is_taken || (known != nullptr && written == written_about(*known))) continue;
+      withhold(*each, id);
+    }
+    return is_taken ? back : nullptr;
+  }
+
+  /// Remarks on what had been resolved and is there again; `whole` is the pair itself, if that had been, or null.
+  void bring_back(const Clash& pair, const std::string& id, const Resolved* whole, Standing& standing,
+                  std::unordered_set<std::string>& used) {
+    if (whole != nullptr) {
+      standing.remark = whole->remark;
+      std::vector<Resolved> entries;
+      for (const Resolved& region : whole->regions) {
+        entries.push_back(*whole);
+        entries.back().id = id, entries.back().regions.clear();
+        entries.back().region = region.region, entries.back().remark = region.remark;
+        entries.back().centroid = region.centroid, entries.back().reach = region.reach;
+      }
+      // Also to regions that were there without what had been withheld.
+      std::vector<bool> is_taken(standing.regions.size());
+      for (std::size_t i = 0; i < is_taken.size(); ++i) is_taken[i] = !standing.regions[i].remark.is_empty();
+      bring_back(pair, std::move(entries), is_taken, standing, used);
+    }
     const auto known = resolved_.find(id);
     if (known == resolved_.end()) return;
-    std::vector<Earlier> earlier;
-    std::vector<Resolved> entries;  // that `earlier` comes from
+    std::vector<Resolved> entries;
     for (const std::size_t i : known->second) {
-      const Resolved& resolved = previous_.resolved[i];
+      if (previous_.resolved[i].region.empty()) continue;
       is_back_[i] = true;
-      if (!resolved.region.empty()) {
-        entries.push_back(resolved);
-        continue;
-      }
-      if (standing.remark.is_empty()) standing.remark = resolved.remark;
-      for (const Resolved& region : resolved.regions) {
-        entries.push_back({id,
-                           region.region,
-                           resolved.a,
-                           resolved.b,
-                           resolved.test,
-                           resolved.verdict,
-                           region.centroid,
-                           region.remark,
-                           {},
-                           region.reach,
-                           false});
-      }
+      entries.push_back(previous_.resolved[i]);
     }
+    bring_back(pair, std::move(entries), std::vector<bool>(is_matched_), standing, used);
+  }
+
+  /// Regions that had been resolved, to those that are not taken.
+  void bring_back(const Clash& pair, std::vector<Resolved> entries, const std::vector<bool>& is_taken,
+                  Standing& standing, std::unordered_set<std::string>& used) {
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    std::vector<Earlier> earlier;
     for (const Resolved& entry : entries) {
       used.insert(entry.region);
       earlier.push_back(
           {entry.region, entry.centroid.value_or(Point{kNowhere, kNowhere, kNowhere}), entry.reach, &entry.remark});
     }
     std::vector<bool> is_there(entries.size());
-    const auto matched = match(pair.regions, is_matched_, earlier, found_.slack(pair));
+    const auto matched = match(pair.regions, is_taken, earlier, found_.slack(pair));
     for (std::size_t i = 0; i < matched.size(); ++i) {
       if (!matched[i]) continue;
-      take(standing.regions[i], earlier[*matched[i]], Change::fresh, i);
       is_there[*matched[i]] = true;
+      if (is_matched_[i])
+        standing.regions[i].remark = entries[*matched[i]].remark;
+      else
+        take(standing.regions[i], earlier[*matched[i]], Change::fresh, i);
     }
     for (std::size_t k = 0; k < entries.size(); ++k)
       if (!is_there[k] && has_remark(entries[k])) to_.push_back(std::move(entries[k]));
@@ -240,8 +304,12 @@ class Comparison {
   const Found& found_;
   const Previous& previous_;
   std::vector<Resolved>& to_;
-  std::vector<bool> is_back_;     ///< of what had been resolved: its pair is there again
-  std::vector<bool> is_matched_;  ///< of the regions of the pair that is looked at
+  std::vector<bool> is_back_;                   ///< of what had been resolved: its pair is there again
+  std::vector<bool> is_matched_;                ///< of the regions of the pair that is looked at
+  std::unordered_set<std::string> ids_;         ///< of pairs that are there
+  std::unordered_set<std::string> ambiguous_;   ///< of those, by which something is withheld
+  std::unordered_set<std::string> gone_twins_;  ///< of pairs that are not there, but twins of theirs are
+  std::unordered_set<std::string> dealt_with_;  ///< of pairs of which what was written is dealt with
   std::unordered_map<std::string_view, std::size_t> pairs_;
   std::unordered_map<std::string_view, std::vector<std::size_t>> resolved_;
 };

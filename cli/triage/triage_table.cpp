@@ -123,9 +123,10 @@ void mention_withheld(const Review& review) {
   }
   if (count == 0) return;
   complain(fmt::format(
-      "what was written about {}, such as {} / {}, is not taken over: a part of each is there more than "
+      "what was written about {}, such as {} / {}, is not taken over: a part of each is, or was, there more than "
       "once with one file name, path, shape and place, and nothing says which was meant; it stands under "
-      "resolved in the JSON. Give such parts names of their own, or leave all but one out",
+      "resolved in the JSON. Give such parts names of their own, or leave all but one out; then write it again, and "
+      "delete it there",
       count == 1 ? "a clash" : grouped(count) + " clashes", printable(first->a.name), printable(first->b.name)));
 }
 

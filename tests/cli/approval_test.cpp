@@ -3,6 +3,7 @@
 // What people wrote about a pair stays with this pair, or with none.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -172,6 +173,129 @@ TEST_F(Approval, IsGivenToNoneOfTwins) {
   std::size_t fresh = 0;
   for (const json& now : third.at("pairs")) fresh += now.at("change") == "new" ? 1 : 0;
   EXPECT_EQ(fresh, 3U) << "against the plate and both others";
+}
+
+TEST_F(Approval, ComesBackWhenATwinIsTakenOutAgain) {
+  for (const std::string between : {"", " --regions"}) {
+    SCOPED_TRACE(between);
+    const Node bolt{"bolt", {0, 0, 0}}, plate{"plate", {1, 1, 1}};
+    folder.write("a.gltf", gltf({bolt, plate}));
+    json first = run({"a.gltf", "--regions"});
+    ASSERT_EQ(first.at("pairs").size(), 1U);
+    const std::string id = first.at("pairs").at(0).at("id");
+    first.at("pairs").at(0)["status"] = "approved";
+    first.at("pairs").at(0).at("regions").at(0)["comment"] = "here";
+    keep(first, "last.json");
+
+    folder.write("a.gltf", gltf({bolt, bolt, plate}));
+    const Ended ended =
+        shell(folder, "rm -f week.json; impinge clash a.gltf --previous last.json --json week.json" + between);
+    EXPECT_NE(ended.err.find("such as bolt / plate, is not taken over"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find(": 2 new, 0 with a new region, 1 persisting, 0 resolved.\n"), std::string::npos)
+        << ended.out;
+    const json both = json::parse(folder.read("week.json"));
+    for (const json& pair : both.at("pairs")) {
+      EXPECT_EQ(pair.at("change"), pair.at("id") == id ? "persisting" : "new");
+      EXPECT_TRUE(pair.at("status").is_null());
+    }
+    ASSERT_EQ(both.at("resolved").size(), 1U);
+    EXPECT_EQ(both.at("resolved").at(0).at("status"), "approved");
+    EXPECT_EQ(both.at("resolved").at(0).at("ambiguous"), true);
+
+    folder.write("a.gltf", gltf({bolt, plate}));
+    const json last = run({"a.gltf", "--previous", "week.json", "--regions"});
+    ASSERT_EQ(last.at("pairs").size(), 1U);
+    const json& pair = last.at("pairs").at(0);
+    EXPECT_EQ(pair.at("id"), id);
+    EXPECT_EQ(pair.at("change"), "persisting");
+    EXPECT_EQ(pair.at("status"), "approved");
+    EXPECT_EQ(pair.at("regions").at(0).at("comment"), "here");
+    for (const json& gone : last.at("resolved"))
+      EXPECT_TRUE(gone.at("status").is_null() && gone.at("comment").is_null());
+  }
+}
+
+TEST_F(Approval, StaysWithTheLastOfTwinsIfAllThatWasWrittenAgrees) {
+  const Node bolt{"bolt", {0, 0, 0}}, plate{"plate", {1, 1, 1}}, far{"bolt", {40, 0, 0}};
+  struct Case {
+    std::array<const char*, 3> written;  ///< about each twin and the plate
+    const char* kept;                    ///< null: withheld
+    bool has_namesake;
+  };
+  for (const Case& each : {Case{{"", "", ""}, "", false}, Case{{"", "", "ok"}, "ok", false},
+                           Case{{"ok", "", "ok"}, "ok", true}, Case{{"", "ok", "ok"}, "ok", false},
+                           Case{{"ok", "", "bad"}, nullptr, false}, Case{{"", "bad", "ok"}, nullptr, true}}) {
+    SCOPED_TRACE(std::string(each.written[0]) + "/" + each.written[1] + "/" + each.written[2]);
+    std::vector<Node> nodes{bolt, bolt, bolt, plate};
+    if (each.has_namesake) nodes.push_back(far);
+    folder.write("a.gltf", gltf(nodes));
+    json three = run({"a.gltf", "--regions"});
+    ASSERT_EQ(three.at("pairs").size(), 6U);
+    std::size_t twin = 0;
+    for (json& pair : three.at("pairs")) {
+      if (pair.at("b") != 3) continue;
+      const std::string text = each.written.at(pair.at("a").get<std::size_t>());
+      ++twin;
+      if (text.empty()) continue;
+      pair["status"] = text;
+      pair.at("regions").at(0)["comment"] = "here";
+    }
+    ASSERT_EQ(twin, 3U);
+    keep(three, "last.json");
+
+    nodes.erase(nodes.begin(), nodes.begin() + 2);
+    folder.write("a.gltf", gltf(nodes));
+    std::string previous = "last.json";
+    for (int week = 0; week < 3; ++week) {
+      const Ended ended =
+          shell(folder,
+                "rm -f out.json; impinge clash a.gltf --regions --json out.json --fail-on new --previous " + previous);
+      EXPECT_EQ(ended.code, 0) << ended.out;
+      EXPECT_EQ(ended.err.find("is not taken over") != std::string::npos, each.kept == nullptr) << ended.err;
+      const json report = json::parse(folder.read("out.json"));
+      ASSERT_EQ(report.at("pairs").size(), 1U);
+      const json& pair = report.at("pairs").at(0);
+      EXPECT_EQ(pair.at("change"), "persisting");
+      EXPECT_EQ(pair.at("ambiguous"), false);
+      EXPECT_EQ(pair.at("regions").at(0).at("change"), "persisting");
+      const bool is_kept = each.kept != nullptr && *each.kept != '\0';
+      EXPECT_EQ(pair.at("status"), is_kept ? json(each.kept) : json(nullptr));
+      EXPECT_EQ(pair.at("regions").at(0).at("comment"), is_kept ? json("here") : json(nullptr));
+      std::multiset<std::string> withheld;
+      for (const json& gone : report.at("resolved")) {
+        if (gone.at("status").is_null()) continue;
+        EXPECT_EQ(gone.at("ambiguous"), true);
+        withheld.insert(gone.at("status"));
+      }
+      const std::multiset<std::string> none, both{"bad", "ok"};
+      EXPECT_EQ(withheld, each.kept != nullptr ? none : both);
+      previous = "week" + std::to_string(week) + ".json";
+      folder.write(previous, report.dump());
+    }
+  }
+}
+
+TEST_F(Approval, OfATwinThatIsGoneMayBeThatOfOneThatIsLeft) {
+  const Node bolt{"bolt", {0, 0, 0}}, plate{"plate", {1, 1, 1}};
+  folder.write("a.gltf", gltf({bolt, bolt, bolt, plate}));
+  json three = run({"a.gltf"});
+  for (json& pair : three.at("pairs"))
+    if (pair.at("a") == 2 && pair.at("b") == 3) pair["status"] = "approved";
+  keep(three, "last.json");
+  folder.write("a.gltf", gltf({bolt, bolt, plate}));
+  const json two = run({"a.gltf", "--previous", "last.json"});
+  std::size_t withheld = 0;
+  for (const json& gone : two.at("resolved")) {
+    EXPECT_EQ(gone.at("ambiguous"), !gone.at("status").is_null());
+    withheld += gone.at("status") == "approved" ? 1 : 0;
+  }
+  EXPECT_EQ(withheld, 1U);
+  keep(three = two, "last.json");
+  folder.write("a.gltf", gltf({bolt, plate}));
+  const json one = run({"a.gltf", "--previous", "last.json"});
+  ASSERT_EQ(one.at("pairs").size(), 1U);
+  EXPECT_EQ(one.at("pairs").at(0).at("status"), "approved");
+  EXPECT_EQ(one.at("pairs").at(0).at("change"), "persisting");
 }
 
 TEST_F(Approval, OfAFileThatIsReadTwiceIsForNoneOfThem) {

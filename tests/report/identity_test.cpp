@@ -128,10 +128,14 @@ TEST(Identities, OfTwinsAreAmbiguous) {
   expect_unlike(all);
   EXPECT_TRUE(all[0].is_ambiguous && all[2].is_ambiguous);
   EXPECT_FALSE(all[1].is_ambiguous || all[3].is_ambiguous);
-  // Neither of them is the one that is alone.
+  // The first of them is known by what the one that is alone is known by, with and without namesakes elsewhere.
   const auto one = identities({"a.glb"}, {{0, "bolt", 1}, {0, "bolt", 2}});
-  EXPECT_NE(one[0].key, all[0].key);
+  EXPECT_EQ(one[0].key, all[0].key);
   EXPECT_NE(one[0].key, all[2].key);
+  const auto both = identities({"a.glb"}, {{0, "bolt", 1}, {0, "bolt", 1}}),
+             alone = identities({"a.glb"}, {{0, "bolt", 1}});
+  EXPECT_EQ(alone[0].key, both[0].key);
+  EXPECT_NE(alone[0].key, both[1].key);
   EXPECT_EQ(one[1].key, all[1].key);
   // -0 is 0; and a file that is read twice.
   EXPECT_TRUE(identities({"a.glb"}, {{0, "bolt", 0.0}, {0, "bolt", -0.0}})[1].is_ambiguous);

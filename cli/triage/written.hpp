@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "triage/previous.hpp"
+#include "triage/standing.hpp"
+
+namespace impinge::cli {
+
+/// What people wrote about a pair and its regions. Two are equal only where the same was written at the same places.
+struct Written {
+  using Place = std::array<double, 3>;
+
+  std::string status, comment;
+  std::vector<std::pair<Place, std::pair<std::string, std::string>>> regions;
+
+  [[nodiscard]] bool is_empty() const { return status.empty() && comment.empty() && regions.empty(); }
+  bool operator==(const Written&) const = default;
+};
+
+Written written_about(const Previous::Pair& pair);
+Written written_about(const Resolved& resolved);
+
+/// Of twins, and of what is left of them: the first that something was written about; null: none.
+template <typename Past>
+const Past* first_written(const std::vector<const Past*>& twins) {
+  for (const Past* const twin : twins)
+    if (!written_about(*twin).is_empty()) return twin;
+  return nullptr;
+}
+
+/// Whether all that was written about twins is the same as about this one of them.
+template <typename Past>
+bool agree(const std::vector<const Past*>& twins, const Past& one) {
+  const Written written = written_about(one);
+  for (const Past* const twin : twins)
+    if (const Written other = written_about(*twin); !other.is_empty() && other != written) return false;
+  return true;
+}
+
+}  // namespace impinge::cli
