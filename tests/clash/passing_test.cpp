@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -200,6 +202,78 @@ TEST(Passing, TwoSheetsAroundALine) {
     for (std::size_t j = 1; j < rays.size(); ++j)
       for (std::size_t k = j + 1; k < rays.size(); ++k)
         if (j != i && k != i) judged(i, j, k);
+}
+
+/// Half-planes at one line; opposite ones are three planes.
+constexpr std::size_t kRays = 6;
+const Profile kStar{{4, 0}, {4, 4}, {0, 4}, {-4, 0}, {-4, -4}, {0, -4}};
+
+bool has_ray(unsigned rays, std::size_t i) { return (rays >> (i % kRays) & 1) != 0; }
+
+/// All are cut at the line, and hang together there.
+MeshData star(unsigned rays, const std::vector<double>& places) {
+  MeshData mesh;
+  for (std::size_t i = 0; i < kRays; ++i)
+    if (has_ray(rays, i)) mesh = scenes::joined(mesh, swept({{0, 0}, kStar[i]}, places));
+  return mesh;
+}
+
+/// The same, of whole planes.
+MeshData planes(unsigned rays, const std::vector<double>& places) {
+  MeshData mesh;
+  for (std::size_t i = 0; i < kRays / 2; ++i)
+    if (has_ray(rays, i)) mesh = scenes::joined(mesh, swept({kStar[i], kStar[i + kRays / 2]}, places));
+  return mesh;
+}
+
+/// Four half-planes, of one surface and the other by turns; those of both count as either.
+bool alternate(unsigned a, unsigned b) {
+  for (std::size_t i = 0; i < kRays; ++i)
+    for (std::size_t j = i + 1; j < i + kRays; ++j)
+      for (std::size_t k = j + 1; k < i + kRays; ++k)
+        for (std::size_t l = k + 1; l < i + kRays; ++l)
+          if (has_ray(a, i) && has_ray(b, j) && has_ray(a, k) && has_ray(b, l)) return true;
+  return false;
+}
+
+/// Once of all that are turned into each other.
+bool is_first(unsigned a, unsigned b) {
+  const auto turn = [](unsigned rays) { return (rays << 1 | rays >> (kRays - 1)) & ((1U << kRays) - 1); };
+  unsigned p = a, q = b;
+  for (std::size_t i = 0; i < kRays; ++i)
+    if (p = turn(p), q = turn(q); std::pair(p, q) < std::pair(a, b)) return false;
+  return true;
+}
+
+TEST(Passing, AnySheetsAroundALine) {
+  const std::vector<double> whole{0, 8}, part{2, 6};
+  test::Seeded seeded(1);
+  for (unsigned a = 1; a < 1U << kRays; ++a)
+    for (unsigned b = 1; b < 1U << kRays; ++b) {
+      if (!is_first(a, b)) continue;
+      const Verdict expected = alternate(a, b) ? Verdict::crossing : Verdict::touching;
+      const std::string what = std::to_string(a) + " " + std::to_string(b);
+      const MeshData of_a = star(a, whole), of_b = star(b, part);
+      EXPECT_EQ(verdict(of_a, of_b, {}, 0), name(expected)) << what;
+      const Pose pose = scenes::random_motion(seeded.random, 10);
+      EXPECT_EQ(verdict(of_b, of_a, pose, std::nullopt), name(expected)) << what << ", moved";
+    }
+}
+
+/// Planes cross by the signs of their corners, unless they are one; however they are cut.
+TEST(Passing, PlanesThroughALine) {
+  const std::vector<double> whole{0, 8}, part{2, 6}, many{2, 2.5, 4, 6};
+  for (const unsigned a : {1U, 3U, 7U})
+    for (unsigned b = 1; b < 8; ++b) {
+      const bool is_one = a == b && (a & (a - 1)) == 0;
+      const Verdict expected = is_one ? Verdict::touching : Verdict::crossing;
+      const std::string what = std::to_string(a) + " " + std::to_string(b);
+      const unsigned rays_a = a | a << 3, rays_b = b | b << 3;
+      expect_verdict(expected, planes(rays_a, whole), planes(rays_b, part), what.c_str());
+      expect_verdict(expected, planes(rays_a, whole), star(rays_b, many), (what + ", b in halves").c_str());
+      expect_verdict(expected, star(rays_a, whole), planes(rays_b, part), (what + ", a in halves").c_str());
+      expect_verdict(expected, star(rays_a, whole), star(rays_b, many), (what + ", both in halves").c_str());
+    }
 }
 
 /// A sheet that comes down onto another, runs along it for a while and goes on below, or up again: all along they lie
