@@ -23,7 +23,7 @@ inline std::uint8_t turned(std::uint8_t sides, int way) {
 struct Sheets {
   std::vector<std::uint32_t> ids;      ///< sorted
   std::vector<std::uint32_t> cluster;  ///< over common vertices
-  std::vector<std::uint32_t> piece;    ///< over edges that two of them use
+  std::vector<std::uint32_t> piece;    ///< over edges that two of them use; coincident ones count as one
   std::vector<int> side;               ///< +1 or -1: those of one piece look the same way if normals are turned by it
 
   /// Pieces that three or more triangles join at an edge: any two of them are one sheet, if one is turned.

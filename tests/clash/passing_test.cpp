@@ -204,6 +204,60 @@ TEST(Passing, TwoSheetsAroundALine) {
         if (j != i && k != i) judged(i, j, k);
 }
 
+/// Each triangle twice, in opposite winding, as what is to be seen from both sides.
+MeshData double_sided(MeshData mesh) {
+  const std::size_t size = mesh.triangles.size();
+  for (std::size_t t = 0; t < size; t += 3)
+    for (const std::size_t k : {0, 2, 1}) mesh.triangles.push_back(mesh.triangles[t + k]);
+  return mesh;
+}
+
+/// A closed shell without a width: of what `swept` made, the backs' quads have the other diagonal.
+MeshData flat_shell(MeshData mesh) {
+  const std::size_t size = mesh.triangles.size();
+  for (std::size_t t = 0; t < size; t += 6) {
+    const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1];
+    const std::uint32_t c = mesh.triangles[t + 2], d = mesh.triangles[t + 5];
+    mesh.triangles.insert(mesh.triangles.end(), {a, d, b, b, d, c});
+  }
+  return mesh;
+}
+
+/// What stands on such a plate is on one side of it, however fine either is beside the tolerance.
+TEST(Passing, WallsOnADoubleSidedPlate) {
+  const std::vector<double> across{-512, -256, 0, 256, 512};
+  const Profile flat{{-512, 0}, {-256, 0}, {0, 0}, {256, 0}, {512, 0}};
+  const MeshData plate = swept(flat, across);
+  const std::vector<double> places{-200, -168, -136, -104, -72, -40, 40, 72, 200};
+  const MeshData standing = swept({{50, 0}, {50, 32}, {50, 64}, {50, 96}}, places);
+  const MeshData hanging = swept({{50, 0}, {50, -32}, {50, -64}, {50, -96}}, places);
+  const MeshData through = swept({{50, 64}, {50, 32}, {50, 0}, {50, -32}, {50, -64}}, places);
+  const MeshData fold = swept({{20, 64}, {50, 0}, {90, 64}}, places);
+  const auto expect = [](Verdict expected, const MeshData& a, const MeshData& b, const std::string& what) {
+    EXPECT_EQ(verdict(a, b, {}, 0), name(expected)) << what;
+    for (const double tolerance : {0.0625, 0.5, 1.0, 2.0}) {
+      test::Seeded seeded(1);
+      const Pose pose = scenes::random_motion(seeded.random, 1000);
+      EXPECT_EQ(verdict(a, b, {}, tolerance), name(expected)) << what << ", tolerance " << tolerance;
+      EXPECT_EQ(verdict(b, a, pose, tolerance), name(expected)) << what << ", moved, tolerance " << tolerance;
+    }
+  };
+  const std::vector<std::pair<std::string, MeshData>> plates{{"double-sided", double_sided(plate)},
+                                                             {"mixed up", mixed_up(double_sided(plate))},
+                                                             {"a shell", flat_shell(plate)}};
+  for (const auto& [what, of_plate] : plates) {
+    expect(Verdict::touching, of_plate, standing, what + ", standing");
+    expect(Verdict::touching, of_plate, hanging, what + ", hanging");
+    expect(Verdict::touching, of_plate, fold, what + ", a fold");
+    expect(Verdict::crossing, of_plate, through, what + ", through");
+    expect(Verdict::touching, of_plate, double_sided(standing), what + ", double-sided, standing");
+    expect(Verdict::touching, of_plate, double_sided(fold), what + ", a double-sided fold");
+    expect(Verdict::crossing, of_plate, double_sided(through), what + ", double-sided, through");
+    expect(Verdict::touching, of_plate, flat_shell(standing), what + ", a shell, standing");
+    expect(Verdict::crossing, of_plate, flat_shell(through), what + ", a shell, through");
+  }
+}
+
 /// Half-planes at one line; opposite ones are three planes.
 constexpr std::size_t kRays = 6;
 const Profile kStar{{4, 0}, {4, 4}, {0, 4}, {-4, 0}, {-4, -4}, {0, -4}};
