@@ -5,6 +5,7 @@
 /// nor with what a motion rounds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -242,6 +243,15 @@ TEST(Passing, WallsOnADoubleSidedPlate) {
       EXPECT_EQ(verdict(b, a, pose, tolerance), name(expected)) << what << ", moved, tolerance " << tolerance;
     }
   };
+  // Finer than lines can be told from, so that what is on the outer side of the fold must be.
+  Profile corner, diagonal;
+  std::vector<double> rows;
+  for (int k = -8; k <= 8; ++k) {
+    corner.push_back({std::max(8.0 * k, 0.0), std::max(-8.0 * k, 0.0)});
+    diagonal.push_back({6.0 * k, 6.0 * k});
+    rows.push_back(8.0 * k);
+  }
+  expect(Verdict::crossing, double_sided(swept(corner, rows)), swept(diagonal, rows), "through a fold");
   const std::vector<std::pair<std::string, MeshData>> plates{{"double-sided", double_sided(plate)},
                                                              {"mixed up", mixed_up(double_sided(plate))},
                                                              {"a shell", flat_shell(plate)}};
@@ -351,6 +361,10 @@ TEST(Passing, AlongAnAreaOfManyPieces) {
       const std::string what = "cut by " + std::to_string(step) + " into " + std::to_string(places.size());
       expect_verdict(Verdict::crossing, through, floor, what.c_str());
       expect_verdict(Verdict::touching, back, floor, what.c_str());
+      EXPECT_EQ(verdict(through, double_sided(floor), {}, 0), name(Verdict::crossing)) << what;
+      EXPECT_EQ(verdict(double_sided(back), floor, {}, 0), name(Verdict::touching)) << what;
+      EXPECT_EQ(verdict(double_sided(through), double_sided(floor), {}, 0), name(Verdict::crossing)) << what;
+      EXPECT_EQ(verdict(double_sided(back), double_sided(floor), {}, 0), name(Verdict::touching)) << what;
     }
   }
 }
