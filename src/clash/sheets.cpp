@@ -191,10 +191,28 @@ void SidesSeen::add(const Sheets& sheets, std::uint32_t triangle, std::uint8_t s
   known |= turned(sides, sheets.side[triangle]);
   if (known == before || has_both_) return;
   has_both_ = known == kBoth;
+  for (const Sheets::Link& link : sheets.links[piece]) look_at(piece, link);
+}
+
+void SidesSeen::add_between(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides,
+                            const std::vector<std::uint32_t>& on) {
+  const std::uint32_t piece = sheets.piece[triangle];
   for (const Sheets::Link& link : sheets.links[piece]) {
-    const auto found = of_piece_.find(link.piece);
-    if (found != of_piece_.end()) has_both_ |= (known | turned(found->second, link.turn)) == kBoth;
+    if (link.piece == piece || std::find(on.begin(), on.end(), link.piece) != on.end()) continue;
+    of_two_[{piece, link.piece}] |= turned(sides, sheets.side[triangle]);
+    look_at(piece, link);
   }
+}
+
+/// Whether there is something on both sides of two pieces that are one sheet.
+void SidesSeen::look_at(std::uint32_t piece, const Sheets::Link& link) {
+  const auto of = [](const auto& sides, const auto& key) {
+    const auto found = sides.find(key);
+    return found == sides.end() ? std::uint8_t{0} : found->second;
+  };
+  const auto own = static_cast<std::uint8_t>(of(of_piece_, piece) | of(of_two_, Pieces{piece, link.piece}));
+  const auto other = static_cast<std::uint8_t>(of(of_piece_, link.piece) | of(of_two_, Pieces{link.piece, piece}));
+  has_both_ |= (own | turned(other, link.turn)) == (kAbove | kBelow);
 }
 
 }  // namespace impinge::clash
