@@ -67,9 +67,11 @@ class Passing {
   }
 
   /// Where `own` lies on other pieces of a sheet that branches, and so never far from it: the sides of the triangle on
-  /// which it does are added to those of the sheets that the triangle's piece makes with the rest.
+  /// which it does are added to those of the sheets that the triangle's piece makes with the rest. Sheets that are
+  /// `lain` upon are left out: where an area in common ends it is for both to go on, which is not asked here.
   void see_along(const Triangle& own, const PartTriangle& other, std::uint32_t index, const Sheets& sheets,
-                 const NearTriangles& near, SidesSeen& seen) const {
+                 const NearTriangles& near, const std::vector<bool>& lain, SidesSeen& seen) const {
+    if (lain[sheets.piece[index]]) return;
     const auto slab = make_slab(other.local, frame_.unit * tolerance_, frame_.scale);
     if (!slab || !slab->has_plane) return;
     const Polygon piece = over(between(Polygon(own), *slab), other);
@@ -81,8 +83,30 @@ class Passing {
         on = pieces_at(point, near);
         return is_between(point, other, sheets.links[sheets.piece[index]], near, on);
       };
-      if (beyond->size() > 0 && some_point(*beyond, is_along)) seen.add_between(sheets, index, side, on);
+      if (beyond->size() == 0 || !some_point(*beyond, is_along)) continue;
+      for (const Sheets::Link& link : sheets.links[sheets.piece[index]])
+        if (lain[link.piece]) on.push_back(link.piece);
+      seen.add_between(sheets, index, side, on);
     }
+  }
+
+  /// Whether of two triangles that are flat to each other one has some of the other within the tolerance.
+  [[nodiscard]] bool lie_along(const Triangle& own, const Triangle& other) const {
+    const Vec3 of_own = cross(own[1] - own[0], own[2] - own[0]),
+               of_other = cross(other[1] - other[0], other[2] - other[0]);
+    if (!(norm(cross(of_own, of_other)) < 0.5 * norm(of_own) * norm(of_other))) return false;
+    const auto slab = make_slab(other, frame_.unit * tolerance_, frame_.scale);
+    if (!slab || !slab->has_plane) return false;
+    Polygon piece = along(Polygon(own), *slab);
+    const auto sides = sides_of(other);
+    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
+    double area = 0, outline = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec3 &from = piece[i], &to = piece[(i + 1) % piece.size()];
+      area += norm(cross(from - piece[0], to - piece[0])) / 2, outline += norm(to - from);
+    }
+    // Next to each other they have as much in common as triangles are taken wider than they are.
+    return area > frame_.unit * tolerance_ / 8 * outline;
   }
 
   [[nodiscard]] PartTriangle triangle(const LinkedPart& part, std::uint32_t id) const {
@@ -286,6 +310,7 @@ bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, con
   Bends bent_a(of_a), bent_b(of_b);
   std::vector<NearTriangles> near_a(branches(of_b) ? of_a.ids.size() : 0);  ///< what b has near each of a's
   std::vector<NearTriangles> near_b(branches(of_a) ? of_b.ids.size() : 0);
+  std::vector<bool> lain_a(of_a.ids.size()), lain_b(of_b.ids.size());  ///< pieces along which the other part lies
   const auto each_asked = [&](const auto& take) {
     const auto take_asked = [&](const TrianglePair& pair) {
       const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
@@ -294,7 +319,9 @@ bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, con
     each_near(a, b, tolerance, encounter, take_asked, stop);
   };
   if (!near_a.empty() || !near_b.empty()) {
-    each_asked([&](const TrianglePair&, std::uint32_t i, std::uint32_t j) {
+    each_asked([&](const TrianglePair& pair, std::uint32_t i, std::uint32_t j) {
+      if (passing.lie_along(passing.triangle(a, pair.a).local, passing.triangle(b, pair.b).local))
+        lain_a[of_a.piece[i]] = lain_b[of_b.piece[j]] = true;
       if (!near_a.empty()) near_a[i].note(of_b.piece[j]);
       if (!near_b.empty()) near_b[j].note(of_a.piece[i]);
       return true;
@@ -318,9 +345,9 @@ bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, con
     place.b_at_a.add(of_a, i, passing.see(of_pair_b.local, of_pair_a, bent_a(i, of_pair_a), known_a, place.box));
     place.a_at_b.add(of_b, j, passing.see(of_pair_a.local, of_pair_b, bent_b(j, of_pair_b), known_b, place.box));
     if (!near_b.empty() && near_b[j].has_several)
-      passing.see_along(of_pair_b.local, of_pair_a, i, of_a, near_b[j], place.b_at_a);
+      passing.see_along(of_pair_b.local, of_pair_a, i, of_a, near_b[j], lain_a, place.b_at_a);
     if (!near_a.empty() && near_a[i].has_several)
-      passing.see_along(of_pair_a.local, of_pair_b, j, of_b, near_a[i], place.a_at_b);
+      passing.see_along(of_pair_a.local, of_pair_b, j, of_b, near_a[i], lain_b, place.a_at_b);
     pass = place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box);
     return !pass;
   });

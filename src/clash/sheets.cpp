@@ -86,7 +86,7 @@ Vec3 away_from(const EdgeUse& use, const solid::Part& part, const std::vector<st
 /// Of two triangles at an edge: +1 if what is above the one is above the other, as the surface goes on. A surface that
 /// is folded up flat is two layers of one sheet: what is above the one is below the other.
 int turn_between(const EdgeUse& p, const EdgeUse& q, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
-  constexpr double kFlat = 0x1p-16;  // far above rounding
+  constexpr double kFlat = 0x1p-6;  // what the tolerance parts is folded up flat as well
   const Vec3 u = away_from(p, part, ids), v = away_from(q, part, ids);
   const double along = dot(u, v);
   const bool is_folded_up = along > 0 && norm(cross(u, v)) <= kFlat * along;
