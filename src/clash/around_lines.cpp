@@ -17,6 +17,21 @@ bool has(const Ray& ray, bool a) {
   return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) { return is_of_a(flap) == a; });
 }
 
+/// Which sheets a ray is in.
+struct Membership {
+  bool a, b;
+};
+
+/// Whether there are, in this order, one of a, of b, of a and of b, each another ray.
+bool alternate_from(const std::vector<Membership>& order, std::size_t start) {
+  int found = 0;
+  for (std::size_t step = 0; step < order.size() && found < 4; ++step) {
+    const Membership& in = order[(start + step) % order.size()];
+    if (found % 2 == 0 ? in.a : in.b) ++found;
+  }
+  return found == 4;
+}
+
 }  // namespace
 
 AlongEdge::AlongEdge(const Side& side, const Side& other)
@@ -126,8 +141,9 @@ std::uint32_t AroundLines::cluster_of(const Flap& flap) const {
   return (is_of_a(flap) ? a_ : b_).cluster[flap.triangle / 2];
 }
 
-/// Whether around a line there is, of some sheets, one, the other, the one and the other again. One of the four may be
-/// in both: a plate that lies on the web of a T goes through the flange if it goes on there.
+/// Whether around a line there is, of some sheets, one, the other, the one and the other again. A ray in both counts as
+/// either: a plate that lies on the web of a T goes through the flange if it goes on behind it, and a plate on the web
+/// of a cross does, whether or not the flange is cut where they meet.
 bool AroundLines::alternate(const std::vector<Ray>& rays) const {
   std::set<std::uint32_t> clusters_a, clusters_b;
   for (const Ray& ray : rays)
@@ -139,31 +155,21 @@ bool AroundLines::alternate(const std::vector<Ray>& rays) const {
 }
 
 bool AroundLines::alternate(const std::vector<Ray>& rays, std::uint32_t cluster_a, std::uint32_t cluster_b) const {
-  enum class In : std::uint8_t { a, b, both };
-  std::vector<In> order;
+  std::vector<Membership> order;
   for (const Ray& ray : rays) {
     const auto has = [&](bool a) {
       return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) {
         return is_of_a(flap) == a && cluster_of(flap) == (a ? cluster_a : cluster_b);
       });
     };
-    const bool in_a = has(true), in_b = has(false);
-    if (in_a || in_b) order.push_back(!in_b ? In::a : !in_a ? In::b : In::both);
+    const Membership in{has(true), has(false)};
+    // Of rays of one part next to each other one counts; so there are few left, or the first start says yes.
+    const bool repeats = in.a != in.b && !order.empty() && order.back().a == in.a && order.back().b == in.b;
+    if ((in.a || in.b) && !repeats) order.push_back(in);
   }
-  const auto alone = std::find_if(order.begin(), order.end(), [](In in) { return in != In::both; });
-  if (alone == order.end()) return false;
-  std::rotate(order.begin(), alone, order.end());
-  order.push_back(order.front());
-  int changes = 0;
-  bool is_parted = false;  ///< by a ray that is in both there is, of one sheet, one before and one behind it
-  In last = order.front();
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (order[i] == In::both) continue;
-    changes += int{order[i] != last};
-    is_parted |= order[i] == last && order[i - 1] == In::both;
-    last = order[i];
-  }
-  return changes >= 4 || (changes == 2 && is_parted);
+  for (std::size_t start = 0; start < order.size(); ++start)
+    if (alternate_from(order, start)) return true;
+  return false;
 }
 
 /// Of a ray that is in one part alone: it is between two of the other's, behind the one and ahead of the next. Beside

@@ -32,19 +32,25 @@ struct Neighbor {
   int turn;          ///< -1 where its normal looks the other way
 };
 
-/// The one other triangle at the edge from a corner to the next; nothing if there are none or more.
+/// The one other triangle at the edge from a corner to the next; nothing if there are none or more. Those that are one
+/// but for the winding count as one.
 std::optional<Neighbor> neighbor(const PartTriangle& triangle, std::size_t edge) {
   const auto& [offsets, triangles] = triangle.part.fans;
   const solid::Part& part = triangle.part.part;
   const Corners own = corners_of(part, triangle.id);
   std::uint32_t at = own[edge], far = own[(edge + 1) % 3];
   if (offsets[far + 1] - offsets[far] < offsets[at + 1] - offsets[at]) std::swap(at, far);
+  const std::uint32_t own_apex = own[(edge + 2) % 3];
   std::optional<Neighbor> found;
+  std::uint32_t apex = own_apex;
   for (const std::uint32_t t : std::span(triangles).subspan(offsets[at], offsets[at + 1] - offsets[at])) {
     const Corners corners = corners_of(part, t);
     const std::size_t from = place_of(at, corners), to = place_of(far, corners);
     if (t == triangle.id || to == 3 || !part.is_boundary(t)) continue;
+    const std::uint32_t next_apex = corners[3 - from - to];
+    if (next_apex == own_apex || (found && next_apex == apex)) continue;
     if (found) return std::nullopt;
+    apex = next_apex;
     const bool runs = to == (from + 1) % 3, own_runs = at == own[edge];
     found = {triangle.frame.to_local(part.body.triangle(t)), 3 - from - to, runs != own_runs ? 1 : -1};
   }

@@ -30,6 +30,26 @@ struct Place {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 };
 
+/// What of a part is near a triangle of the other's.
+struct NearTriangles {
+  struct Entry {
+    Triangle local;
+    std::uint32_t piece;
+  };
+  std::vector<Entry> entries;  ///< where there are several pieces
+  std::optional<std::uint32_t> first;
+  bool has_several = false;
+
+  /// Of a triangle that is near.
+  void note(std::uint32_t piece) {
+    has_several |= first && *first != piece;
+    first = piece;
+  }
+};
+
+/// What is held of them; where there is more, nothing is seen along branches.
+constexpr std::size_t kMostNearBranches = std::size_t{1} << 20;
+
 class Passing {
  public:
   Passing(const LinkedPart& a, const LinkedPart& b, double tolerance)
@@ -44,6 +64,49 @@ class Passing {
     for (const Vec3& point : along(piece, *slab)) near.lo = min(near.lo, point), near.hi = max(near.hi, point);
     const std::uint8_t found = over(piece, *slab, other, known);
     return is_bent ? found | around(own, *slab, other, known | found) : found;
+  }
+
+  /// Where `own` lies on other pieces of a sheet that branches, and so never far from it: the sides of the triangle on
+  /// which it does are added to those of the sheets that the triangle's piece makes with the rest. Sheets that are
+  /// `lain` upon are left out: where an area in common ends it is for both to go on, which is not asked here.
+  void see_along(const Triangle& own, const PartTriangle& other, std::uint32_t index, const Sheets& sheets,
+                 const NearTriangles& near, const std::vector<bool>& lain, SidesSeen& seen) const {
+    if (lain[sheets.piece[index]]) return;
+    const auto slab = make_slab(other.local, frame_.unit * tolerance_, frame_.scale);
+    if (!slab || !slab->has_plane) return;
+    const Polygon piece = over(between(Polygon(own), *slab), other);
+    if (piece.size() == 0) return;
+    const Cut top = cut(piece, slab->top), bottom = cut(piece, slab->bottom);
+    for (const auto& [side, beyond] : {std::pair(kAbove, &top.beyond), {kBelow, &bottom.beyond}}) {
+      std::vector<std::uint32_t> on;
+      const auto is_along = [&](const Vec3& point) {
+        on = pieces_at(point, near);
+        return is_between(point, other, sheets.links[sheets.piece[index]], near, on);
+      };
+      if (beyond->size() == 0 || !some_point(*beyond, is_along)) continue;
+      for (const Sheets::Link& link : sheets.links[sheets.piece[index]])
+        if (lain[link.piece]) on.push_back(link.piece);
+      seen.add_between(sheets, index, side, on);
+    }
+  }
+
+  /// Whether of two triangles that are flat to each other one has some of the other within the tolerance.
+  [[nodiscard]] bool lie_along(const Triangle& own, const Triangle& other) const {
+    const Vec3 of_own = cross(own[1] - own[0], own[2] - own[0]),
+               of_other = cross(other[1] - other[0], other[2] - other[0]);
+    if (!(norm(cross(of_own, of_other)) < 0.5 * norm(of_own) * norm(of_other))) return false;
+    const auto slab = make_slab(other, frame_.unit * tolerance_, frame_.scale);
+    if (!slab || !slab->has_plane) return false;
+    Polygon piece = along(Polygon(own), *slab);
+    const auto sides = sides_of(other);
+    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
+    double area = 0, outline = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec3 &from = piece[i], &to = piece[(i + 1) % piece.size()];
+      area += norm(cross(from - piece[0], to - piece[0])) / 2, outline += norm(to - from);
+    }
+    // Next to each other they have as much in common as triangles are taken wider than they are.
+    return area > frame_.unit * tolerance_ / 8 * outline;
   }
 
   [[nodiscard]] PartTriangle triangle(const LinkedPart& part, std::uint32_t id) const {
@@ -68,11 +131,16 @@ class Passing {
     return cut(cut(piece, slab.top).within, slab.bottom).within;
   }
 
+  [[nodiscard]] Polygon over(Polygon piece, const PartTriangle& other) const {
+    const auto sides = sides_of(other.local);
+    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
+    return piece;
+  }
+
   /// What goes on over the triangle, however far.
   [[nodiscard]] std::uint8_t over(Polygon piece, const Slab& slab, const PartTriangle& other,
                                   std::uint8_t known) const {
-    const auto sides = sides_of(other.local);
-    for (std::size_t i = 0; i < 3 && piece.size() > 0; ++i) piece = cut(piece, sides[i]).within;
+    piece = over(std::move(piece), other);
     if (piece.size() == 0) return 0;
     const Cut top = cut(piece, slab.top), bottom = cut(piece, slab.bottom);
     std::uint8_t found = 0;
@@ -128,16 +196,46 @@ class Passing {
     return !measure::nearest_point(body, world, kNearer * distance, kNearer * distance);
   }
 
+  [[nodiscard]] double distance(const Vec3& point, const Triangle& t) const {
+    return measure::point_distance(point, t, kFarthest).distance / frame_.unit;
+  }
+
+  /// On which pieces of the other part a point lies, to within the tolerance.
+  [[nodiscard]] std::vector<std::uint32_t> pieces_at(const Vec3& point, const NearTriangles& near) const {
+    std::vector<std::uint32_t> pieces;
+    for (const auto& [local, piece] : near.entries)
+      if (distance(point, local) <= tolerance_) pieces.push_back(piece);
+    return pieces;
+  }
+
+  /// Whether all that a point lies `on` is joined to the triangle's piece, which is the nearest of the others.
+  [[nodiscard]] bool is_between(const Vec3& point, const PartTriangle& triangle, const std::vector<Sheets::Link>& links,
+                                const NearTriangles& near, const std::vector<std::uint32_t>& on) const {
+    const auto is_linked = [&](std::uint32_t piece) {
+      return std::any_of(links.begin(), links.end(), [&](const auto& link) { return link.piece == piece; });
+    };
+    if (on.empty() || !std::all_of(on.begin(), on.end(), is_linked)) return false;
+    constexpr double kNearer = 1 - 0x1p-20;
+    const double own = kNearer * distance(point, triangle.local);
+    return own > tolerance_ && std::none_of(near.entries.begin(), near.entries.end(), [&](const auto& entry) {
+             return distance(point, entry.local) < own && std::find(on.begin(), on.end(), entry.piece) == on.end();
+           });
+  }
+
   /// Whether some of the points that are tried is seen from the triangle.
   [[nodiscard]] bool goes_on(const Polygon& piece, const PartTriangle& triangle) const {
-    const auto seen = [&](const Vec3& point) { return is_seen(point, triangle); };
+    return some_point(piece, [&](const Vec3& point) { return is_seen(point, triangle); });
+  }
+
+  template <class Is>
+  static bool some_point(const Polygon& piece, const Is& is) {
     const Vec3 middle = piece.middle();
-    if (seen(middle)) return true;
+    if (is(middle)) return true;
     return std::any_of(piece.begin(), piece.end(), [&](const Vec3& vertex) {
       // Close to where the piece leaves the triangle other faces are the farthest away.
       constexpr std::array kShares{0.0, 0x1p-6, 0x1p-3, 0x1p-1};
       return std::any_of(kShares.begin(), kShares.end(),
-                         [&](double share) { return seen(vertex + share * (middle - vertex)); });
+                         [&](double share) { return is(vertex + share * (middle - vertex)); });
     });
   }
 
@@ -168,6 +266,10 @@ std::vector<bool> small_ones(const solid::Part& part, const Sheets& sheets, doub
   std::vector<bool> small;
   for (const std::uint32_t id : sheets.ids) small.push_back(is_small(part.body.triangle(id), tolerance));
   return small;
+}
+
+bool branches(const Sheets& sheets) {
+  return std::any_of(sheets.links.begin(), sheets.links.end(), [](const auto& links) { return !links.empty(); });
 }
 
 /// Every near pair, those that the encounter left out too.
@@ -206,21 +308,49 @@ bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, con
   for (std::uint32_t i = 0; i < count_a; ++i)
     if (is_open[i]) is_asked[groups.find(i)] = true;
   Bends bent_a(of_a), bent_b(of_b);
+  std::vector<NearTriangles> near_a(branches(of_b) ? of_a.ids.size() : 0);  ///< what b has near each of a's
+  std::vector<NearTriangles> near_b(branches(of_a) ? of_b.ids.size() : 0);
+  std::vector<bool> lain_a(of_a.ids.size()), lain_b(of_b.ids.size());  ///< pieces along which the other part lies
+  const auto each_asked = [&](const auto& take) {
+    const auto take_asked = [&](const TrianglePair& pair) {
+      const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
+      return !is_proper(pair) || !is_asked[groups.find(i)] || take(pair, i, j);
+    };
+    each_near(a, b, tolerance, encounter, take_asked, stop);
+  };
+  if (!near_a.empty() || !near_b.empty()) {
+    each_asked([&](const TrianglePair& pair, std::uint32_t i, std::uint32_t j) {
+      if (passing.lie_along(passing.triangle(a, pair.a).local, passing.triangle(b, pair.b).local))
+        lain_a[of_a.piece[i]] = lain_b[of_b.piece[j]] = true;
+      if (!near_a.empty()) near_a[i].note(of_b.piece[j]);
+      if (!near_b.empty()) near_b[j].note(of_a.piece[i]);
+      return true;
+    });
+    std::size_t left = kMostNearBranches;
+    each_asked([&](const TrianglePair& pair, std::uint32_t i, std::uint32_t j) {
+      if (!near_a.empty() && near_a[i].has_several)
+        near_a[i].entries.push_back({passing.triangle(b, pair.b).local, of_b.piece[j]}), --left;
+      if (left > 0 && !near_b.empty() && near_b[j].has_several)
+        near_b[j].entries.push_back({passing.triangle(a, pair.a).local, of_a.piece[i]}), --left;
+      return left > 0;
+    });
+    if (left == 0) near_a.clear(), near_b.clear();
+  }
   std::map<std::array<std::uint32_t, 3>, Place> places;
   bool pass = false;
-  const auto look_at = [&](const TrianglePair& pair) {
-    if (!is_proper(pair)) return true;
-    const std::uint32_t i = of_a.index(pair.a), j = of_b.index(pair.b);
-    if (!is_asked[groups.find(i)]) return true;
+  each_asked([&](const TrianglePair& pair, std::uint32_t i, std::uint32_t j) {
     Place& place = places[{groups.find(i), of_a.cluster[i], of_b.cluster[j]}];
     const PartTriangle of_pair_a = passing.triangle(a, pair.a), of_pair_b = passing.triangle(b, pair.b);
     const std::uint8_t known_a = place.b_at_a.from(of_a, i), known_b = place.a_at_b.from(of_b, j);
     place.b_at_a.add(of_a, i, passing.see(of_pair_b.local, of_pair_a, bent_a(i, of_pair_a), known_a, place.box));
     place.a_at_b.add(of_b, j, passing.see(of_pair_a.local, of_pair_b, bent_b(j, of_pair_b), known_b, place.box));
+    if (!near_b.empty() && near_b[j].has_several)
+      passing.see_along(of_pair_b.local, of_pair_a, i, of_a, near_b[j], lain_a, place.b_at_a);
+    if (!near_a.empty() && near_a[i].has_several)
+      passing.see_along(of_pair_a.local, of_pair_b, j, of_b, near_a[i], lain_b, place.a_at_b);
     pass = place.a_at_b.has_both() && place.b_at_a.has_both() && passing.is_long(place.box);
     return !pass;
-  };
-  each_near(a, b, tolerance, encounter, look_at, stop);
+  });
   return pass;
 }
 

@@ -3,6 +3,7 @@
 #include "clash/sheets.hpp"
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <utility>
 
@@ -22,10 +23,45 @@ std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t t
   return {part.topology.position[a], part.topology.position[b], part.topology.position[c]};
 }
 
-/// Sorted: those of one edge are next to each other.
-std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+/// Which triangle stands for one, and whether the two look the same way. Where a surface has both windings of each
+/// triangle, so that it is seen from either side, the two are one: one is above where the other is below.
+struct Stand {
+  std::uint32_t index;
+  int way;
+};
+
+/// The first of all that have the same corners.
+std::vector<Stand> stands_of(const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+  struct Entry {
+    std::array<std::uint32_t, 3> corners;
+    std::uint32_t index;
+    int way;
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t i = 0; i < ids.size(); ++i) {
+    auto corners = corners_of(part, ids[i]);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const int way = corners[1] < corners[2] ? 1 : -1;
+    std::sort(corners.begin(), corners.end());
+    entries.push_back({corners, i, way});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
+    return std::pair(p.corners, p.index) < std::pair(q.corners, q.index);
+  });
+  std::vector<Stand> stands(ids.size());
+  for (std::size_t i = 0, first = 0; i < entries.size(); ++i) {
+    if (entries[i].corners != entries[first].corners) first = i;
+    stands[entries[i].index] = {entries[first].index, entries[i].way * entries[first].way};
+  }
+  return stands;
+}
+
+/// Sorted: those of one edge are next to each other. Of triangles that others stand for there are none.
+std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::uint32_t>& ids,
+                               const std::vector<Stand>& stands) {
   std::vector<EdgeUse> uses;
   for (std::uint32_t i = 0; i < ids.size(); ++i) {
+    if (stands[i].index != i) continue;
     const auto corners = corners_of(part, ids[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
@@ -37,9 +73,29 @@ std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::u
   return uses;
 }
 
+/// The way from an edge to the triangle's third corner, at a right angle.
+Vec3 away_from(const EdgeUse& use, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+  const auto corners = corners_of(part, ids[use.triangle]);
+  const Triangle t = part.body.triangle(ids[use.triangle]);
+  std::size_t apex = 0;
+  while (corners[apex] == use.low || corners[apex] == use.high) ++apex;
+  const Vec3 along = t[(apex + 2) % 3] - t[(apex + 1) % 3], way = t[apex] - t[(apex + 1) % 3];
+  return way - (dot(way, along) / dot(along, along)) * along;
+}
+
+/// Of two triangles at an edge: +1 if what is above the one is above the other, as the surface goes on. A surface that
+/// is folded up flat is two layers of one sheet: what is above the one is below the other.
+int turn_between(const EdgeUse& p, const EdgeUse& q, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+  constexpr double kFlat = 0x1p-6;  // what the tolerance parts is folded up flat as well
+  const Vec3 u = away_from(p, part, ids), v = away_from(q, part, ids);
+  const double along = dot(u, v);
+  const bool is_folded_up = along > 0 && norm(cross(u, v)) <= kFlat * along;
+  return (is_folded_up ? 1 : -1) * p.way * q.way;
+}
+
 struct Neighbor {
   std::uint32_t index;
-  int turn;  ///< +1 where both run through the common edge in opposite ways
+  int turn;
 };
 
 /// Calls `take` with the uses of each edge.
@@ -51,11 +107,11 @@ void each_edge(const std::vector<EdgeUse>& uses, const Take& take) {
   }
 }
 
-void find_pieces(const std::vector<EdgeUse>& uses, Sheets& sheets) {
+void find_pieces(const std::vector<EdgeUse>& uses, const solid::Part& part, Sheets& sheets) {
   std::vector<std::vector<Neighbor>> neighbors(sheets.ids.size());
   each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() != 2) return;
-    const int turn = -edge[0].way * edge[1].way;
+    const int turn = turn_between(edge[0], edge[1], part, sheets.ids);
     neighbors[edge[0].triangle].push_back({edge[1].triangle, turn});
     neighbors[edge[1].triangle].push_back({edge[0].triangle, turn});
   });
@@ -77,14 +133,14 @@ void find_pieces(const std::vector<EdgeUse>& uses, Sheets& sheets) {
 }
 
 /// Of very many triangles at an edge some: the next ones of each.
-void find_links(const std::vector<EdgeUse>& uses, Sheets& sheets) {
+void find_links(const std::vector<EdgeUse>& uses, const solid::Part& part, Sheets& sheets) {
   constexpr std::size_t kMost = 16;
   sheets.links.resize(sheets.ids.size());
   each_edge(uses, [&](std::span<const EdgeUse> edge) {
     for (std::size_t i = 0; edge.size() > 2 && i < edge.size(); ++i)
       for (std::size_t j = i + 1; j < std::min(edge.size(), i + kMost); ++j) {
         const std::uint32_t p = edge[i].triangle, q = edge[j].triangle;
-        const int turn = -edge[i].way * edge[j].way * sheets.side[p] * sheets.side[q];
+        const int turn = turn_between(edge[i], edge[j], part, sheets.ids) * sheets.side[p] * sheets.side[q];
         sheets.links[sheets.piece[p]].push_back({sheets.piece[q], turn});
         sheets.links[sheets.piece[q]].push_back({sheets.piece[p], turn});
       }
@@ -110,9 +166,14 @@ Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids) {
   const auto is_degenerate = [&](std::uint32_t t) { return part.topology.shell[t] == solid::Topology::kNoShell; };
   ids.erase(std::remove_if(ids.begin(), ids.end(), is_degenerate), ids.end());
   Sheets sheets{.ids = std::move(ids), .cluster = {}, .piece = {}, .side = {}, .links = {}};
-  const std::vector<EdgeUse> uses = edge_uses(part, sheets.ids);
-  find_pieces(uses, sheets);
-  find_links(uses, sheets);
+  const std::vector<Stand> stands = stands_of(part, sheets.ids);
+  const std::vector<EdgeUse> uses = edge_uses(part, sheets.ids, stands);
+  find_pieces(uses, part, sheets);
+  for (std::uint32_t i = 0; i < sheets.ids.size(); ++i) {
+    const auto [index, way] = stands[i];
+    sheets.piece[i] = sheets.piece[index], sheets.side[i] = way * sheets.side[index];
+  }
+  find_links(uses, part, sheets);
   find_clusters(part, sheets);
   return sheets;
 }
@@ -130,10 +191,28 @@ void SidesSeen::add(const Sheets& sheets, std::uint32_t triangle, std::uint8_t s
   known |= turned(sides, sheets.side[triangle]);
   if (known == before || has_both_) return;
   has_both_ = known == kBoth;
+  for (const Sheets::Link& link : sheets.links[piece]) look_at(piece, link);
+}
+
+void SidesSeen::add_between(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides,
+                            const std::vector<std::uint32_t>& on) {
+  const std::uint32_t piece = sheets.piece[triangle];
   for (const Sheets::Link& link : sheets.links[piece]) {
-    const auto found = of_piece_.find(link.piece);
-    if (found != of_piece_.end()) has_both_ |= (known | turned(found->second, link.turn)) == kBoth;
+    if (link.piece == piece || std::find(on.begin(), on.end(), link.piece) != on.end()) continue;
+    of_two_[{piece, link.piece}] |= turned(sides, sheets.side[triangle]);
+    look_at(piece, link);
   }
+}
+
+/// Whether there is something on both sides of two pieces that are one sheet.
+void SidesSeen::look_at(std::uint32_t piece, const Sheets::Link& link) {
+  const auto of = [](const auto& sides, const auto& key) {
+    const auto found = sides.find(key);
+    return found == sides.end() ? std::uint8_t{0} : found->second;
+  };
+  const auto own = static_cast<std::uint8_t>(of(of_piece_, piece) | of(of_two_, Pieces{piece, link.piece}));
+  const auto other = static_cast<std::uint8_t>(of(of_piece_, link.piece) | of(of_two_, Pieces{link.piece, piece}));
+  has_both_ |= (own | turned(other, link.turn)) == (kAbove | kBelow);
 }
 
 }  // namespace impinge::clash

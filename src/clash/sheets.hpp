@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -23,7 +24,7 @@ inline std::uint8_t turned(std::uint8_t sides, int way) {
 struct Sheets {
   std::vector<std::uint32_t> ids;      ///< sorted
   std::vector<std::uint32_t> cluster;  ///< over common vertices
-  std::vector<std::uint32_t> piece;    ///< over edges that two of them use
+  std::vector<std::uint32_t> piece;    ///< over edges that two of them use; coincident ones count as one
   std::vector<int> side;               ///< +1 or -1: those of one piece look the same way if normals are turned by it
 
   /// Pieces that three or more triangles join at an edge: any two of them are one sheet, if one is turned.
@@ -46,12 +47,20 @@ class SidesSeen {
  public:
   /// Adds what is seen from a triangle, by its index.
   void add(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides);
+  /// The same of what lies on the pieces `on`, which are joined to the triangle's: it is on a side of the sheets that
+  /// this one makes with others.
+  void add_between(const Sheets& sheets, std::uint32_t triangle, std::uint8_t sides,
+                   const std::vector<std::uint32_t>& on);
   [[nodiscard]] std::uint8_t from(const Sheets& sheets, std::uint32_t triangle) const;
   /// Whether something is on both sides of some sheet.
   [[nodiscard]] bool has_both() const { return has_both_; }
 
  private:
+  using Pieces = std::array<std::uint32_t, 2>;
+  void look_at(std::uint32_t piece, const Sheets::Link& link);
+
   std::map<std::uint32_t, std::uint8_t> of_piece_;
+  std::map<Pieces, std::uint8_t> of_two_;  ///< as the first of them looks
   bool has_both_ = false;
 };
 

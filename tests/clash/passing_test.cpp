@@ -5,10 +5,14 @@
 /// nor with what a motion rounds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -202,6 +206,165 @@ TEST(Passing, TwoSheetsAroundALine) {
         if (j != i && k != i) judged(i, j, k);
 }
 
+/// Each triangle twice, in opposite winding, as what is to be seen from both sides.
+MeshData double_sided(MeshData mesh) {
+  const std::size_t size = mesh.triangles.size();
+  for (std::size_t t = 0; t < size; t += 3)
+    for (const std::size_t k : {0, 2, 1}) mesh.triangles.push_back(mesh.triangles[t + k]);
+  return mesh;
+}
+
+/// A closed shell without a width: of what `swept` made, the backs' quads have the other diagonal.
+MeshData flat_shell(MeshData mesh) {
+  const std::size_t size = mesh.triangles.size();
+  for (std::size_t t = 0; t < size; t += 6) {
+    const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1];
+    const std::uint32_t c = mesh.triangles[t + 2], d = mesh.triangles[t + 5];
+    mesh.triangles.insert(mesh.triangles.end(), {a, d, b, b, d, c});
+  }
+  return mesh;
+}
+
+/// What stands on such a plate is on one side of it, however fine either is beside the tolerance.
+TEST(Passing, WallsOnADoubleSidedPlate) {
+  const std::vector<double> across{-512, -256, 0, 256, 512};
+  const Profile flat{{-512, 0}, {-256, 0}, {0, 0}, {256, 0}, {512, 0}};
+  const MeshData plate = swept(flat, across);
+  const std::vector<double> places{-200, -168, -136, -104, -72, -40, 40, 72, 200};
+  const MeshData standing = swept({{50, 0}, {50, 32}, {50, 64}, {50, 96}}, places);
+  const MeshData hanging = swept({{50, 0}, {50, -32}, {50, -64}, {50, -96}}, places);
+  const MeshData through = swept({{50, 64}, {50, 32}, {50, 0}, {50, -32}, {50, -64}}, places);
+  const MeshData fold = swept({{20, 64}, {50, 0}, {90, 64}}, places);
+  const auto expect = [](Verdict expected, const MeshData& a, const MeshData& b, const std::string& what) {
+    EXPECT_EQ(verdict(a, b, {}, 0), name(expected)) << what;
+    for (const double tolerance : {0.0625, 0.5, 1.0, 2.0}) {
+      test::Seeded seeded(1);
+      const Pose pose = scenes::random_motion(seeded.random, 1000);
+      EXPECT_EQ(verdict(a, b, {}, tolerance), name(expected)) << what << ", tolerance " << tolerance;
+      EXPECT_EQ(verdict(b, a, pose, tolerance), name(expected)) << what << ", moved, tolerance " << tolerance;
+    }
+  };
+  // Finer than lines can be told from, so that what is on the outer side of the fold must be.
+  Profile corner, diagonal;
+  std::vector<double> rows;
+  for (int k = -8; k <= 8; ++k) {
+    corner.push_back({std::max(8.0 * k, 0.0), std::max(-8.0 * k, 0.0)});
+    diagonal.push_back({6.0 * k, 6.0 * k});
+    rows.push_back(8.0 * k);
+  }
+  expect(Verdict::crossing, double_sided(swept(corner, rows)), swept(diagonal, rows), "through a fold");
+  const std::vector<std::pair<std::string, MeshData>> plates{{"double-sided", double_sided(plate)},
+                                                             {"mixed up", mixed_up(double_sided(plate))},
+                                                             {"a shell", flat_shell(plate)}};
+  for (const auto& [what, of_plate] : plates) {
+    expect(Verdict::touching, of_plate, standing, what + ", standing");
+    expect(Verdict::touching, of_plate, hanging, what + ", hanging");
+    expect(Verdict::touching, of_plate, fold, what + ", a fold");
+    expect(Verdict::crossing, of_plate, through, what + ", through");
+    expect(Verdict::touching, of_plate, double_sided(standing), what + ", double-sided, standing");
+    expect(Verdict::touching, of_plate, double_sided(fold), what + ", a double-sided fold");
+    expect(Verdict::crossing, of_plate, double_sided(through), what + ", double-sided, through");
+    expect(Verdict::touching, of_plate, flat_shell(standing), what + ", a shell, standing");
+    expect(Verdict::crossing, of_plate, flat_shell(through), what + ", a shell, through");
+  }
+}
+
+/// Half-planes at one line; opposite ones are three planes.
+constexpr std::size_t kRays = 6;
+const Profile kStar{{4, 0}, {4, 4}, {0, 4}, {-4, 0}, {-4, -4}, {0, -4}};
+
+bool has_ray(unsigned rays, std::size_t i) { return (rays >> (i % kRays) & 1) != 0; }
+
+/// All are cut at the line, and hang together there.
+MeshData star(unsigned rays, const std::vector<double>& places, int cells = 1) {
+  MeshData mesh;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    if (!has_ray(rays, i)) continue;
+    Profile ray;
+    for (int k = 0; k <= cells; ++k) ray.push_back({kStar[i][0] * k / cells, kStar[i][1] * k / cells});
+    mesh = scenes::joined(mesh, swept(ray, places));
+  }
+  return mesh;
+}
+
+/// The same, of whole planes.
+MeshData planes(unsigned rays, const std::vector<double>& places) {
+  MeshData mesh;
+  for (std::size_t i = 0; i < kRays / 2; ++i)
+    if (has_ray(rays, i)) mesh = scenes::joined(mesh, swept({kStar[i], kStar[i + kRays / 2]}, places));
+  return mesh;
+}
+
+/// Four half-planes, of one surface and the other by turns; those of both count as either.
+bool alternate(unsigned a, unsigned b) {
+  for (std::size_t i = 0; i < kRays; ++i)
+    for (std::size_t j = i + 1; j < i + kRays; ++j)
+      for (std::size_t k = j + 1; k < i + kRays; ++k)
+        for (std::size_t l = k + 1; l < i + kRays; ++l)
+          if (has_ray(a, i) && has_ray(b, j) && has_ray(a, k) && has_ray(b, l)) return true;
+  return false;
+}
+
+/// Once of all that are turned into each other.
+bool is_first(unsigned a, unsigned b) {
+  const auto turn = [](unsigned rays) { return (rays << 1 | rays >> (kRays - 1)) & ((1U << kRays) - 1); };
+  unsigned p = a, q = b;
+  for (std::size_t i = 0; i < kRays; ++i)
+    if (p = turn(p), q = turn(q); std::pair(p, q) < std::pair(a, b)) return false;
+  return true;
+}
+
+bool is_forked(unsigned rays) { return ((rays | rays >> 3) & 7) == 7; }
+
+bool is_branched(unsigned rays) { return std::popcount(rays) > 2; }
+
+TEST(Passing, AnySheetsAroundALine) {
+  const std::vector<double> whole{0, 8}, part{2, 6};
+  test::Seeded seeded(1);
+  for (unsigned a = 1; a < 1U << kRays; ++a)
+    for (unsigned b = 1; b < 1U << kRays; ++b) {
+      if (!is_first(a, b)) continue;
+      const Verdict expected = alternate(a, b) ? Verdict::crossing : Verdict::touching;
+      const std::string what = std::to_string(a) + " " + std::to_string(b);
+      const MeshData of_a = star(a, whole), of_b = star(b, part);
+      EXPECT_EQ(verdict(of_a, of_b, {}, 0), name(expected)) << what;
+      const Pose pose = scenes::random_motion(seeded.random, 10);
+      EXPECT_EQ(verdict(of_b, of_a, pose, std::nullopt), name(expected)) << what << ", moved";
+    }
+}
+
+/// The same in triangles too narrow for lines to be told from. What is on the outer side of where three legs that are
+/// in three planes meet may be missed.
+TEST(Passing, FineSheetsAroundALine) {
+  const std::vector<double> whole{0, 1, 2, 3, 4, 5, 6, 7, 8}, part{2, 3, 4, 5, 6};
+  for (unsigned a = 1; a < 1U << kRays; ++a)
+    for (unsigned b = 1; b < 1U << kRays; ++b) {
+      if (!is_first(a, b)) continue;
+      const Verdict expected = alternate(a, b) ? Verdict::crossing : Verdict::touching;
+      const bool may_be_missed = is_forked(a) || is_forked(b) || (is_branched(a) && is_branched(b));
+      if (expected == Verdict::crossing && may_be_missed) continue;
+      const std::string what = std::to_string(a) + " " + std::to_string(b);
+      const MeshData of_a = star(a, whole, 4), of_b = star(b, part, 4);
+      EXPECT_EQ(verdict(of_b, mixed_up(of_a), {}, 0x1p-4), name(expected)) << what;
+    }
+}
+
+/// Planes cross by the signs of their corners, unless they are one; however they are cut.
+TEST(Passing, PlanesThroughALine) {
+  const std::vector<double> whole{0, 8}, part{2, 6}, many{2, 2.5, 4, 6};
+  for (const unsigned a : {1U, 3U, 7U})
+    for (unsigned b = 1; b < 8; ++b) {
+      const bool is_one = a == b && (a & (a - 1)) == 0;
+      const Verdict expected = is_one ? Verdict::touching : Verdict::crossing;
+      const std::string what = std::to_string(a) + " " + std::to_string(b);
+      const unsigned rays_a = a | a << 3, rays_b = b | b << 3;
+      expect_verdict(expected, planes(rays_a, whole), planes(rays_b, part), what.c_str());
+      expect_verdict(expected, planes(rays_a, whole), star(rays_b, many), (what + ", b in halves").c_str());
+      expect_verdict(expected, star(rays_a, whole), planes(rays_b, part), (what + ", a in halves").c_str());
+      expect_verdict(expected, star(rays_a, whole), star(rays_b, many), (what + ", both in halves").c_str());
+    }
+}
+
 /// A sheet that comes down onto another, runs along it for a while and goes on below, or up again: all along they lie
 /// in one plane, cut alike or not.
 TEST(Passing, AlongAnAreaOfManyPieces) {
@@ -223,6 +386,10 @@ TEST(Passing, AlongAnAreaOfManyPieces) {
       const std::string what = "cut by " + std::to_string(step) + " into " + std::to_string(places.size());
       expect_verdict(Verdict::crossing, through, floor, what.c_str());
       expect_verdict(Verdict::touching, back, floor, what.c_str());
+      EXPECT_EQ(verdict(through, double_sided(floor), {}, 0), name(Verdict::crossing)) << what;
+      EXPECT_EQ(verdict(double_sided(back), floor, {}, 0), name(Verdict::touching)) << what;
+      EXPECT_EQ(verdict(double_sided(through), double_sided(floor), {}, 0), name(Verdict::crossing)) << what;
+      EXPECT_EQ(verdict(double_sided(back), double_sided(floor), {}, 0), name(Verdict::touching)) << what;
     }
   }
 }
