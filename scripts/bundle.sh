@@ -73,9 +73,10 @@ rm -rf "$bundle" "$bundle.tar.gz"
 mkdir -p "$bundle/licenses"
 cmake --install "$build" --prefix "$bundle" --component programs --strip >/dev/null
 libdir=$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$build/CMakeCache.txt")
+# The importer first: it looks in the others' folder too, and would find there what the system is to be asked for.
+bring_libraries "$bundle/libexec/impinge/impinge-import" "$bundle/libexec/impinge"
 bring_libraries "$bundle/bin/impinge" "$bundle/$libdir"
 bring_libraries "$bundle/bin/impinge-gpu-figures" "$bundle/$libdir"
-bring_libraries "$bundle/libexec/impinge/impinge-import" "$bundle/libexec/impinge"
 for header in /usr/include/CLI/CLI.hpp /usr/include/nlohmann/json.hpp /usr/include/eigen3/Eigen/Dense \
   /usr/include/fmt/format.h /usr/include/volk.h /usr/include/vulkan/vulkan.h; do
   bring_licence "$header"
