@@ -3,6 +3,7 @@
 #include "clash/around_lines.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace impinge::clash {

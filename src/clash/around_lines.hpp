@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -79,6 +78,18 @@ class AroundLines {
   /// Two triangles of a lie over a common one of b: they are in one area. (The areas may be apart; then the sheet is
   /// there in both.)
   void join(std::uint32_t i, std::uint32_t j) { areas_.join(i, j); }
+  /// All those that do, by whether two triangles that meet `share` an area.
+  template <class ShareArea>
+  void join_areas(const Side& b, const ShareArea& share) {
+    for (std::uint32_t j = 0; j < b.met.size(); ++j) {
+      std::optional<std::uint32_t> first;
+      for (const std::uint32_t i : b.met[j]) {
+        if (!share(i, j)) continue;
+        if (first) join(*first, i);
+        first = i;
+      }
+    }
+  }
 
   /// Whether the surfaces pass through each other at a piece of a line, of the rays around it. Where they have flaps in
   /// common, it is noted what the others are to their area.

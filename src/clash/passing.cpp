@@ -34,8 +34,11 @@ class Passing {
         along_b_(b_, a_) {}
 
   bool find() {
-    return some_cross() || look_along_edges(a_, true) || look_along_edges(b_, false) ||
-           (join_areas(), around_.pass_at_areas());
+    if (some_cross() || look_along_edges(a_, true) || look_along_edges(b_, false)) return true;
+    around_.join_areas(b_, [&](std::uint32_t i, std::uint32_t j) {
+      return !stop_.stop_requested() && near_.share_area(local(a_, i), local(b_, j));
+    });
+    return around_.pass_at_areas();
   }
 
   /// Pairs of which it is open what they share.
@@ -62,17 +65,6 @@ class Passing {
         if (near_.cross(local(a_, i), local(b_, j))) return true;
       }
     return false;
-  }
-
-  void join_areas() {
-    for (std::uint32_t j = 0; j < b_.met.size(); ++j) {
-      std::optional<std::uint32_t> first;
-      for (const std::uint32_t i : b_.met[j]) {
-        if (!near_.share_area(local(a_, i), local(b_, j))) continue;
-        if (first) around_.join(*first, i);
-        first = i;
-      }
-    }
   }
 
   bool look_along_edges(const Side& side, bool is_a) {

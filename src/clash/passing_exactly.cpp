@@ -28,25 +28,16 @@ class Passing {
         flat_b_(flat[1]),
         around_(a_.sheets, b_.sheets),
         along_a_(a_, b_),
-        along_b_(b_, a_) {
-    join_areas();
-  }
+        along_b_(b_, a_) {}
 
-  bool find() { return look_along_edges(a_, true) || look_along_edges(b_, false) || around_.pass_at_areas(); }
+  bool find() {
+    if (look_along_edges(a_, true) || look_along_edges(b_, false)) return true;
+    around_.join_areas(
+        b_, [&](std::uint32_t i, std::uint32_t j) { return exact::share_area(a_.triangle(i), b_.triangle(j)); });
+    return around_.pass_at_areas();
+  }
 
  private:
-  void join_areas() {
-    for (std::uint32_t j = 0; j < b_.met.size(); ++j) {
-      const Triangle other = b_.triangle(j);
-      std::optional<std::uint32_t> first;
-      for (const std::uint32_t i : b_.met[j]) {
-        if (!exact::share_area(a_.triangle(i), other)) continue;
-        if (first) around_.join(*first, i);
-        first = i;
-      }
-    }
-  }
-
   /// Whether somewhere along an edge of one part's the surfaces pass through each other.
   bool look_along_edges(const Side& side, bool is_a) {
     const std::vector<Uses> edges = edges_of(side);
