@@ -237,7 +237,7 @@ class Comparison {
     const bool is_taken = known == nullptr && back != nullptr && agree(past.resolved, *back);
     for (const Resolved* const each : past.resolved) {
       is_back_[static_cast<std::size_t>(each - previous_.resolved.data())] = true;
-      const Written written = written_about(*each);
+      const WrittenRemarks written = written_about(*each);
       if (written.is_empty() || is_taken || (known != nullptr && written == written_about(*known))) continue;
       withhold(*each, id);
     }

@@ -5,21 +5,21 @@
 namespace impinge::cli {
 namespace {
 
-void add(Written& written, const Point& place, const Remark& remark) {
+void add(WrittenRemarks& written, const Point& place, const Remark& remark) {
   if (remark.is_empty()) return;
   written.regions.push_back({{place.x, place.y, place.z}, {remark.status, remark.comment}});
 }
 
 }  // namespace
 
-Written written_about(const Previous::Pair& pair) {
-  Written written{pair.remark.status, pair.remark.comment, {}};
+WrittenRemarks written_about(const Previous::Pair& pair) {
+  WrittenRemarks written{pair.remark.status, pair.remark.comment, {}};
   for (const Previous::OldRegion& region : pair.regions) add(written, region.centroid, region.remark);
   return written;
 }
 
-Written written_about(const Resolved& resolved) {
-  Written written{resolved.remark.status, resolved.remark.comment, {}};
+WrittenRemarks written_about(const Resolved& resolved) {
+  WrittenRemarks written{resolved.remark.status, resolved.remark.comment, {}};
   for (const Resolved& region : resolved.regions) add(written, region.centroid.value_or(Point{}), region.remark);
   return written;
 }
