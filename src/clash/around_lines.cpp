@@ -35,7 +35,7 @@ bool alternate_from(const std::vector<Membership>& order, std::size_t start) {
 
 }  // namespace
 
-AlongEdge::AlongEdge(const Side& side, const Side& other)
+AlongEdge::AlongEdge(const MetSide& side, const MetSide& other)
     : side_(side), other_(other), is_asked_(other.sheets.ids.size()) {
   boxes_.reserve(side.sheets.ids.size());
   for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) boxes_.push_back(box_of(side.triangle(t)));
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> triangles_of(const Uses& uses) {
   return triangles;
 }
 
-std::vector<Uses> edges_of(const Side& side) {
+std::vector<Uses> edges_of(const MetSide& side) {
   std::map<std::array<std::uint32_t, 2>, Uses> edges;
   for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) {
     const auto& corners = side.part.body.placed.mesh->triangles[side.sheets.ids[t]];

@@ -18,7 +18,7 @@
 namespace impinge::clash {
 
 /// A part's triangles that meet the other part's.
-struct Side {
+struct MetSide {
   const solid::Part& part;
   Sheets sheets;
   std::vector<std::vector<std::uint32_t>> met;  ///< per triangle, by its index: the other part's, by theirs
@@ -28,11 +28,12 @@ struct Side {
 
 /// Both parts' sides of some pairs of triangles. Sheets are made of these, and of others that are named besides.
 template <class Pairs>
-std::array<Side, 2> sides_of(const solid::Part& a, const solid::Part& b, const Pairs& pairs,
-                             std::vector<std::uint32_t> ids_a = {}, std::vector<std::uint32_t> ids_b = {}) {
+std::array<MetSide, 2> sides_of(const solid::Part& a, const solid::Part& b, const Pairs& pairs,
+                                std::vector<std::uint32_t> ids_a = {}, std::vector<std::uint32_t> ids_b = {}) {
   for (const auto& pair : pairs) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
-  std::array<Side, 2> sides{Side{a, sheets_of(a, std::move(ids_a)), {}}, Side{b, sheets_of(b, std::move(ids_b)), {}}};
-  for (Side& side : sides) side.met.resize(side.sheets.ids.size());
+  std::array<MetSide, 2> sides{MetSide{a, sheets_of(a, std::move(ids_a)), {}},
+                               MetSide{b, sheets_of(b, std::move(ids_b)), {}}};
+  for (MetSide& side : sides) side.met.resize(side.sheets.ids.size());
   for (const auto& pair : pairs) {
     if (!a.is_boundary(pair.a) || !b.is_boundary(pair.b)) continue;
     const std::uint32_t i = sides[0].sheets.index(pair.a), j = sides[1].sheets.index(pair.b);
@@ -44,7 +45,7 @@ std::array<Side, 2> sides_of(const solid::Part& a, const solid::Part& b, const P
 /// Finds a side's triangles along an edge.
 class AlongEdge {
  public:
-  AlongEdge(const Side& side, const Side& other);
+  AlongEdge(const MetSide& side, const MetSide& other);
 
   /// Those whose boxes overlap this one and that some of these, of the other side, meet. Sorted.
   std::vector<std::uint32_t> find(const Box& box, const std::vector<std::uint32_t>& others);
@@ -52,7 +53,7 @@ class AlongEdge {
  private:
   [[nodiscard]] std::vector<std::uint32_t> find_all(const Box& box);
 
-  const Side &side_, &other_;
+  const MetSide &side_, &other_;
   std::vector<Box> boxes_;
   std::optional<broad::BoxTree> tree_;  ///< over them, once it is needed
   broad::BoxTree::Search search_;
@@ -63,7 +64,7 @@ class AlongEdge {
 using Uses = std::vector<std::uint32_t>;
 /// The triangles, once each.
 std::vector<std::uint32_t> triangles_of(const Uses& uses);
-std::vector<Uses> edges_of(const Side& side);
+std::vector<Uses> edges_of(const MetSide& side);
 
 /// Flaps are numbered by twice their triangle's index, and 1 for those of b.
 inline bool is_of_a(const Flap& flap) { return flap.triangle % 2 == 0; }
@@ -80,7 +81,7 @@ class AroundLines {
   void join(std::uint32_t i, std::uint32_t j) { areas_.join(i, j); }
   /// All those that do, by whether two triangles that meet `share` an area.
   template <class ShareArea>
-  void join_areas(const Side& b, const ShareArea& share) {
+  void join_areas(const MetSide& b, const ShareArea& share) {
     for (std::uint32_t j = 0; j < b.met.size(); ++j) {
       std::optional<std::uint32_t> first;
       for (const std::uint32_t i : b.met[j]) {

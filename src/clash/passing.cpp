@@ -23,7 +23,7 @@ namespace {
 
 class Passing {
  public:
-  Passing(const std::array<Side, 2>& sides, double tolerance, const std::stop_token& stop)
+  Passing(const std::array<MetSide, 2>& sides, double tolerance, const std::stop_token& stop)
       : a_(sides[0]),
         b_(sides[1]),
         near_(a_.part.body, b_.part.body, tolerance),
@@ -54,7 +54,7 @@ class Passing {
   /// In tolerances: beyond a line's box, what may still be near a point of it.
   static constexpr double kReach = 4;
 
-  [[nodiscard]] Triangle local(const Side& side, std::uint32_t index) const {
+  [[nodiscard]] Triangle local(const MetSide& side, std::uint32_t index) const {
     return near_.frame().to_local(side.triangle(index));
   }
 
@@ -67,7 +67,7 @@ class Passing {
     return false;
   }
 
-  bool look_along_edges(const Side& side, bool is_a) {
+  bool look_along_edges(const MetSide& side, bool is_a) {
     const std::vector<Uses> edges = edges_of(side);
     return std::any_of(edges.begin(), edges.end(), [&](const Uses& uses) {
       const Triangle first = side.triangle(uses[0] / 3);
@@ -126,7 +126,7 @@ class Passing {
     return stretches;
   }
 
-  const Side &a_, &b_;
+  const MetSide &a_, &b_;
   NearGeometry near_;
   double margin_;  ///< in the world
   const std::stop_token& stop_;
@@ -138,7 +138,7 @@ class Passing {
 
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop) {
-  const std::array<Side, 2> sides = sides_of(a.part, b.part, encounter.near, encounter.near_a, encounter.near_b);
+  const std::array<MetSide, 2> sides = sides_of(a.part, b.part, encounter.near, encounter.near_a, encounter.near_b);
   Passing passing(sides, tolerance, stop);
   return passing.find() || pass_widely(a, b, tolerance, encounter, passing.open_pairs(), stop);
 }

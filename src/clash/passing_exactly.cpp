@@ -21,7 +21,7 @@ namespace {
 
 class Passing {
  public:
-  Passing(const std::array<Side, 2>& sides, const std::array<std::vector<bool>, 2>& flat)
+  Passing(const std::array<MetSide, 2>& sides, const std::array<std::vector<bool>, 2>& flat)
       : a_(sides[0]),
         b_(sides[1]),
         flat_a_(flat[0]),
@@ -39,7 +39,7 @@ class Passing {
 
  private:
   /// Whether somewhere along an edge of one part's the surfaces pass through each other.
-  bool look_along_edges(const Side& side, bool is_a) {
+  bool look_along_edges(const MetSide& side, bool is_a) {
     const std::vector<Uses> edges = edges_of(side);
     return std::any_of(edges.begin(), edges.end(), [&](const Uses& uses) {
       const Triangle first = side.triangle(uses[0] / 3);
@@ -106,7 +106,7 @@ class Passing {
     return stretches;
   }
 
-  const Side &a_, &b_;
+  const MetSide &a_, &b_;
   const std::vector<bool>&flat_a_, &flat_b_;  ///< per triangle: whether all that it meets lies in its plane
   AroundLines around_;
   AlongEdge along_a_, along_b_;
@@ -117,7 +117,7 @@ class Passing {
 bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts) {
   if (std::any_of(contacts.begin(), contacts.end(), [](const auto& c) { return c.kind == Kind::crossing; }))
     return true;
-  const std::array<Side, 2> sides = sides_of(a, b, contacts);
+  const std::array<MetSide, 2> sides = sides_of(a, b, contacts);
   std::array<std::vector<bool>, 2> flat;
   for (std::size_t i = 0; i < 2; ++i) flat[i].resize(sides[i].sheets.ids.size(), true);
   for (const exact::Contact& contact : contacts)

@@ -39,7 +39,7 @@ solid::Part part_of(const Mesh& mesh) {
 }
 
 /// Whatever meets what: all of a side's triangles are gone through.
-std::vector<std::uint32_t> expected(const Side& side, const Box& box, const std::vector<std::uint32_t>& others) {
+std::vector<std::uint32_t> expected(const MetSide& side, const Box& box, const std::vector<std::uint32_t>& others) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) {
     const auto meets = [&](std::uint32_t other) {
@@ -63,7 +63,7 @@ TEST(AlongEdge, FindsWhatOthersMeetNearABox) {
     for (std::uint32_t i = 0; i < 30; ++i)
       for (std::uint32_t j = 0; j < 40; ++j)
         if (random.integer(1, one_in) == 1) pairs.push_back({i, j});
-    const std::array<Side, 2> sides = sides_of(a, b, pairs);
+    const std::array<MetSide, 2> sides = sides_of(a, b, pairs);
     AlongEdge along_a(sides[0], sides[1]);
     for (const Uses& uses : edges_of(sides[1])) {
       const Triangle triangle = sides[1].triangle(uses[0] / 3);
