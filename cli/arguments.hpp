@@ -52,13 +52,13 @@ enum class GroupBy : std::uint8_t { none, part, type, test };
 struct PageArguments {
   std::optional<std::string> html;
   std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
+  std::optional<bool> y_up;                  ///< or Z, for other outputs too; nothing: by the files' formats
 };
 
-/// Files for other tools, and what these take coordinates and dates for.
+/// Files for other tools, and what these take lengths and dates for.
 struct ExportArguments {
   std::optional<std::string> csv, bcf, gltf;  ///< "-" is standard output
   std::optional<double> metres;               ///< that a unit of the files' coordinates has; nothing: nobody said
-  std::optional<bool> y_up;                   ///< or Z; nothing: by the first file's format
   std::string date;                           ///< of the BCF's topics, "2024-05-31T16:30:00Z"
   std::uint64_t topics = 1'000;               ///< of the BCF, at most
 };

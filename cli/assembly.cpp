@@ -51,12 +51,19 @@ Result<Assembly> read_assembly(const SceneArguments& arguments, ProgressLine& pr
     Result<io::Model> model = io::read(file, options);
     if (stop.stop_requested()) return interrupted();
     if (!model) return model.error();
+    const auto groups_before = static_cast<std::uint32_t>(assembly.groups.size());
+    for (io::Group& group : model->groups) {
+      if (group.parent) *group.parent += groups_before;
+      assembly.groups.push_back(std::move(group));
+    }
     for (io::Object& object : model->objects) {
+      if (object.group) *object.group += groups_before;
       assembly.triangles += object.mesh.triangle_count();
       assembly.file_of.push_back(static_cast<std::uint32_t>(i));
       assembly.objects.push_back(std::move(object));
     }
     for (std::string& warning : model->warnings) assembly.warnings.push_back(std::move(warning));
+    for (const std::string& sentence : model->missing) assembly.missing.push_back(file + ": " + sentence);
     bytes_read += bytes_of(file);
   }
   assembly.labels = labels_of(assembly);

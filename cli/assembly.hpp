@@ -20,9 +20,11 @@ namespace impinge::cli {
 struct Assembly {
   std::vector<std::string> files;
   std::vector<io::Object> objects;
+  std::vector<io::Group> groups;       ///< those of all files, numbered over the files as well
   std::vector<std::uint32_t> file_of;  ///< for each object
   std::vector<std::string> labels;     ///< for each object, what a person is shown; printable
   std::vector<std::string> warnings;
+  std::vector<std::string> missing;  ///< of the files, with their names: no answer is about it
   std::uint64_t triangles = 0;
 };
 

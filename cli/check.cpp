@@ -132,6 +132,7 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
   if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
+  mention_missing(answer->assembly);
   if (!arguments.quiet) {
     mention_warnings(answer->assembly);
     for (const std::string& warning : answer->contacts.warnings) complain(warning);

@@ -86,7 +86,7 @@ Result<Review> make_review(const ClashArguments& arguments, const Triage& triage
     review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
   }
   review.clashes.parts.clear();
-  identify(review);
+  identify(triage.previous, review);
   review.types = types_of(review.assembly);
   take_stock(arguments, triage.previous, review);
   return review;
@@ -126,9 +126,11 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
       {configured->configuration ? &*configured->configuration : nullptr, arguments.previous ? &*previous : nullptr},
       stop);
   if (!review) return review.error();
+  mention_missing(review->assembly);
   if (!arguments.quiet) {
     mention_warnings(review->assembly);
     mention_withheld(*review);
+    if (arguments.previous) mention_renamed(review->known_names, *arguments.previous);
   }
   const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
   if (auto written = documents.write(kJson, write_json); !written) return written.error();
@@ -136,7 +138,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     const Result<DrawnScene> scene = draw(review->assembly, arguments.page_triangles, stop);
     if (!scene) return scene.error();
     if (!arguments.quiet) mention_simplified(*scene);
-    return write_page(sink, *page, title_of(arguments.files), *scene, write_json, stop);
+    return write_page(sink, *page, head_of(arguments.files, arguments), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
   if (auto written = write_exports(documents, *review, arguments, stop); !written) return written.error();

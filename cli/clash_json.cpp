@@ -33,13 +33,23 @@ void write_settings(Sink& sink, const ClashArguments& arguments) {
                          arguments.previous ? json_string(*arguments.previous) : "null"));
 }
 
+void write_files(Sink& sink, const Review& review) {
+  sink.write("\"files\":[");
+  for (std::size_t i = 0; i < review.file_names.size(); ++i)
+    sink.write(fmt::format("{}\n{{\"file\":{},\"name\":{},\"known_as\":{}}}", i > 0 ? "," : "",
+                           json_string(review.assembly.files[i]), json_string(review.file_names[i]),
+                           json_string(review.known_names.known_as[i])));
+  sink.write("],\n");
+}
+
 void write_parts(Sink& sink, const Review& review) {
   sink.write("\"objects\":[");
   for (std::size_t i = 0; i < review.parts.size(); ++i)
-    sink.write(fmt::format("{}\n{{{},\"closed\":{},\"open_edges\":{},{},\"type\":{}}}", i > 0 ? "," : "",
-                           json_identity(review.assembly, i), review.parts[i].facts.closed,
-                           review.parts[i].facts.open_edges, json_facts(review.parts[i]), review.types.of_object[i]));
-  sink.write("\n],\n");
+    sink.write(fmt::format("{}\n{{{},\"placed\":\"{}\",\"closed\":{},\"open_edges\":{},{},\"type\":{}}}",
+                           i > 0 ? "," : "", json_identity(review.assembly, i), review.identities[i].placed,
+                           review.parts[i].facts.closed, review.parts[i].facts.open_edges, json_facts(review.parts[i]),
+                           review.types.of_object[i]));
+  sink.write("\n],\n" + json_missing(review.assembly));
 }
 
 /// Members of a pair. Null of what touches: where it does, the regions tell.
@@ -105,6 +115,7 @@ Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArgum
   write_settings(sink, arguments);
   write_tests(sink, review);
   write_types(sink, review);
+  write_files(sink, review);
   write_parts(sink, review);
   sink.write("\"pairs\":[");
   for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
@@ -126,7 +137,7 @@ Result<void> write_view_json(Sink& sink, const Assembly& assembly) {
   for (std::size_t i = 0; i < assembly.objects.size(); ++i)
     sink.write(fmt::format("{}\n{{{},\"closed\":null,\"open_edges\":null,{}}}", i > 0 ? "," : "",
                            json_identity(assembly, i), json_facts(std::nullopt)));
-  sink.write("\n],\n\"pairs\":[],\n\"counts\":null}\n");
+  sink.write("\n],\n" + json_missing(assembly) + "\"pairs\":[],\n\"counts\":null}\n");
   return {};
 }
 

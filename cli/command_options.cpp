@@ -70,6 +70,16 @@ void add_page_triangles(CLI::App& command, Raw& raw) {
       ->type_name("N");
 }
 
+void add_up(CLI::App& command, Raw& raw, const std::string& outputs) {
+  command
+      .add_option(
+          "--up", raw.up,
+          "which of the coordinates' axes is up, for " + outputs +
+              ": y or z (default: by the formats: z if all files are OBJ, OFF, PLY, STL or AMF, else that of the "
+              "first other one: z for 3MF and Blender, y for the rest)")
+      ->type_name("y|z");
+}
+
 void add_exports(CLI::App& command, Raw& raw) {
   command
       .add_option("--csv", raw.csv,
@@ -90,12 +100,6 @@ void add_exports(CLI::App& command, Raw& raw) {
                   "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres: m, cm, mm, in or ft "
                   "(default: m)")
       ->type_name("UNIT");
-  command
-      .add_option(
-          "--up", raw.up,
-          "which of the files' axes is up, for CSV, BCF and glTF: y or z (default: z for OBJ, OFF, PLY, STL and 3MF, "
-          "y for the others)")
-      ->type_name("y|z");
   command
       .add_option("--date", raw.date,
                   "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: SOURCE_DATE_EPOCH, or the "
@@ -187,6 +191,7 @@ void add_clash(CLI::App& command, Raw& raw) {
                   "there: part, type, test or none (default: none)")
       ->type_name("WHAT");
   add_exports(command, raw);
+  add_up(command, raw, "the page, CSV, BCF and glTF");
   command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
       ->type_name("N");
   add_ignore(command, raw);
@@ -215,6 +220,7 @@ void add_motion(CLI::App& command, Raw& raw) {
   add_json(command, raw, "times");
   command.add_option("--html", raw.html, "write a page to look at, with the motion on a timeline")->type_name("FILE");
   add_page_triangles(command, raw);
+  add_up(command, raw, "the page");
   add_ignore(command, raw);
   add_threads(command, raw);
   add_max_file(command, raw);
@@ -227,6 +233,7 @@ void add_view(CLI::App& command, Raw& raw) {
   command.add_option("--html", raw.html, "the page to write (default: the first file's name with .html after it)")
       ->type_name("FILE");
   add_page_triangles(command, raw);
+  add_up(command, raw, "the page");
   add_scale(command, raw);
   add_max_file(command, raw);
   add_quiet(command, to.quiet);

@@ -43,13 +43,9 @@ Result<void> take_exports(const Raw& raw, ExportArguments& to) {
   if (!raw.gltf.empty()) to.gltf = raw.gltf;
   if (!to.bcf && !raw.date.empty()) return bad_option("--date is for the topics of --bcf FILE");
   if (!to.bcf && !raw.topics.empty()) return bad_option("--bcf-topics is for the topics of --bcf FILE");
-  if (!to.csv && !to.bcf && !to.gltf && !(raw.unit.empty() && raw.up.empty()))
-    return bad_option(fmt::format("{} is for --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it",
-                                  raw.unit.empty() ? "--up" : "--unit"));
+  if (!to.csv && !to.bcf && !to.gltf && !raw.unit.empty())
+    return bad_option("--unit is for --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
   if (auto taken = take_unit(raw.unit, to); !taken) return taken;
-  if (!raw.up.empty() && raw.up != "y" && raw.up != "z")
-    return bad_option(fmt::format("--up is y or z, not '{}'", raw.up));
-  if (!raw.up.empty()) to.y_up = raw.up == "y";
   constexpr std::uint64_t kMostTopics = 20'000;  // a zip archive counts its members in 16 bits
   if (!raw.topics.empty()) {
     const auto topics = parse_whole(raw.topics);

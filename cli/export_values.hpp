@@ -6,7 +6,7 @@
 
 namespace impinge::cli {
 
-/// The files for other tools, with their units, axes and dates. Errors: `bad_option`.
+/// The files for other tools, with their units and dates. Errors: `bad_option`.
 Result<void> take_exports(const Raw& raw, ExportArguments& to);
 
 }  // namespace impinge::cli

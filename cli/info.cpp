@@ -64,7 +64,8 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
     facts.error = model.error().message;
     return facts;
   }
-  facts.warnings = std::move(model->warnings);
+  facts.warnings = std::move(model->missing);
+  facts.warnings.insert(facts.warnings.end(), model->warnings.begin(), model->warnings.end());
   const std::size_t total = model->objects.size();
   for (std::size_t i = 0; i < total; ++i) {
     if (stop.stop_requested()) return interrupted();

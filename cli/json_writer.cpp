@@ -17,7 +17,7 @@ void write_objects(Sink& sink, const Assembly& assembly) {
   for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
     sink.write(fmt::format("{}\n{{{}}}", i > 0 ? "," : "", json_identity(assembly, i)));
   }
-  sink.write("\n],\n");
+  sink.write("\n],\n" + json_missing(assembly));
 }
 
 /// Errors: `cancelled`.
@@ -132,6 +132,11 @@ std::string json_identity(const Assembly& assembly, std::size_t object) {
   return fmt::format("\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}", object,
                      json_string(about.name), json_string(about.path), json_string(about.product),
                      json_string(assembly.files[assembly.file_of[object]]), about.mesh.triangle_count());
+}
+
+std::string json_missing(const Assembly& assembly) {
+  if (assembly.missing.empty()) return {};
+  return fmt::format("\"missing\":{},\n", json_list(assembly.missing, json_string));
 }
 
 RowCounts count_row(const Contacts& contacts, std::size_t row) {

@@ -42,6 +42,9 @@ std::string json_depth(const std::optional<OverlapDepth>& depth);
 /// What an object is called and where it comes from, as members of a JSON object, without braces: "id" to "triangles".
 std::string json_identity(const Assembly& assembly, std::size_t object);
 
+/// "missing":[...] and what separates it from the next member; nothing where nothing is missing of the files.
+std::string json_missing(const Assembly& assembly);
+
 /// How the triangles of one row of an answer touch, counted.
 struct RowCounts {
   std::uint64_t crossing = 0, touching = 0, coplanar = 0;

@@ -48,6 +48,8 @@ Result<Command> take_clash(Raw raw) {
   if (auto taken = take_fail_on(raw.fail_on, to); !taken) return taken.error();
   if (auto taken = take_page(raw, to); !taken) return taken.error();
   if (auto taken = take_exports(raw, to); !taken) return taken.error();
+  if (to.y_up && !to.html && !to.csv && !to.bcf && !to.gltf)
+    return bad_option("--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
   // What these tell of a clash.
   if (to.html || to.csv || to.bcf || to.gltf) to.depth = to.regions = true;
   if (to.previous) to.regions = true;
@@ -77,6 +79,7 @@ Result<Command> take_motion(Raw raw) {
   if (!raw.animation.empty()) to.animation = raw.animation;
   if (auto taken = take_threads(raw.threads, to.threads); !taken) return taken.error();
   if (auto taken = take_page(raw, to); !taken) return taken.error();
+  if (to.y_up && !to.html) return bad_option("--up is for the page: name its file with --html FILE");
   if (to.html) to.depth = true;  // what the page shows of a clash
   if (auto taken = take_scene(raw, to); !taken) return taken.error();
   return Command(std::move(to));

@@ -83,9 +83,10 @@ std::uint64_t count_failing(const Review& review) {
                                                   [](const Standing& standing) { return standing.fails; }));
 }
 
-void identify(Review& review) {
+void identify(const Previous* previous, Review& review) {
   review.file_names = names_of_files(review.assembly.files);
-  review.identities = identities_of(review.assembly, review.file_names);
+  review.known_names = known_names(review.assembly, review.file_names, previous);
+  review.identities = identities_of(review.assembly, review.known_names.known_as);
   for (const Clash& pair : review.clashes.pairs) {
     const auto [a, b] = parts_of(review, pair);
     review.ids.push_back(guid_of_pair(a.key, b.key, test_of(review, pair)));
@@ -106,7 +107,11 @@ void take_stock(const ClashArguments& arguments, const Previous* previous, Revie
     const auto [a, b] = parts_of(review, pair);
     return guids_of_twins(a, b, test_of(review, pair), is_known);
   };
-  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named, twins};
+  const auto placed = [&](const Clash& pair) {
+    const auto [a, b] = parts_of(review, pair);
+    return std::pair<std::string_view, std::string_view>(a.placed, b.placed);
+  };
+  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named, twins, placed};
   review.standings = previous != nullptr ? compare(found, *previous, review.resolved) : stand_alone(found);
   const auto is_new = [](const Standing& standing) {
     return standing.change == Change::fresh ||

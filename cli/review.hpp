@@ -15,6 +15,7 @@
 #include "triage/grouping.hpp"
 #include "triage/plan.hpp"
 #include "triage/previous.hpp"
+#include "triage/renamed_files.hpp"
 #include "triage/standing.hpp"
 
 namespace impinge::cli {
@@ -25,6 +26,7 @@ struct Review {
   std::vector<Part> parts;              ///< for each object
   Clashes clashes;                      ///< its `parts` are moved to those above
   std::vector<std::string> file_names;  ///< for each file, as `names_of_files`
+  FileNames known_names;                ///< what they were known by before they were renamed
   std::vector<Identity> identities;     ///< for each object
   std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
   std::vector<bool> ambiguous;          ///< for each pair: another one has it as well as this, but for the parts' order
@@ -55,8 +57,8 @@ bool names(const FailOn& fail_on, Verdict verdict);
 /// How many of the pairs fail.
 std::uint64_t count_failing(const Review& review);
 
-/// Fills in by what the pairs and files are known.
-void identify(Review& review);
+/// Fills in by what the pairs and files are known; the previous run may be null.
+void identify(const Previous* previous, Review& review);
 
 /// Fills in what the pairs are since the previous run, which may be null, and which fail.
 void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review);

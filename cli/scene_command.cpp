@@ -36,6 +36,10 @@ Work work_of(const Progress& progress) {
   return {static_cast<double>(progress.done.load()), static_cast<double>(progress.total.load())};
 }
 
+void mention_missing(const Assembly& assembly) {
+  for (const std::string& sentence : assembly.missing) complain(sentence);
+}
+
 void mention_warnings(const Assembly& assembly) {
   if (assembly.warnings.empty()) return;
   complain(fmt::format("{} about these files, listed by impinge info", counted(assembly.warnings.size(), "warning")));

@@ -29,6 +29,9 @@ Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments
 /// How much of the work is done, for a progress line.
 Work work_of(const Progress& progress);
 
+/// Says on standard error what of the files no answer is about; also where everything else is quiet, for nothing that
+/// is found may mean nothing then.
+void mention_missing(const Assembly& assembly);
 /// Says on standard error that the files have warnings, if they have.
 void mention_warnings(const Assembly& assembly);
 

@@ -62,6 +62,9 @@ Result<void> take_threads(const std::string& text, int& to) {
 
 Result<void> take_page(const Raw& raw, PageArguments& to) {
   if (!raw.html.empty()) to.html = raw.html;
+  if (!raw.up.empty() && raw.up != "y" && raw.up != "z")
+    return bad_option(fmt::format("--up is y or z, not '{}'", raw.up));
+  if (!raw.up.empty()) to.y_up = raw.up == "y";
   if (raw.page_triangles.empty()) return {};
   const auto triangles = parse_whole(raw.page_triangles);
   if (!triangles)

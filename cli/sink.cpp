@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -16,6 +17,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "report/zip.hpp"
 #include "text.hpp"
 
 namespace impinge::cli {
@@ -35,10 +37,10 @@ bool is_empty_or_one(const std::filesystem::path& file, const DocumentKind& kind
   if (descriptor < 0) return false;
   std::array<char, 512> head{};
   const ssize_t got = ::read(descriptor, head.data(), head.size());
+  const std::string_view text(head.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  const bool is_one = kind.begins_one(text) && (kind.is_whole == nullptr || kind.is_whole(descriptor));
   ::close(descriptor);
-  if (got < 0) return false;
-  const std::string_view text(head.data(), static_cast<std::size_t>(got));
-  return text.find_first_not_of(" \t\r\n") == std::string_view::npos || kind.begins_one(text);
+  return got >= 0 && (text.find_first_not_of(" \t\r\n") == std::string_view::npos || is_one);
 }
 
 /// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
@@ -55,11 +57,8 @@ bool begins_page(std::string_view head) {
   return head.starts_with("<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors;");
 }
 bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
-/// Other zip archives and other models are somebody's own.
-bool begins_bcf(std::string_view head) {
-  constexpr std::size_t kHeader = 30;
-  return head.starts_with("PK\3\4") && head.size() > kHeader && head.substr(kHeader).starts_with("bcf.version");
-}
+bool begins_bcf(std::string_view head) { return head.starts_with("PK\3\4"); }
+/// Other models are somebody's own.
 bool begins_gltf(std::string_view head) {
   return head.starts_with("glTF") && head.find("{\"asset\":{\"generator\":\"impinge\"") != std::string_view::npos;
 }
@@ -74,7 +73,7 @@ mode_t usual_mode() {
 }  // namespace
 
 const DocumentKind kJson{"--json", "JSON", begins_json}, kPage{"--html", "page", begins_page},
-    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf},
+    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf, is_untouched},
     kGltf{"--gltf", "binary glTF", begins_gltf};
 
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}

@@ -28,12 +28,13 @@ Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
   const Result<DrawnScene> scene = draw(*assembly, arguments.page_triangles, stop);
   if (!scene) return scene.error();
   line.end();
+  mention_missing(*assembly);
   if (!arguments.quiet) mention_warnings(*assembly);
   if (!arguments.quiet) mention_simplified(*scene);
 
   auto written = documents.write(kPage, [&](Sink& sink) {
     const auto write_report = [&](Sink& to) { return write_view_json(to, *assembly); };
-    return write_page(sink, *page, title_of(arguments.files), *scene, write_report, stop);
+    return write_page(sink, *page, head_of(arguments.files, arguments), *scene, write_report, stop);
   });
   if (written) written = documents.put();
   if (!written || arguments.quiet || documents.on_standard_output()) return written;

@@ -18,6 +18,10 @@ Affine affine_of(const std::array<double, 16>& world) {
   return map;
 }
 
+std::optional<std::uint32_t> known(std::uint32_t number) {
+  return number == kNoNode ? std::nullopt : std::optional(number);
+}
+
 bool is_affine(const std::array<double, 16>& world) {
   return world[12] == 0 && world[13] == 0 && world[14] == 0 && world[15] == 1;
 }
@@ -26,7 +30,7 @@ bool is_affine(const std::array<double, 16>& world) {
 
 Result<Model> model_of(Imported&& imported, const Source& source) {
   Model model;
-  model.warnings = std::move(imported.warnings);
+  model.warnings = std::move(imported.warnings), model.missing = std::move(imported.missing);
   std::vector<Mesh> meshes;
   for (ImportedMesh& raw : imported.meshes) {
     Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles);
@@ -35,10 +39,9 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
     raw = {};
   }
   for (const ImportedNode& node : imported.nodes) {
-    const bool is_root = node.parent == kNoNode;
-    model.nodes.push_back({is_root ? std::nullopt : std::optional(node.parent), affine_of(node.local), node.scale,
-                           node.rotation, node.translation});
+    model.nodes.push_back({known(node.parent), affine_of(node.local), node.scale, node.rotation, node.translation});
   }
+  for (ImportedGroup& group : imported.groups) model.groups.push_back({std::move(group.name), known(group.parent)});
   model.animations = std::move(imported.animations);
   PrecisionCheck precision;
   for (ImportedObject& object : imported.objects) {
@@ -49,18 +52,19 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
                                          "' has a last row other than 0 0 0 1; export it without perspective"));
     }
     if (object.path.empty()) object.path = name;
-    const std::optional<std::uint32_t> node = object.node == kNoNode ? std::nullopt : std::optional(object.node);
+    const std::optional<std::uint32_t> node = known(object.node), group = known(object.group);
     const Affine map = affine_of(object.world);
     const Pose pose{map.m, map.t};
     precision.add(name, mesh, map);
     if (scene::validate(pose)) {
-      model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose, node});
+      model.objects.push_back(
+          {name, std::move(object.path), std::move(object.product), mesh, pose, node, false, group});
       continue;
     }
     Result<Mesh> baked = mesh.transformed(map);
     if (!baked) return file_error(source, sentence("object '", name, "': ", baked.error().message));
     model.objects.push_back(
-        {name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node, true});
+        {name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node, true, group});
   }
   if (model.objects.empty()) {
     return file_error(source, "the file holds no triangles; export the part as a mesh with faces");

@@ -10,7 +10,7 @@
 namespace impinge::io {
 namespace {
 
-constexpr std::string_view kMagic = "impinge2";
+constexpr std::string_view kMagic = "impinge3";
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 /// Numbers of a key.
@@ -43,6 +43,8 @@ class Decoder {
     switch (letter) {
       case 'M':
         return mesh();
+      case 'G':
+        return group();
       case 'O':
         return object();
       case 'N':
@@ -51,8 +53,12 @@ class Decoder {
         return animation();
       case 'T':
         return track();
+      case 'U':
+        return unfollowed();
       case 'W':
-        return warning();
+        return text(out_.warnings.emplace_back());
+      case 'X':
+        return text(out_.missing.emplace_back());
       default:
         return false;
     }
@@ -92,11 +98,20 @@ class Decoder {
     return numbers(mesh.xyz, 3 * vertices) && numbers(mesh.triangles, 3 * triangles);
   }
 
+  bool group() {
+    ImportedGroup group{};
+    if (!text(group.name) || !number(group.parent)) return false;
+    if (group.parent != kNoNode && group.parent >= out_.groups.size()) return false;
+    out_.groups.push_back(std::move(group));
+    return true;
+  }
+
   bool object() {
     ImportedObject& object = out_.objects.emplace_back();
     if (!text(object.name) || !text(object.path) || !text(object.product) || !number(object.mesh)) return false;
-    if (!number(object.node) || !number(object.world) || object.mesh >= out_.meshes.size()) return false;
-    return object.node == kNoNode || object.node < out_.nodes.size();
+    if (!number(object.node) || !number(object.group) || !number(object.world)) return false;
+    return object.mesh < out_.meshes.size() && (object.node == kNoNode || object.node < out_.nodes.size()) &&
+           (object.group == kNoNode || object.group < out_.groups.size());
   }
 
   bool node() {
@@ -126,7 +141,15 @@ class Decoder {
     return numbers(track.times, keys) && numbers(track.values, keys * width);
   }
 
-  bool warning() { return text(out_.warnings.emplace_back()); }
+  bool unfollowed() {
+    if (out_.animations.empty()) return false;
+    Unfollowed& lost = out_.animations.back().unfollowed.emplace_back();
+    std::uint32_t node = 0, what = 0;
+    if (!number(node) || !number(what) || what > 1 || !text(lost.sentence)) return false;
+    lost.what = static_cast<Unfollowed::What>(what);
+    if (node != kNoNode) lost.node = node;
+    return node == kNoNode || node < out_.nodes.size();
+  }
 
   std::string_view rest_;
   Imported out_;
@@ -177,14 +200,21 @@ void ImportWriter::mesh(std::span<const double> xyz, std::span<const std::uint32
   bytes(triangles.data(), triangles.size_bytes());
 }
 
+void ImportWriter::group(std::string_view name, std::uint32_t parent) {
+  number('G');
+  text(name);
+  number(parent);
+}
+
 void ImportWriter::object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
-                          std::uint32_t node, const std::array<double, 16>& world) {
+                          std::uint32_t node, std::uint32_t group, const std::array<double, 16>& world) {
   number('O');
   text(name);
   text(path);
   text(product);
   number(mesh);
   number(node);
+  number(group);
   number(world);
 }
 
@@ -210,10 +240,21 @@ void ImportWriter::animation(const Animation& animation) {
     bytes(track.times.data(), track.times.size() * sizeof(double));
     bytes(track.values.data(), track.values.size() * sizeof(double));
   }
+  for (const Unfollowed& lost : animation.unfollowed) {
+    number('U');
+    number(lost.node.value_or(kNoNode));
+    number(std::uint32_t{static_cast<std::uint8_t>(lost.what)});
+    text(lost.sentence);
+  }
 }
 
 void ImportWriter::warning(std::string_view message) {
   number('W');
+  text(message);
+}
+
+void ImportWriter::missing(std::string_view message) {
+  number('X');
   text(message);
 }
 

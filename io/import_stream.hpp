@@ -16,18 +16,21 @@
 /// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
 /// text is its length (32 bits) and its bytes.
 ///
-///     "impinge2"
+///     "impinge3"
 ///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
-///     'O' object   name, path, product: texts; mesh, node (32 each), 16 doubles: the world matrix, row-major
+///     'G' group    name; parent (32)
+///     'O' object   name, path, product: texts; mesh, node, group (32 each), 16 doubles: the world matrix, row-major
 ///     'N' node     parent (32), 16 doubles: its matrix to its parent; 3 doubles: scale, 4: rotation, 3: translation
 ///     'A' anim     name; double: seconds
 ///     'T' track    of the last 'A': node, property, between (32 each), keys (64), a double a key, and the values
+///     'U' lost     of the last 'A': node, what (32 each), text: what it does and no track says
 ///     'W' warning  text
+///     'X' missing  text: what of the file is in no mesh
 ///     'E' error    text; nothing follows
 ///     'Z' end      nothing follows; a stream without it or an error is incomplete
 ///
-/// Meshes and nodes are numbered in the order in which they come, each before those that speak of it; kNoNode is none.
-/// Only files with animations have nodes.
+/// Meshes, nodes and groups are numbered in the order in which they come, each before those that speak of it; kNoNode
+/// is none. Only files with animations have nodes.
 namespace impinge::io {
 
 inline constexpr std::uint32_t kNoNode = 0xFFFFFFFF;
@@ -36,9 +39,13 @@ struct ImportedMesh {
   std::vector<double> xyz;
   std::vector<std::uint32_t> triangles;
 };
+struct ImportedGroup {
+  std::string name;
+  std::uint32_t parent;
+};
 struct ImportedObject {
   std::string name, path, product;
-  std::uint32_t mesh, node;
+  std::uint32_t mesh, node, group;
   std::array<double, 16> world;
 };
 struct ImportedNode {
@@ -52,8 +59,9 @@ struct Imported {
   std::vector<ImportedMesh> meshes;
   std::vector<ImportedObject> objects;
   std::vector<ImportedNode> nodes;
+  std::vector<ImportedGroup> groups;
   std::vector<Animation> animations;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, missing;
   std::string error;  ///< not empty: the importer's own reason why there is no answer
 };
 
@@ -62,11 +70,13 @@ class ImportWriter {
  public:
   explicit ImportWriter(int descriptor);
   void mesh(std::span<const double> xyz, std::span<const std::uint32_t> triangles);
+  void group(std::string_view name, std::uint32_t parent);
   void object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
-              std::uint32_t node, const std::array<double, 16>& world);
+              std::uint32_t node, std::uint32_t group, const std::array<double, 16>& world);
   void node(const ImportedNode& node);
   void animation(const Animation& animation);
   void warning(std::string_view text);
+  void missing(std::string_view text);
   void error(std::string_view text);
   /// Ends the stream; false if anything could not be written.
   bool end();

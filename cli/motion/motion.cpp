@@ -32,9 +32,10 @@ Result<io::Model> read_model(const MotionArguments& arguments, const std::stop_t
   if (model && model->animations.empty())
     return Error{
         Code::bad_file,
-        fmt::format("{}: nothing moves in it: it has no animation of its nodes; impinge clash finds what clashes "
-                    "where its parts stand",
-                    arguments.files.front())};
+        fmt::format(
+            "{}: nothing moves in it: it has no animation of its nodes that lasts; impinge clash finds what clashes "
+            "where its parts stand",
+            arguments.files.front())};
   return model;
 }
 
@@ -58,9 +59,11 @@ Assembly assembly_of(const io::Model& model, const std::string& file) {
   Assembly assembly;
   assembly.files = {file};
   assembly.objects = model.objects;
+  assembly.groups = model.groups;
   assembly.file_of.assign(model.objects.size(), 0);
   for (const io::Object& object : model.objects) assembly.triangles += object.mesh.triangle_count();
   assembly.warnings = model.warnings;
+  for (const std::string& sentence : model.missing) assembly.missing.push_back(file + ": " + sentence);
   assembly.labels = labels_of(assembly);
   return assembly;
 }
@@ -99,8 +102,8 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
   if (!arguments.quiet) mention_simplified(*scene);
   const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene, arguments); };
   return write_page(
-      sink, page, title_of(arguments.files), *scene, [&](Sink& to) { return write_view_json(to, report.assembly); },
-      stop, blocks);
+      sink, page, head_of(arguments.files, arguments), *scene,
+      [&](Sink& to) { return write_view_json(to, report.assembly); }, stop, blocks);
 }
 
 }  // namespace
@@ -120,10 +123,16 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   const Result<const io::Animation*> animation = choose(*model, arguments);
   if (!animation) return animation.error();
   const Mover mover(*model, **animation);
-  MotionReport report{assembly_of(*model, arguments.files.front()), **animation, model->animations.size(), mover, {}};
+  MotionReport report{
+      assembly_of(*model, arguments.files.front()), **animation, model->animations.size(), mover, {}, {}};
+  Result<LeftOut> left = left_out(*model, **animation, report.assembly);
+  if (!left) return left.error();
+  report.left_out = std::move(*left);
   Result<Timeline> timeline = run(arguments, report.assembly, mover, line, stop);
   if (!timeline) return timeline.error();
   report.timeline = std::move(*timeline);
+  mention_missing(report.assembly);
+  mention(report.left_out, arguments.quiet);
   if (!arguments.quiet) mention_warnings(report.assembly);
 
   const auto write_json = [&](Sink& sink) { return write_motion_json(sink, report, arguments); };

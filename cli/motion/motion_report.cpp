@@ -6,6 +6,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "json_writer.hpp"
 
@@ -32,6 +34,14 @@ void write_spans(Sink& sink, const std::vector<ClashSpan>& spans, bool depth) {
   sink.write("\n]");
 }
 
+void write_left_out(Sink& sink, const LeftOut& left) {
+  sink.write("\"left_out\":[");
+  std::string comma;
+  for (const std::vector<std::string>* list : {&left.shapes, &left.harmless})
+    for (const std::string& sentence : *list) sink.write(std::exchange(comma, ",") + json_string(sentence));
+  sink.write("],\n");
+}
+
 void write_animation(Sink& sink, const MotionReport& report) {
   const std::size_t steps = report.timeline.times.size() - 1;
   sink.write(fmt::format("\"animation\":{{\"name\":{},\"seconds\":{},\"frames\":{},\"step\":{}}},\n",
@@ -52,7 +62,8 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
   for (std::size_t i = 0; i < report.assembly.objects.size(); ++i)
     sink.write(fmt::format("{}\n{{{},\"moves\":{}}}", i > 0 ? "," : "", json_identity(report.assembly, i),
                            report.mover.bodies()[i] != 0));
-  sink.write("\n],\n");
+  sink.write("\n],\n" + json_missing(report.assembly));
+  write_left_out(sink, report.left_out);
   write_spans(sink, report.timeline.spans, arguments.depth);
   sink.write("}\n");
   return {};
@@ -83,6 +94,7 @@ Result<void> write_motion_block(Sink& sink, const MotionReport& report, const Dr
     is_first = false;
   }
   sink.write("\n],\n");
+  write_left_out(sink, report.left_out);
   write_spans(sink, report.timeline.spans, arguments.depth);
   sink.write("}");
   return {};

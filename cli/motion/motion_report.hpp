@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "assembly.hpp"
+#include "motion/left_out.hpp"
 #include "motion/timeline.hpp"
 #include "report/drawn_scene.hpp"
 #include "sink.hpp"
@@ -16,6 +17,7 @@ struct MotionReport {
   const io::Animation& animation;
   std::size_t animations = 0;  ///< in the file
   const Mover& mover;
+  LeftOut left_out;
   Timeline timeline;
 };
 

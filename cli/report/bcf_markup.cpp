@@ -130,15 +130,15 @@ std::string header(const Topic& topic) {
   return "<Header>\n" + files + "</Header>\n";
 }
 
-/// Each of its lines printable.
+/// Each of its lines printable. Some editors end lines with CR LF, or with CR alone.
 std::string printable_lines(std::string_view text) {
   std::string lines;
   for (std::size_t at = 0;;) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
     lines += printable(text.substr(at, end - at));
     if (end == text.size()) return lines;
     lines += '\n';
-    at = end + 1;
+    at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 
 #include "report/vector.hpp"
@@ -24,8 +25,12 @@ bool is_any_of(const std::string& ending, std::initializer_list<std::string_view
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-bool is_mostly_z_up(const std::string& file) {
-  return is_any_of(ending_of(file), {".obj", ".off", ".ply", ".stl", ".3mf"});
+/// Whether a file has Y up when it is read, or else Z: by its format's rules, or because assimp's reader turns it so.
+/// Nothing where there are no rules, and programs write either.
+std::optional<bool> has_y_up(const std::string& file) {
+  const std::string ending = ending_of(file);
+  if (is_any_of(ending, {".obj", ".off", ".ply", ".stl", ".amf"})) return std::nullopt;
+  return !is_any_of(ending, {".3mf", ".blend"});
 }
 
 /// glTF has metres; assimp's readers of IFC and COLLADA convert to them.
@@ -35,12 +40,19 @@ bool is_in_metres(const std::string& file) {
 
 }  // namespace
 
+bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said) {
+  if (said) return *said;
+  // What has no rules was made to fit what has them: all files are in one system of coordinates.
+  for (const std::string& file : files)
+    if (const std::optional<bool> ruled = has_y_up(file)) return *ruled;
+  return false;
+}
+
 Conventions conventions_of(const ClashArguments& arguments) {
   // A file that is scaled is brought to the unit of the others, whatever that is.
   const bool is_known = arguments.metres || (arguments.scales.empty() &&
                                              std::all_of(arguments.files.begin(), arguments.files.end(), is_in_metres));
-  return {arguments.metres.value_or(1), arguments.y_up ? *arguments.y_up : !is_mostly_z_up(arguments.files.front()),
-          is_known};
+  return {arguments.metres.value_or(1), is_y_up(arguments.files, arguments.y_up), is_known};
 }
 
 Point direction_in_bcf(const Conventions& conventions, const Point& direction) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "impinge/mesh.hpp"
@@ -17,8 +19,12 @@ struct Conventions {
   bool is_known = false;  ///< the unit: the call says it, or all files have metres as they are read
 };
 
-/// As the call says, or else: metres, and the upward axis that the first file's format mostly has: Z in OBJ, OFF, PLY,
-/// STL and 3MF, Y in all others that assimp reads, which turns most of them so.
+/// Which axis is up, Y or Z, in the coordinates of all files as they are read: as the call says, or else as the first
+/// file has it whose format or reader leaves no choice: Z in 3MF and Blender's, Y in others that assimp reads, which
+/// turns most of them so. OBJ, OFF, PLY, STL and AMF leave it open; where there is nothing else, it is Z.
+bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said);
+
+/// As the call says, or else metres, and up as above.
 Conventions conventions_of(const ClashArguments& arguments);
 
 /// In metres with Z up, as BCF has it; and a direction likewise.

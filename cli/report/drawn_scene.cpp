@@ -77,6 +77,18 @@ Pose about(const Point& middle, Pose pose) {
   return pose;
 }
 
+/// Adds the groups that a person can be shown, and says for each object which of them it is in.
+void add_groups(const Assembly& assembly, DrawnScene& scene) {
+  std::vector<std::optional<std::uint32_t>> shown;  // for each group of the assembly
+  const auto of = [&](std::optional<std::uint32_t> group) { return group ? shown[*group] : std::nullopt; };
+  for (const io::Group& group : assembly.groups) {
+    const std::optional<std::uint32_t> parent = of(group.parent);
+    shown.push_back(group.name.empty() ? parent : static_cast<std::uint32_t>(scene.groups.size()));
+    if (!group.name.empty()) scene.groups.push_back({group.name, parent});
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].group = of(assembly.objects[i].group);
+}
+
 }  // namespace
 
 Affine about(const Point& middle, const Affine& map) {
@@ -111,6 +123,7 @@ Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, 
     scene.objects.push_back({place->second, about(scene.middles[place->second], object.pose)});
     scene.shown += scene.meshes[place->second].triangles.size() / 3;
   }
+  add_groups(assembly, scene);
   return scene;
 }
 

@@ -20,14 +20,16 @@ struct DrawnMesh {
 };
 
 struct DrawnObject {
-  std::optional<std::uint32_t> mesh;  ///< nothing: the object has no triangles
-  Pose pose;                          ///< from the drawn mesh's coordinates to the world
+  std::optional<std::uint32_t> mesh;     ///< nothing: the object has no triangles
+  Pose pose;                             ///< from the drawn mesh's coordinates to the world
+  std::optional<std::uint32_t> group{};  ///< of the scene's, that it stands under in the tree of parts
 };
 
 struct DrawnScene {
   std::vector<DrawnMesh> meshes;     ///< each once, however many objects show it
   std::vector<Point> middles;        ///< of the meshes: what was their origin is at -middle
   std::vector<DrawnObject> objects;  ///< those of the assembly
+  std::vector<io::Group> groups;     ///< those of the assembly that have a name; what is in others is in theirs
   std::uint64_t triangles = 0;       ///< of all objects as they are
   std::uint64_t shown = 0;           ///< and as they are drawn: fewer if meshes were simplified
   std::uint64_t asked = 0;           ///< how many were to be drawn at most

@@ -25,13 +25,14 @@ std::string joined(std::string_view a, std::string_view b) { return fmt::format(
 
 using Steps = std::vector<std::string>;
 
-/// The folders of a file from the root down, and its name.
+/// The folders of a file from the root down, and its name: at least one, for a file that nothing is known of too.
 Steps steps_of(const std::string& file) {
   std::error_code unknown;
   std::filesystem::path path = std::filesystem::absolute(file, unknown);
   if (unknown) path = file;  // in a folder that is gone
   Steps steps;
   for (const std::filesystem::path& step : path.lexically_normal()) steps.push_back(step.string());
+  if (steps.empty()) steps.emplace_back();
   return steps;
 }
 
@@ -88,22 +89,6 @@ std::string shape_of(const Mesh& mesh) {
   return guid_of(bytes);
 }
 
-/// Shapes with their places as texts; a mesh that many objects share is looked at once.
-class Shapes {
- public:
-  std::string placed(const io::Object& object) {
-    std::string& shape = shapes_[{object.mesh.vertices().data(), object.mesh.triangles().data()}];
-    if (shape.empty()) shape = shape_of(object.mesh);
-    std::string bytes = shape;
-    for (const double number : object.pose.R) append(bytes, number);
-    for (const double number : object.pose.t) append(bytes, number);
-    return guid_of(bytes);
-  }
-
- private:
-  std::map<std::pair<const void*, const void*>, std::string> shapes_;
-};
-
 using Numbers = std::vector<std::size_t>;
 
 /// Of the twin with this number, from 0. No other key ends so: a key ends with a path, whose length it says, or with a
@@ -136,28 +121,58 @@ std::vector<std::string> names_of_files(const std::vector<std::string>& files) {
   return found;
 }
 
+std::string path_in(std::string_view path, const std::string& file, std::string_view instead) {
+  const std::string own = std::filesystem::path(file).stem().string();
+  if (own.empty() || own == instead) return std::string(path);
+  std::string found;
+  for (std::size_t from = 0; from <= path.size();) {
+    const std::size_t to = std::min(path.find('/', from), path.size());
+    const std::string_view step = path.substr(from, to - from);
+    found += from > 0 ? "/" : "";
+    found += step == own ? instead : step;
+    from = to + 1;
+  }
+  return found;
+}
+
+std::string Shapes::placed(const io::Object& object) {
+  std::string& shape = shapes_[{object.mesh.vertices().data(), object.mesh.triangles().data()}];
+  if (shape.empty()) shape = shape_of(object.mesh);
+  std::string bytes = shape;
+  for (const double number : object.pose.R) append(bytes, number);
+  for (const double number : object.pose.t) append(bytes, number);
+  return guid_of(bytes);
+}
+
 std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names) {
+  std::vector<std::string> stems;
+  for (const std::string& name : file_names) stems.push_back(std::filesystem::path(name).stem().string());
   std::map<std::string, Numbers> namesakes;
   for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
     // Not the name, which has a number where several of a file have one: that changes when one is added. Nor the path
     // where there is a GlobalId, which outlives it.
     const std::string_view guid = ifc_guid(assembly.objects[i]);
-    const std::string_view path = guid.empty() ? std::string_view(assembly.objects[i].path) : std::string_view();
-    namesakes[joined(file_names[assembly.file_of[i]], joined(guid, joined(path, "")))].push_back(i);
+    const std::uint32_t file = assembly.file_of[i];
+    std::string path;
+    if (guid.empty()) path = path_in(assembly.objects[i].path, assembly.files[file], stems[file]);
+    namesakes[joined(file_names[file], joined(guid, joined(path, "")))].push_back(i);
   }
   Shapes shapes;
   std::vector<Identity> identities(assembly.objects.size());
+  for (std::size_t i = 0; i < identities.size(); ++i) identities[i].placed = shapes.placed(assembly.objects[i]);
   for (const auto& [key, objects] : namesakes) {
     if (objects.size() == 1) {
-      identities[objects.front()] = {key, key, false};
+      Identity& alone = identities[objects.front()];
+      alone.key = alone.first_key = key;
       continue;
     }
     std::map<std::string, Numbers> twins;
-    for (const std::size_t object : objects) twins[shapes.placed(assembly.objects[object])].push_back(object);
+    for (const std::size_t object : objects) twins[identities[object].placed].push_back(object);
     for (const auto& [placed, same] : twins) {
       // Where all are twins, what one of them was known by when it was alone is still the name of the first.
       const std::string first = twins.size() == 1 ? key : key + placed;
-      for (std::size_t k = 0; k < same.size(); ++k) identities[same[k]] = {twin_key(first, k), first, same.size() > 1};
+      for (std::size_t k = 0; k < same.size(); ++k)
+        identities[same[k]] = {twin_key(first, k), first, placed, same.size() > 1};
     }
   }
   return identities;

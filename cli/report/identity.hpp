@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "assembly.hpp"
@@ -17,17 +19,33 @@ namespace impinge::cli {
 /// moved, and the order in which files are named means nothing. What is one file has one name.
 std::vector<std::string> names_of_files(const std::vector<std::string>& files);
 
+/// The path of a part, with another name for each of its steps that is only the file's own, without ending: so are
+/// parts called that have no name.
+std::string path_in(std::string_view path, const std::string& file, std::string_view instead);
+
+/// Shapes with their places as UUIDs: equal only where both are equal to the last bit. A mesh that many objects share
+/// is looked at once.
+class Shapes {
+ public:
+  std::string placed(const io::Object& object);
+
+ private:
+  std::map<std::pair<const void*, const void*>, std::string> shapes_;
+};
+
 /// What an object is known by, whatever its number is.
 struct Identity {
   std::string key;        ///< no two objects have one
   std::string first_key;  ///< that of the first of its twins; without any, its own
+  std::string placed;     ///< a UUID of its shape and place: two have one only where both are equal to the last bit
   /// Others have the same names, shape and place: only their order tells which of them it is.
   bool is_ambiguous = false;
 };
 
-/// For each object: the name of its file, and its GlobalId or else its path. Where several have the same, their shape
-/// and place tell them apart; where that is the same too, their order. The first of several twins is known by what it
-/// would be known by without the others.
+/// For each object: the name that its file is known by, and its GlobalId or else its path. Where several have the same,
+/// their shape and place tell them apart; where that is the same too, their order. The first of several twins is known
+/// by what it would be known by without the others. `file_names` may be others than the files have now: those of a
+/// revision before they were renamed.
 std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names);
 
 /// The GlobalId of the IFC product that an object is part of, "" for none.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "json_writer.hpp"
+#include "report/conventions.hpp"
 #include "report/encoded.hpp"
 #include "text.hpp"
 
@@ -39,18 +40,25 @@ std::vector<std::filesystem::path> places_of_template() {
   return places;
 }
 
-void write_scene(Sink& sink, const std::string& title, const DrawnScene& scene) {
-  sink.write(fmt::format("{{\"version\":1,\"title\":{},\"triangles\":{},\"shown\":{},\"asked\":{},\n\"meshes\":[",
-                         json_string(title), scene.triangles, scene.shown, scene.asked));
+void write_scene(Sink& sink, const PageHead& head, const DrawnScene& scene) {
+  sink.write(fmt::format(
+      "{{\"version\":1,\"title\":{},\"up\":\"{}\",\"triangles\":{},\"shown\":{},\"asked\":{},\n\"meshes\":[",
+      json_string(head.title), head.y_up ? 'y' : 'z', scene.triangles, scene.shown, scene.asked));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     sink.write(fmt::format("{}{{\"vertices\":{},\"triangles\":{}}}", i > 0 ? "," : "", scene.meshes[i].xyz.size() / 3,
                            scene.meshes[i].triangles.size() / 3));
+  sink.write("],\n\"groups\":[");
+  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
+    const auto& [name, parent] = scene.groups[i];
+    sink.write(fmt::format("{}{{\"name\":{}{}}}", i > 0 ? "," : "", json_string(name),
+                           parent ? fmt::format(",\"parent\":{}", *parent) : ""));
+  }
   sink.write("],\n\"objects\":[");
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const DrawnObject& object = scene.objects[i];
-    sink.write(fmt::format("{}\n{{\"mesh\":{},\"pose\":{}}}", i > 0 ? "," : "",
-                           object.mesh ? fmt::format("{}", *object.mesh) : "-1",
-                           json_map({object.pose.R, object.pose.t})));
+    sink.write(fmt::format(
+        "{}\n{{\"mesh\":{},\"pose\":{}{}}}", i > 0 ? "," : "", object.mesh ? fmt::format("{}", *object.mesh) : "-1",
+        json_map({object.pose.R, object.pose.t}), object.group ? fmt::format(",\"group\":{}", *object.group) : ""));
   }
   sink.write("\n]}");
 }
@@ -87,11 +95,11 @@ Result<std::string> read_page_template() {
                   kName, looked)};
 }
 
-std::string title_of(const std::vector<std::string>& files) {
+PageHead head_of(const std::vector<std::string>& files, const PageArguments& arguments) {
   std::string title;
   for (const std::string& file : files)
     title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
-  return title;
+  return {title, is_y_up(files, arguments.y_up)};
 }
 
 void mention_simplified(const DrawnScene& scene) {
@@ -104,7 +112,7 @@ void mention_simplified(const DrawnScene& scene) {
                        grouped(scene.shown), counted(scene.triangles, "triangle"), why));
 }
 
-Result<void> write_page(Sink& sink, const std::string& page_template, const std::string& title, const DrawnScene& scene,
+Result<void> write_page(Sink& sink, const std::string& page_template, const PageHead& head, const DrawnScene& scene,
                         const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
                         const std::function<Result<void>(Sink&)>& write_motion) {
   const std::size_t mark = page_template.find(kMark);
@@ -116,7 +124,7 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const std:
   if (!written) return written;
   sink.write("</script>\n<script type=\"application/json\" id=\"scene\">\n");
   sink.in_page(true);
-  write_scene(sink, title, scene);
+  write_scene(sink, head, scene);
   sink.in_page(false);
   sink.write("\n</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
   written = write_geometry(sink, scene, stop);

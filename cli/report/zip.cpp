@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "report/zip.hpp"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <limits>
 #include <new>
+
+#include "report/identity.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -46,6 +49,11 @@ std::string deflated(std::string_view text) {
 }
 
 Error too_large() { return {Code::bad_file, "the archive is larger than a zip file can be; ask for fewer topics"}; }
+
+constexpr std::string_view kEnd = "PK\5\6";
+constexpr std::size_t kEndBytes = 22;  // without the comment
+
+std::string comment_of(const std::string& directory) { return "impinge " + guid_of(directory); }
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostMembers = 0xFFFE;  // one more says that a 64-bit form follows
@@ -95,8 +103,39 @@ Result<void> Zip::add(std::string_view name, std::string_view bytes, bool packed
 Result<void> Zip::finish() {
   const std::uint64_t start = written_;
   if (auto written = write(directory_); !written) return written;
-  return write(
-      Bytes().text("PK\5\6").u16(0).u16(0).u16(members_).u16(members_).u32(directory_.size()).u32(start).u16(0).str());
+  const std::string comment = comment_of(directory_);
+  return write(Bytes()
+                   .text(kEnd)
+                   .u16(0)
+                   .u16(0)
+                   .u16(members_)
+                   .u16(members_)
+                   .u32(directory_.size())
+                   .u32(start)
+                   .u16(comment.size())
+                   .text(comment)
+                   .str());
+}
+
+bool is_untouched(int descriptor) {
+  constexpr std::size_t kMostBytesOfDirectory = 1 << 26;
+  const std::size_t end_size = kEndBytes + comment_of({}).size();
+  const off_t size = ::lseek(descriptor, 0, SEEK_END);
+  std::string end(end_size, '\0');
+  const auto read = [&](std::string& text, off_t at) {
+    return at >= 0 && ::pread(descriptor, text.data(), text.size(), at) == static_cast<ssize_t>(text.size());
+  };
+  if (!read(end, size - static_cast<off_t>(end_size)) || !end.starts_with(kEnd)) return false;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<unsigned char>(end[at + i]);
+    return value;
+  };
+  const std::size_t bytes = number(12);
+  const off_t start = number(16);
+  if (bytes > kMostBytesOfDirectory || start + static_cast<off_t>(bytes + end_size) != size) return false;
+  std::string directory(bytes, '\0');
+  return read(directory, start) && end.substr(kEndBytes) == comment_of(directory);
 }
 
 }  // namespace impinge::cli

@@ -33,4 +33,8 @@ class Zip {
   std::size_t members_ = 0;
 };
 
+/// Whether a file is an archive that `Zip` wrote, and no other tool has written to since: its comment has a digest of
+/// its directory, in which the sizes and check sums of all members are.
+bool is_untouched(int descriptor);
+
 }  // namespace impinge::cli

@@ -11,6 +11,7 @@
 
 #include "text.hpp"
 #include "triage/configuration.hpp"
+#include "triage/ifc_classes.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -29,8 +30,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// One word of a selector. Of the query language these are understood: a class (with what
-/// is derived from it only where the name begins so), a global id, and what is a pattern of names.
+/// One word of a selector. Of the query language these are understood: a class, a global id, and what is a pattern of
+/// names.
 Group read_selected(std::string_view word, const JsonReader::Place& place) {
   const auto by = [&](std::vector<Word> Group::*list, std::string text) {
     Group group;
@@ -38,7 +39,7 @@ Group read_selected(std::string_view word, const JsonReader::Place& place) {
     (group.*list).push_back({std::move(text), place});
     return group;
   };
-  if (is_class(word)) return by(&Group::products, std::string(word) + "*");
+  if (is_class(word)) return by(&Group::classes, std::string(word));
   if (word.starts_with('#')) return by(&Group::products, "*" + std::string(word.substr(1)) + "*");
   return by(&Group::names, std::string(word));
 }
@@ -67,6 +68,13 @@ std::vector<Group> read_selector(JsonReader& reader, Word& selector) {
       return {};
     }
     if (is_everything(word)) return {};
+    if (is_class(word) && !is_ifc_class(word)) {
+      reader.fail(
+          fmt::format("impinge knows no class '{}' of IFC; the nearest is '{}'. Write classes that it is above, or "
+                      "in a configuration of impinge's own \"product\": \"{}_*\"",
+                      fit(printable(word), 80), nearest_ifc_class(word), fit(printable(word), 80)));
+      return {};
+    }
     groups.push_back(read_selected(word, place));
   }
   return groups;

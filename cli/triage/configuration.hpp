@@ -26,7 +26,8 @@ struct Word {
 /// groups of `any` if there are some; and of these, not what `except` names.
 struct Group {
   std::vector<Word> names, paths, products, files;
-  std::vector<Word> named;  ///< groups of the configuration
+  std::vector<Word> classes;  ///< of IFC, each with what is derived from it; only clash sets name them
+  std::vector<Word> named;    ///< groups of the configuration
   std::vector<Group> any;
   std::vector<Group> except;
   JsonReader::Place place;

@@ -2,79 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "triage/matching.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
-#include "report/identity.hpp"
+#include "triage/region_matching.hpp"
 #include "triage/written.hpp"
 
 namespace impinge::cli {
 namespace {
-
-// All pairs of one pair's regions are looked at. They come largest first: of more than so many the rest does not
-// matter, and no file makes a run take forever.
-constexpr std::size_t kMostRegions = 2000;
-
-double distance_between(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z); }
-
-double reach_of(const Region& region) {
-  const auto& [lo, hi] = region.box;
-  return distance_between({lo.x / 2, lo.y / 2, lo.z / 2}, {hi.x / 2, hi.y / 2, hi.z / 2});
-}
-
-/// A region of the previous run, whether it was there then or had been resolved.
-struct Earlier {
-  std::string id;
-  Point centroid;
-  double reach;
-  const Remark* remark;
-};
-
-/// For each new region the number of the earlier one that it is, or nothing; the nearest two first.
-std::vector<std::optional<std::size_t>> match(const std::vector<Region>& regions, const std::vector<bool>& is_taken,
-                                              const std::vector<Earlier>& earlier, double slack) {
-  struct Candidate {
-    double distance;
-    std::size_t region, earlier;
-  };
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < std::min(regions.size(), kMostRegions); ++i) {
-    if (is_taken[i]) continue;
-    const double reach = reach_of(regions[i]) + slack;
-    for (std::size_t k = 0; k < std::min(earlier.size(), kMostRegions); ++k) {
-      const double distance = distance_between(regions[i].centroid, earlier[k].centroid);
-      if (distance <= reach + earlier[k].reach) candidates.push_back({distance, i, k});
-    }
-  }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
-    return std::tie(x.distance, x.region, x.earlier) < std::tie(y.distance, y.region, y.earlier);
-  });
-  std::vector<std::optional<std::size_t>> matched(regions.size());
-  std::vector<bool> is_used(earlier.size());
-  for (const Candidate& candidate : candidates) {
-    if (matched[candidate.region] || is_used[candidate.earlier]) continue;
-    matched[candidate.region] = candidate.earlier;
-    is_used[candidate.earlier] = true;
-  }
-  return matched;
-}
-
-/// Ids for regions that have none: the first numbers that no other region of the pair has, or had.
-void name_regions(const std::string& pair, std::unordered_set<std::string> used, std::vector<RegionStanding>& regions) {
-  for (const RegionStanding& region : regions) used.insert(region.id);
-  std::size_t number = 0;
-  for (RegionStanding& region : regions)
-    while (region.id.empty()) {
-      std::string id = guid_of(fmt::format("{}/{}", pair, number++));
-      if (used.insert(id).second) region.id = std::move(id);
-    }
-}
 
 Resolved resolved_pair(const Previous::Pair& pair) {
   Resolved resolved{pair.id, {}, pair.a, pair.b, pair.test, pair.verdict, pair.middle, pair.remark, {}, 0, false};
@@ -91,6 +28,13 @@ Resolved resolved_region(const Previous::Pair& pair, const Previous::OldRegion& 
 }
 
 bool has_remark(const Resolved& resolved) { return !resolved.remark.is_empty() || !resolved.regions.empty(); }
+
+/// Whether these are parts of this shape and in this place, in any order.
+bool are(const OldPart& a, const OldPart& b, const std::pair<std::string_view, std::string_view>& placed) {
+  if (a.placed.empty() || b.placed.empty()) return false;
+  return std::pair<std::string_view, std::string_view>(a.placed, b.placed) == placed ||
+         std::pair<std::string_view, std::string_view>(b.placed, a.placed) == placed;
+}
 
 Previous::Pair without_remarks(Previous::Pair pair) {
   pair.remark = {};
@@ -119,8 +63,8 @@ class Comparison {
     for (std::size_t i = 0; i < previous_.resolved.size(); ++i)
       if (!is_back_[i] && has_remark(previous_.resolved[i])) to_.push_back(previous_.resolved[i]);
     for (Resolved& resolved : to_)
-      resolved.is_ambiguous =
-          ambiguous_.contains(resolved.id) || (gone_twins_.contains(resolved.id) && has_remark(resolved));
+      resolved.is_ambiguous = resolved.is_elsewhere || ambiguous_.contains(resolved.id) ||
+                              (gone_twins_.contains(resolved.id) && has_remark(resolved));
     return standings;
   }
 
@@ -153,14 +97,19 @@ class Comparison {
   }
 
   /// What the pair is known as; what was written about twins is in it if they agree, and else withheld.
-  std::optional<Previous::Pair> known_as(const Past& past, const std::string& id, bool is_ambiguous) {
+  /// A part of their name in another place was neither of them.
+  std::optional<Previous::Pair> known_as(const Clash& pair, const Past& past, const std::string& id,
+                                         bool is_ambiguous) {
     if (past.pairs.empty()) return std::nullopt;
     const Previous::Pair* const written = first_written(past.pairs);
     Previous::Pair old = written != nullptr ? *written : *past.pairs.front();
     ids_.insert(past.pairs.front()->id);
     for (const Previous::Pair* const each : past.pairs) dealt_with_.insert(each->id);
     old.id = id;
-    if (written == nullptr || (!is_ambiguous && agree(past.pairs, *written))) return old;
+    const auto placed = found_.placed(pair);
+    const auto is_here = [&](const Previous::Pair* each) { return are(each->a, each->b, placed); };
+    const bool is_left = past.pairs.size() == 1 || std::any_of(past.pairs.begin(), past.pairs.end(), is_here);
+    if (written == nullptr || (!is_ambiguous && is_left && agree(past.pairs, *written))) return old;
     // It was there, or its equal was; what was written about which of them, nobody can say.
     for (const Previous::Pair* const each : past.pairs)
       if (Resolved withheld = resolved_pair(*each); has_remark(withheld)) withhold(std::move(withheld), id);
@@ -180,7 +129,7 @@ class Comparison {
     std::unordered_set<std::string> used;
     if (is_ambiguous) ambiguous_.insert(id);
     const Past past = past_of(pair, id, is_ambiguous);
-    const std::optional<Previous::Pair> old = known_as(past, id, is_ambiguous);
+    const std::optional<Previous::Pair> old = known_as(pair, past, id, is_ambiguous);
     standing.change = old ? Change::persisting : Change::fresh;
     if (old) {
       standing.was = old->verdict;
@@ -195,7 +144,7 @@ class Comparison {
     if (is_ambiguous)
       keep_ids(id, used);
     else
-      bring_back(pair, id, what_comes_back(past, id), standing, used);
+      bring_back(pair, id, what_comes_back(pair, past, id, used), standing, used);
     for (RegionStanding& region : standing.regions)
       if (region.change == Change::unknown) region.change = Change::fresh;
     name_regions(id, std::move(used), standing.regions);
@@ -204,13 +153,13 @@ class Comparison {
 
   void keep_regions(const Clash& pair, const Previous::Pair& old, Standing& standing,
                     std::unordered_set<std::string>& used) {
-    std::vector<Earlier> earlier;
+    std::vector<EarlierRegion> earlier;
     for (const Previous::OldRegion& region : old.regions) {
       earlier.push_back({region.id, region.centroid, region.reach, &region.remark});
       used.insert(region.id);
     }
     std::vector<bool> stays(old.regions.size());
-    const auto matched = match(pair.regions, is_matched_, earlier, found_.slack(pair));
+    const auto matched = match_regions(pair.regions, is_matched_, earlier, found_.slack(pair));
     for (std::size_t i = 0; i < matched.size(); ++i) {
       if (!matched[i]) continue;
       stays[*matched[i]] = true;
@@ -231,17 +180,35 @@ class Comparison {
   }
 
   /// Of what had been resolved of a pair that is there again, the whole pair, if any; it keeps what may be another's.
-  const Resolved* what_comes_back(const Past& past, const std::string& id) {
+  const Resolved* what_comes_back(const Clash& pair, const Past& past, const std::string& id,
+                                  std::unordered_set<std::string>& used) {
     const Previous::Pair* const known = first_written(past.pairs);
-    const Resolved* const back = first_written(past.resolved);
-    const bool is_taken = known == nullptr && back != nullptr && agree(past.resolved, *back);
+    const auto placed = found_.placed(pair);
+    std::vector<const Resolved*> here;
+    for (const Resolved* const each : past.resolved)
+      if (are(each->a, each->b, placed)) here.push_back(each);
+    const Resolved* const back = first_written(here);
+    const bool is_taken = known == nullptr && back != nullptr && agree(here, *back);
     for (const Resolved* const each : past.resolved) {
       is_back_[static_cast<std::size_t>(each - previous_.resolved.data())] = true;
+      const bool is_here = are(each->a, each->b, placed);
       const WrittenRemarks written = written_about(*each);
-      if (written.is_empty() || is_taken || (known != nullptr && written == written_about(*known))) continue;
-      withhold(*each, id);
+      if (written.is_empty() || (is_taken && is_here) || (known != nullptr && written == written_about(*known)))
+        continue;
+      if (is_here)
+        withhold(*each, id);
+      else
+        leave_elsewhere(*each, used);
     }
     return is_taken ? back : nullptr;
+  }
+
+  /// What was written about parts that had these names, but maybe about others than those that have them now.
+  void leave_elsewhere(Resolved resolved, std::unordered_set<std::string>& used) {
+    used.insert(resolved.region);
+    for (const Resolved& region : resolved.regions) used.insert(region.region);
+    resolved.is_elsewhere = true;
+    if (has_remark(resolved)) to_.push_back(std::move(resolved));
   }
 
   /// Remarks on what had been resolved and is there again; `whole` is the pair itself, if that had been, or null.
@@ -265,9 +232,15 @@ class Comparison {
     if (known == resolved_.end()) return;
     std::vector<Resolved> entries;
     for (const std::size_t i : known->second) {
-      if (previous_.resolved[i].region.empty()) continue;
+      const Resolved& region = previous_.resolved[i];
+      if (region.region.empty()) continue;
       is_back_[i] = true;
-      entries.push_back(previous_.resolved[i]);
+      // While its pair was gone, other parts may have taken the names.
+      const bool stayed = pairs_.contains(id) && !region.is_ambiguous;
+      if (stayed || are(region.a, region.b, found_.placed(pair)))
+        entries.push_back(region);
+      else
+        leave_elsewhere(region, used);
     }
     bring_back(pair, std::move(entries), std::vector<bool>(is_matched_), standing, used);
   }
@@ -276,14 +249,14 @@ class Comparison {
   void bring_back(const Clash& pair, std::vector<Resolved> entries, const std::vector<bool>& is_taken,
                   Standing& standing, std::unordered_set<std::string>& used) {
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
-    std::vector<Earlier> earlier;
+    std::vector<EarlierRegion> earlier;
     for (const Resolved& entry : entries) {
       used.insert(entry.region);
       earlier.push_back(
           {entry.region, entry.centroid.value_or(Point{kNowhere, kNowhere, kNowhere}), entry.reach, &entry.remark});
     }
     std::vector<bool> is_there(entries.size());
-    const auto matched = match(pair.regions, is_taken, earlier, found_.slack(pair));
+    const auto matched = match_regions(pair.regions, is_taken, earlier, found_.slack(pair));
     for (std::size_t i = 0; i < matched.size(); ++i) {
       if (!matched[i]) continue;
       is_there[*matched[i]] = true;
@@ -296,7 +269,7 @@ class Comparison {
       if (!is_there[k] && has_remark(entries[k])) to_.push_back(std::move(entries[k]));
   }
 
-  void take(RegionStanding& region, const Earlier& earlier, Change change, std::size_t number) {
+  void take(RegionStanding& region, const EarlierRegion& earlier, Change change, std::size_t number) {
     region = {earlier.id, change, *earlier.remark};
     is_matched_[number] = true;
   }

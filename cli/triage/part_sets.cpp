@@ -9,6 +9,7 @@
 
 #include "ignore.hpp"
 #include "text.hpp"
+#include "triage/ifc_classes.hpp"
 #include "triage/named_files.hpp"
 
 namespace impinge::cli {
@@ -37,6 +38,11 @@ PartSet where(const std::vector<io::Object>& objects, const std::string io::Obje
   if (is_empty(set) && word.find_first_of("*?") != std::string_view::npos)
     mark([&](std::string_view name) { return !name.empty() && matches_pattern(word, name); });
   return set;
+}
+
+/// Of "IfcWall_North_2O2Fr$t4X7Zf8NOew3FNr2" what stands first.
+std::string_view class_of(const io::Object& object) {
+  return std::string_view(object.product).substr(0, object.product.find('_'));
 }
 
 std::string nearest_text(const std::vector<io::Object>& objects, const std::string io::Object::*text,
@@ -80,6 +86,11 @@ Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Grou
       set[i] = std::find(files.begin(), files.end(), assembly_.file_of[i]) != files.end();
     return set;
   }
+  if (list == &Group::classes) {
+    for (std::size_t i = 0; i < set.size(); ++i) set[i] = is_of_ifc_class(class_of(assembly_.objects[i]), word.text);
+    if (is_empty(set)) return nothing_named(word, "part's IFC class, or one that it is derived from,", "");
+    return set;
+  }
   const auto text = list == &Group::paths ? &io::Object::path : &io::Object::product;
   set = where(assembly_.objects, text, word.text);
   if (is_empty(set))
@@ -121,7 +132,8 @@ Result<PartSet> PartSets::any_of(const std::vector<Group>& groups) {
 
 Result<PartSet> PartSets::of(const Group& group) {
   PartSet all(assembly_.objects.size(), true);
-  for (const auto list : {&Group::names, &Group::paths, &Group::products, &Group::files, &Group::named}) {
+  for (const auto list :
+       {&Group::names, &Group::paths, &Group::products, &Group::classes, &Group::files, &Group::named}) {
     if ((group.*list).empty()) continue;
     PartSet some(all.size());
     for (const Word& word : group.*list) {
@@ -155,6 +167,7 @@ std::string in_short(const Group& group) {
   add_words(group.names, "");
   add_words(group.paths, "path ");
   add_words(group.products, "product ");
+  add_words(group.classes, "class ");
   add_words(group.files, "file ");
   add_words(group.named, "");
   for (const Group& inner : group.any) add(in_short(inner));

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <string_view>
 #include <utility>
 
 #include "text.hpp"
@@ -16,19 +14,13 @@ namespace {
 
 std::uint64_t count(const PartSet& set) { return static_cast<std::uint64_t>(std::count(set.begin(), set.end(), true)); }
 
-/// Objects of one parent, a node of one file that is not its root, have a number in common; 0 has none.
+/// Objects of one parent, a node of one file that is not its root, have a number in common; 0 has none. Names say
+/// nothing: nodes share them, have none, and have a '/' in them.
 std::vector<std::uint32_t> parents_of(const Assembly& assembly) {
-  std::map<std::pair<std::uint32_t, std::string_view>, std::uint32_t> numbers;
   std::vector<std::uint32_t> parents;
   parents.reserve(assembly.objects.size());
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    const std::string_view path = assembly.objects[i].path;
-    const std::size_t end = path.rfind('/');
-    const auto next = static_cast<std::uint32_t>(numbers.size() + 1);
-    parents.push_back(end == std::string_view::npos
-                          ? 0
-                          : numbers.try_emplace({assembly.file_of[i], path.substr(0, end)}, next).first->second);
-  }
+  for (const io::Object& object : assembly.objects)
+    parents.push_back(object.group && assembly.groups[*object.group].parent ? *object.group + 1 : 0);
   return parents;
 }
 

@@ -14,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "report/identity.hpp"
 #include "text.hpp"
 #include "triage/json_reader.hpp"
 #include "triage/mistaken_file.hpp"
@@ -107,9 +108,21 @@ OldPart read_part(JsonReader& reader) {
     if (key == "name") return part.name = reader.string(), void();
     if (key == "path") return part.path = reader.string(), void();
     if (key == "file") return part.file = reader.string(), void();
+    if (key == "placed") return part.placed = read_text(reader), void();
     reader.skip();
   });
   return part;
+}
+
+Previous::OldFile read_file_names(JsonReader& reader) {
+  Previous::OldFile file;
+  reader.object([&](const std::string& key) {
+    if (key == "file") return file.file = reader.string(), void();
+    if (key == "name") return file.name = reader.string(), void();
+    if (key == "known_as") return file.known_as = reader.string(), void();
+    reader.skip();
+  });
+  return file;
 }
 
 Resolved read_resolved(JsonReader& reader);
@@ -143,6 +156,8 @@ Resolved read_resolved(JsonReader& reader) {
       resolved.reach = reader.number();
     } else if (key == "regions") {
       resolved.regions = read_resolved_regions(reader);
+    } else if (key == "ambiguous") {
+      resolved.is_ambiguous = reader.boolean();
     } else if (!read_remark(reader, key, resolved.remark)) {
       reader.skip();
     }
@@ -220,6 +235,8 @@ class Document {
       if (key == "version") {
         if (reader_.number() != 1)
           reader_.fail("this is a document of another version of impinge, which wrote version 1");
+      } else if (key == "files") {
+        reader_.array([&] { previous_.files.push_back(read_file_names(reader_)); });
       } else if (key == "objects") {
         reader_.array([&] { read_object(); });
       } else if (key == "pairs") {
@@ -235,6 +252,9 @@ class Document {
 
   Result<Previous> finish() {
     if (reader_.failed()) return reader_.error();
+    for (const Previous::OldFile& file : previous_.files)
+      if (file.name.empty() || file.known_as.empty())
+        return reader_.error_at({}, "one of the \"files\" has no \"name\" or no \"known_as\"");
     std::unordered_set<std::string_view> ids;
     for (NumberedPair& numbered : pairs_) {
       const auto a = objects_.find(numbered.a), b = objects_.find(numbered.b);
@@ -245,10 +265,21 @@ class Document {
         return reader_.error_at(numbered.place, "an earlier pair has the same \"id\"");
     }
     for (NumberedPair& numbered : pairs_) previous_.pairs.push_back(std::move(numbered.pair));
+    for (auto& [id, part] : objects_) previous_.parts.push_back(std::move(part));
+    if (previous_.files.empty()) name_files();
     return std::move(previous_);
   }
 
  private:
+  /// What a report says that tells no names of files.
+  void name_files() {
+    std::set<std::string> given;
+    for (const OldPart& part : previous_.parts)
+      if (!part.file.empty()) given.insert(part.file);
+    const std::vector<std::string> files(given.begin(), given.end()), names = names_of_files(files);
+    for (std::size_t i = 0; i < files.size(); ++i) previous_.files.push_back({files[i], names[i], names[i]});
+  }
+
   void read_object() {
     std::optional<std::uint32_t> id;
     OldPart part;
@@ -257,6 +288,7 @@ class Document {
       if (key == "name") return part.name = reader_.string(), void();
       if (key == "path") return part.path = reader_.string(), void();
       if (key == "file") return part.file = reader_.string(), void();
+      if (key == "placed") return part.placed = reader_.string(), void();
       reader_.skip();
     });
     if (reader_.failed()) return;

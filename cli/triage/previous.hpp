@@ -31,6 +31,13 @@ struct Previous {
     bool has_regions = false;  ///< the earlier run looked for them
     std::vector<OldRegion> regions;
   };
+  struct OldFile {
+    std::string file;      ///< as the objects name it
+    std::string name;      ///< as `names_of_files` of that run
+    std::string known_as;  ///< the name that it had before it was renamed, or the same
+  };
+  std::vector<OldFile> files;
+  std::vector<OldPart> parts;
   std::vector<Pair> pairs;
   std::vector<Resolved> resolved;
 };

@@ -45,6 +45,7 @@ struct Standing {
 /// A part of an earlier run, which need not be there any more.
 struct OldPart {
   std::string name, path, file;
+  std::string placed;  ///< as `Identity::placed`; empty where the report does not say
 };
 
 /// A clash that is there no more: a pair, or one region of a pair that stayed. Or one whose remarks cannot be given to
@@ -59,8 +60,9 @@ struct Resolved {
   Remark remark;
   std::vector<Resolved> regions;  ///< of a whole pair, those that people wrote about
   double reach = 0;               ///< of a region: half of its box's diagonal
-  /// Its pair may well be there: nothing says which of several equal ones it was.
+  /// Its pair may well be there: nothing says which of several equal ones it was, or that it is the same.
   bool is_ambiguous = false;
+  bool is_elsewhere = false;  ///< ambiguous, as a pair of its parts' names came with another shape or place
 };
 
 }  // namespace impinge::cli

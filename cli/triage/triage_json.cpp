@@ -36,8 +36,8 @@ std::string json_centroid(const Resolved& resolved) {
 }
 
 std::string json_old_part(const OldPart& part) {
-  return fmt::format("{{\"name\":{},\"path\":{},\"file\":{}}}", json_string(part.name), json_string(part.path),
-                     json_string(part.file));
+  return fmt::format("{{\"name\":{},\"path\":{},\"file\":{},\"placed\":{}}}", json_string(part.name),
+                     json_string(part.path), json_string(part.file), json_text(part.placed));
 }
 
 std::string json_old_region(const Resolved& region) {

@@ -67,6 +67,19 @@ std::string summary_of_changes(const Review& review, const std::string& previous
                      worse > 0 ? fmt::format("; {} worse than before", grouped(worse)) : "");
 }
 
+void mention_withheld(const Review& review, bool is_elsewhere, std::string_view why) {
+  std::uint64_t count = 0;
+  const Resolved* first = nullptr;
+  for (const Resolved& resolved : review.resolved) {
+    if (!resolved.is_ambiguous || (resolved.remark.is_empty() && resolved.regions.empty())) continue;
+    if (resolved.is_elsewhere == is_elsewhere && count++ == 0) first = &resolved;
+  }
+  if (count == 0) return;
+  complain(fmt::format("what was written about {}, such as {} / {}, is not taken over: {}",
+                       count == 1 ? "a clash" : grouped(count) + " clashes", printable(first->a.name),
+                       printable(first->b.name), why));
+}
+
 std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
   if (by == GroupBy::part) return review.assembly.labels[number];
   if (by == GroupBy::test) return printable(review.plan.tests()[number].name);
@@ -115,19 +128,14 @@ std::string triage_summary(const Review& review, const ClashArguments& arguments
 }
 
 void mention_withheld(const Review& review) {
-  std::uint64_t count = 0;
-  const Resolved* first = nullptr;
-  for (const Resolved& resolved : review.resolved) {
-    if (!resolved.is_ambiguous || (resolved.remark.is_empty() && resolved.regions.empty())) continue;
-    if (count++ == 0) first = &resolved;
-  }
-  if (count == 0) return;
-  complain(fmt::format(
-      "what was written about {}, such as {} / {}, is not taken over: a part of each is, or was, there more than "
-      "once with one file name, path, shape and place, and nothing says which was meant; it stands under "
-      "resolved in the JSON. Give such parts names of their own, or leave all but one out; then write it again, and "
-      "delete it there",
-      count == 1 ? "a clash" : grouped(count) + " clashes", printable(first->a.name), printable(first->b.name)));
+  mention_withheld(review, false,
+                   "a part of each is, or was, there more than once with one file name, path, shape and place, and "
+                   "nothing says which was meant; it stands under resolved in the JSON. Give such parts names of their "
+                   "own, or leave all but one out; then write it again, and delete it there");
+  mention_withheld(review, true,
+                   "what has these names now was gone in between, or had namesakes, and a part has another shape or "
+                   "place than then: it may be another one; it stands under resolved in the JSON. If it still holds, "
+                   "write it again; delete it there");
 }
 
 }  // namespace impinge::cli

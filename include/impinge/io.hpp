@@ -19,15 +19,22 @@
 /// assimp in a child process with limits on time and memory. Link `impinge::io`.
 namespace impinge::io {
 
+/// A node that objects hang under, themselves or in other groups.
+struct Group {
+  std::string name;                     ///< as the file gives it; may be empty, and that of others
+  std::optional<std::uint32_t> parent;  ///< an earlier one; nothing: the file's root
+};
+
 /// A mesh node of a file: all its triangles together.
 struct Object {
-  std::string name;                     ///< one that a person finds again, unique in the file
-  std::string path;                     ///< the given names from the root to the node, '/' between them
-  std::string product;                  ///< the IFC product that it is part of; empty elsewhere
-  Mesh mesh;                            ///< nodes that show the same mesh share it
-  Pose pose;                            ///< identity where the node's transform was baked into the mesh
-  std::optional<std::uint32_t> node{};  ///< of the model's nodes, where the file has animations
-  bool is_baked = false;                ///< the mesh is that of the node, mapped by where the node is at rest
+  std::string name;                      ///< one that a person finds again, unique in the file
+  std::string path;                      ///< for people: the given names from the root to the node, '/' between them
+  std::string product;                   ///< the IFC product that it is part of; empty elsewhere
+  Mesh mesh;                             ///< nodes that show the same mesh share it
+  Pose pose;                             ///< identity where the node's transform was baked into the mesh
+  std::optional<std::uint32_t> node{};   ///< of the model's nodes, where the file has animations
+  bool is_baked = false;                 ///< the mesh is that of the node, mapped by where the node is at rest
+  std::optional<std::uint32_t> group{};  ///< of the model's groups, that it hangs under; nothing: it is at the top
 };
 
 /// A node of an animated file.
@@ -53,16 +60,27 @@ struct Track {
   std::vector<double> values;
 };
 
+/// What an animation does and no track says: a channel that is broken, or one that changes shapes.
+struct Unfollowed {
+  enum class What : std::uint8_t { place, shape };
+  What what = What::place;            ///< where the node is and all below it, or the shape of its own mesh
+  std::optional<std::uint32_t> node;  ///< nothing: it is not known which
+  std::string sentence;               ///< names the channel, and says what is wrong with it; without a full stop
+};
+
 struct Animation {
   std::string name;
-  double seconds = 0;  ///< its last key's time
+  double seconds = 0;  ///< its last key's time; 0 only where it has no tracks, but something unfollowed
   std::vector<Track> tracks;
+  std::vector<Unfollowed> unfollowed{};
 };
 
 struct Model {
   std::vector<Object> objects;        ///< in the file's order
   std::vector<std::string> warnings;  ///< sentences: lost precision, turned axes, changed units
+  std::vector<std::string> missing;   ///< sentences: what of the file is not in the objects, and no answer is about
   std::vector<Node> nodes;            ///< of a file with animations, parents first
+  std::vector<Group> groups;          ///< parents first
   std::vector<Animation> animations;
 };
 

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/importer/gltf_json.hpp"
@@ -39,6 +42,7 @@ class Checker {
       check_.problem = io::sentence("it requires ", kDraco, ", but holds nothing compressed by it; export it again");
     }
     if (check_.problem.empty()) count_shown();
+    if (check_.problem.empty()) check_nodes();
     return std::move(check_);
   }
 
@@ -72,6 +76,44 @@ class Checker {
       }
     }
     meshes_.emplace(&mesh, triangles);
+  }
+
+  /// What assimp passes over without a word, though parts are then elsewhere or missing.
+  void check_nodes() {
+    constexpr const char* kInstances = "EXT_mesh_gpu_instancing";
+    const json& nodes = member(file_, "nodes");
+    if (!nodes.is_structured()) return;
+    for (const auto& [key, node] : nodes.items()) {
+      std::string what;
+      if (member(node, "extensions").contains(kInstances))
+        what = io::sentence("is shown many times by ", kInstances, ", which is not read; export it without");
+      for (const auto& [name, count] :
+           {std::pair{"matrix", 16U}, std::pair{"translation", 3U}, std::pair{"rotation", 4U}, std::pair{"scale", 3U}})
+        if (const json& list = member(node, name); !list.is_null() && !are_numbers(list, count))
+          what = io::sentence("has a ", name, " that is not ", count, " numbers of single precision; export it again");
+      const std::string called = text_of(member(node, "name"));
+      if (is_morphed(node)) check_.morphed.add(called);
+      if (what.empty()) continue;
+      check_.problem = io::sentence("node ", key, called.empty() ? "" : " " + io::in_quotes(called), " ", what);
+      return;
+    }
+  }
+
+  [[nodiscard]] bool is_morphed(const json& node) const {
+    const json& mesh = element(member(file_, "meshes"), member(node, "mesh"));
+    const json &own = member(node, "weights"), &weights = own.is_null() ? member(mesh, "weights") : own;
+    const json& primitives = member(mesh, "primitives");
+    return weights.is_array() && primitives.is_array() &&
+           std::any_of(weights.begin(), weights.end(),
+                       [](const json& weight) { return weight.is_number() && weight.get<double>() != 0; }) &&
+           std::any_of(primitives.begin(), primitives.end(),
+                       [](const json& primitive) { return !member(primitive, "targets").empty(); });
+  }
+
+  static bool are_numbers(const json& list, std::size_t count) {
+    return list.is_array() && list.size() == count && std::all_of(list.begin(), list.end(), [](const json& one) {
+             return one.is_number() && std::fabs(one.get<double>()) <= std::numeric_limits<float>::max();
+           });
   }
 
   /// How many triangles a primitive has, with a problem if that is not to be told.
@@ -146,11 +188,11 @@ std::optional<GltfCheck> check_gltf(const char* file) {
   if (!is_gltf_name(file)) return std::nullopt;
   std::string problem;
   const std::string text = json_text(file, problem);
-  if (!problem.empty()) return GltfCheck{problem, 0};
+  if (!problem.empty()) return GltfCheck{problem, 0, {}};
   try {
     return Checker(json::parse(text)).check();
   } catch (const json::exception& error) {
-    return GltfCheck{io::sentence("its JSON cannot be read: ", error.what()), 0};
+    return GltfCheck{io::sentence("its JSON cannot be read: ", error.what()), 0, {}};
   }
 }
 

@@ -14,6 +14,8 @@
 namespace impinge::importer {
 namespace {
 
+constexpr std::string_view kPivot = "_$AssimpFbx$_";  // FBX: a step of a node's transform, as a node of its own
+
 bool is_digits(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == text.npos; }
 
 /// "nodes[12]", "meshes[3]": what assimp's glTF readers call things without a name.
@@ -53,8 +55,24 @@ std::string SceneNames::given_name(const aiNode& node) const {
   if (is_3mf_ && is_root && name == "3MF") return {};
   if (is_root && name == "RootNode") return {};                                            // FBX and others
   if (name.starts_with('$') || (name.starts_with('<') && name.ends_with('>'))) return {};  // COLLADA, 3DS, DXF, ..
-  if (name.find("_$AssimpFbx$_") != name.npos) return {};                                  // pivots of FBX
+  if (name.find(kPivot) != name.npos) return {};
   return std::string(name);
+}
+
+/// Whether the node is one of the file's, with a name or without, and not one that assimp puts in between.
+bool SceneNames::is_of_file(const aiNode& node) const {
+  if (node.mParent == nullptr) return true;
+  IfcProduct ignored;
+  if (is_ifc_) return parse_ifc_product(text_of(node.mName), ignored);
+  return is_gltf_ || text_of(node.mName).find(kPivot) == std::string_view::npos;
+}
+
+const aiNode* SceneNames::parent_of(const aiNode& node) const {
+  const aiNode* at = &node;
+  while (!is_of_file(*at)) at = at->mParent;
+  do at = at->mParent;
+  while (at && !is_of_file(*at));
+  return at;
 }
 
 /// The name of the mesh that the node shows. assimp's glTF readers number the primitives of one mesh: "body-0",

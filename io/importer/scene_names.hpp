@@ -23,10 +23,13 @@ class SceneNames {
  public:
   explicit SceneNames(const aiScene& scene);
   NodeNames of(const aiNode& node);
-
- private:
   /// The name that the file's author gave, or an empty one: assimp makes up names of its own.
   [[nodiscard]] std::string given_name(const aiNode& node) const;
+  /// The node of the file that it hangs under; none for the root.
+  [[nodiscard]] const aiNode* parent_of(const aiNode& node) const;
+
+ private:
+  [[nodiscard]] bool is_of_file(const aiNode& node) const;
   [[nodiscard]] std::string mesh_name(const aiNode& node) const;
   std::string product_of(const aiNode& node);
 

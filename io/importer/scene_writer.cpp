@@ -16,6 +16,7 @@
 #include "io/importer/axes.hpp"
 #include "io/importer/gltf_check.hpp"
 #include "io/importer/motion.hpp"
+#include "io/importer/rest_shape.hpp"
 #include "io/importer/scene_names.hpp"
 #include "io/text.hpp"
 
@@ -99,6 +100,36 @@ class MeshWriter {
   std::vector<std::uint32_t> triangles_;
 };
 
+/// Writes the nodes that objects hang under, each once and its parents first.
+class GroupWriter {
+ public:
+  GroupWriter(const SceneNames& names, io::ImportWriter& writer) : names_(names), writer_(writer) {}
+
+  /// The number of the group that the node hangs under.
+  std::uint32_t write_above(const aiNode& node) {
+    std::vector<const aiNode*> fresh;  // from the node up
+    std::uint32_t group = io::kNoNode;
+    for (const aiNode* at = names_.parent_of(node); at; at = names_.parent_of(*at)) {
+      if (const auto known = numbers_.find(at); known != numbers_.end()) {
+        group = known->second;
+        break;
+      }
+      fresh.push_back(at);
+    }
+    for (; !fresh.empty(); fresh.pop_back()) {
+      writer_.group(names_.given_name(*fresh.back()), group);
+      group = static_cast<std::uint32_t>(numbers_.size());
+      numbers_.emplace(fresh.back(), group);
+    }
+    return group;
+  }
+
+ private:
+  const SceneNames& names_;
+  io::ImportWriter& writer_;
+  std::map<const aiNode*, std::uint32_t> numbers_;
+};
+
 void write_objects(const aiScene& scene, const Movement& movement, io::ImportWriter& writer) {
   struct Visit {
     const aiNode* node;
@@ -106,6 +137,7 @@ void write_objects(const aiScene& scene, const Movement& movement, io::ImportWri
   };
   SceneNames names(scene);
   MeshWriter meshes(scene, writer);
+  GroupWriter groups(names, writer);
   constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   std::vector<Visit> stack{{scene.mRootNode, kIdentity}};
   while (!stack.empty()) {
@@ -119,7 +151,8 @@ void write_objects(const aiScene& scene, const Movement& movement, io::ImportWri
       const NodeNames called = names.of(node);
       const auto number = movement.numbers.find(&node);
       const std::uint32_t numbered = number == movement.numbers.end() ? io::kNoNode : number->second;
-      writer.object(called.name, called.path, called.product, mesh, numbered, world);
+      const std::uint32_t group = groups.write_above(node);
+      writer.object(called.name, called.path, called.product, mesh, numbered, group, world);
     }
     for (unsigned i = node.mNumChildren; i-- > 0;) stack.push_back({node.mChildren[i], world});
   }
@@ -135,8 +168,11 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   // Bones are not surfaces.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  // Validation comes first: some files give scenes without a root, or with indices out of range.
-  const aiScene* scene = importer.ReadFile(file, aiProcess_ValidateDataStructure);
+  // Validation comes first: some files give scenes without a root, or with indices out of range. But what is wrong with
+  // an animation of glTF keeps nobody from reading the rest; they are read from the file itself.
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS);
+  const aiScene* scene = importer.ReadFile(file, gltf ? aiProcess_RemoveComponent : aiProcess_ValidateDataStructure);
+  if (gltf && scene) scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
   if (!scene || !scene->mRootNode) {
     const std::string problem = importer.GetErrorString();
     return problem.empty() ? "it gives no reason" : problem;
@@ -148,9 +184,12 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) return "it cannot cut the polygons into triangles";
   if (const std::uint64_t found = triangles_in(*scene); found < expected) {
-    writer.warning(io::sentence("assimp could not cut every polygon: ", expected - found, " of ", expected,
+    writer.missing(io::sentence("assimp could not cut every polygon: ", expected - found, " of ", expected,
                                 " triangles are missing; triangulate the mesh where the file is made."));
   }
+  if (const SomeParts bent = bent_parts(*scene); bent.count > 0)
+    writer.missing(reshaped_sentence(bent, "bones", "Apply the skin"));
+  if (gltf && gltf->morphed.count > 0) writer.missing(reshaped_sentence(gltf->morphed, "morph targets", "Apply them"));
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
   const Movement movement = read_movement(file, *scene);
   for (const io::ImportedNode& node : movement.nodes) writer.node(node);

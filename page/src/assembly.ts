@@ -98,6 +98,7 @@ export class Assembly {
       ink: { value: new Vector3(0.07, 0.08, 0.1) },
       strength: { value: 0.45 },
       isParallel: { value: 0 },
+      recessed: { value: -1 },
     };
     this.materials = this.makeMaterials();
     this.parts = this.makeBatch(meshes);
@@ -225,6 +226,11 @@ export class Assembly {
       this.parts.setVisibleAt(instance, alpha > 0);
     });
     this.lookTexture.needsUpdate = true;
+  }
+
+  /** Where faces of this part lie in others, the others are seen; -1 for none. */
+  setRecessed(id: number): void {
+    this.uniforms.recessed.value = this.instanceOf[id] ?? -1;
   }
 
   /** What lies beyond the plane (normal, offset; in world coordinates) is cut away. */

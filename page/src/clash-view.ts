@@ -18,7 +18,8 @@ const kThinGlass = 0.2;
 export class ClashView {
   private readonly files: string[];
   private readonly worstOf: (Verdict | null)[];
-  private clashingNow = '';
+  /** Null before a first time is taken: until then all pairs count, whenever it is that they clash. */
+  private clashingNow: string | null = null;
 
   /** Which of the two parts of the chosen clash hide what there is to see of it: they are drawn as of glass. */
   private hiding: [boolean, boolean] = [false, false];
@@ -83,6 +84,8 @@ export class ClashView {
       if (!colour) colours.set(key, (colour = this.baseColour(id, colourBy, plain)));
       return colour;
     };
+    // Or duplicates would flicker.
+    this.assembly.setRecessed(clash ? clash.second : -1);
     this.assembly.setLooks((id) => {
       if (clash) {
         if (id === clash.first) return [...a, alphaOf(hidesA)];

@@ -3,6 +3,7 @@
 //
 // The clashes of a report: ranked, filtered, sorted and grouped. Nothing here touches the page.
 import { kVerdicts, type Pair, type Report, type Resolved, type Vec3, type Verdict } from './data';
+import { shown } from './format';
 
 export interface Clash {
   /** From 1, in the order of the command's table. Resolved clashes follow. */
@@ -88,8 +89,7 @@ function ofPair(report: Report, pair: Pair): Clash {
   };
 }
 
-function ofResolved(resolved: Resolved, idOf: Map<string, number>): Clash {
-  const id = (place: Resolved['a']) => idOf.get(`${place.file}\n${place.path}`) ?? -1;
+function ofResolved(resolved: Resolved, id: (place: Resolved['a']) => number): Clash {
   const { a, b } = resolved;
   return {
     rank: 0,
@@ -103,6 +103,25 @@ function ofResolved(resolved: Resolved, idOf: Map<string, number>): Clash {
     distance: NaN,
     area: NaN,
     text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
+  };
+}
+
+/** Finds the part that an earlier run named: by path and name, since many may have one path; or by a path of its own. */
+function partFinder(report: Report): (place: Resolved['a']) => number {
+  const wholly = new Map<string, number>();
+  const byPath = new Map<string, number>();
+  const keysOf = ({ file, path, name }: Resolved['a']) => [
+    JSON.stringify([file, path, name]),
+    JSON.stringify([file, path]),
+  ];
+  report.objects.forEach((part, id) => {
+    const [whole, path] = keysOf(part);
+    wholly.set(whole, id);
+    byPath.set(path, byPath.has(path) ? -1 : id);
+  });
+  return (place) => {
+    const [whole, path] = keysOf(place);
+    return wholly.get(whole) ?? byPath.get(path) ?? -1;
   };
 }
 
@@ -127,10 +146,17 @@ export function rankClashes(report: Report): Clash[] {
       compare(x.depth, y.depth, -1) ||
       compare(x.distance, y.distance, 1),
   );
-  const idOf = new Map(report.objects.map((part, id) => [`${part.file}\n${part.path}`, id]));
-  for (const resolved of report.resolved ?? []) clashes.push(ofResolved(resolved, idOf));
+  const find = partFinder(report);
+  for (const resolved of report.resolved ?? []) clashes.push(ofResolved(resolved, find));
   clashes.forEach((clash, i) => (clash.rank = i + 1));
   return clashes;
+}
+
+/** The distance, which of what shares a point is 0; NaN where it is not known, or more than the clearance. */
+function reachOf({ pair, distance, verdict }: Clash): number {
+  if (!pair || !Number.isNaN(distance) || verdict === 'apart') return distance;
+  const isFree = verdict === 'inside' && pair.crossing + pair.touching + pair.coplanar === 0;
+  return isFree ? NaN : 0;
 }
 
 function passes(clash: Clash, filter: Filter, words: string[]): boolean {
@@ -143,11 +169,15 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (filter.verdicts.size && !filter.verdicts.has(clash.verdict)) return false;
   if (filter.failing && !clash.pair?.fails) return false;
   if (!words.every((word) => clash.text.includes(word))) return false;
-  if (!Number.isNaN(filter.depthFrom) && !(clash.depth >= filter.depthFrom)) return false;
-  if (!Number.isNaN(filter.distanceTo) && !(clash.distance <= filter.distanceTo)) return false;
+  // Whoever types a figure of the list means what stands there, and whoever takes one from the JSON that one.
+  const { depthFrom, distanceTo } = filter;
+  if (!Number.isNaN(depthFrom) && !(Math.max(clash.depth, shown(clash.depth)) >= depthFrom)) return false;
+  const distance = reachOf(clash);
+  if (!Number.isNaN(distanceTo) && !(Math.min(distance, shown(distance)) <= distanceTo)) return false;
   if (filter.parts && !filter.parts.has(clash.first) && !filter.parts.has(clash.second)) return false;
   if (filter.test && about.test !== filter.test) return false;
   if (filter.status && about.status !== filter.status) return false;
+  if (filter.change === kWorse) return isWorse(clash.pair);
   return !filter.change || (clash.pair !== null && changeOf(clash.pair) === filter.change);
 }
 
@@ -246,6 +276,9 @@ export function changeOf(pair: Pair): Change | null {
 /** Of a pair that persists: its verdict comes before the earlier one. */
 export const isWorse = (pair: Pair | null): boolean =>
   pair?.change === 'persisting' && pair.was != null && kVerdicts.indexOf(pair.verdict) < kVerdicts.indexOf(pair.was);
+
+/** What the filter of changes calls these; they are among those that persist. */
+export const kWorse = 'worse';
 
 /** A motion that an earlier version wrote does not tell which of two parts is the inner one. */
 export const verbOf = ({ verdict, pair }: Clash): string =>

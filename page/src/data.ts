@@ -110,6 +110,8 @@ export interface Report {
   settings: Settings | null;
   objects: Part[];
   pairs: Pair[];
+  /** What of the files is not in the parts. */
+  missing?: string[];
   counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
   resolved?: Resolved[];
   tests?: { name: string; mode?: string; tolerance?: number | string; clearance?: number }[];
@@ -118,12 +120,16 @@ export interface Report {
 export interface SceneBlock {
   version: number;
   title: string;
+  /** Which axis is up: what wrote the page knows the files. */
+  up?: 'y' | 'z';
   triangles: number;
   shown: number;
   /** How many were to be drawn at most; parts may need more to keep their shape. */
   asked?: number;
   meshes: { vertices: number; triangles: number }[];
-  objects: { mesh: number; pose: number[] }[];
+  /** The named nodes that parts hang under, parents first; without a parent one stands under its file. */
+  groups?: { name: string; parent?: number }[];
+  objects: { mesh: number; pose: number[]; group?: number }[];
 }
 
 /** What the page says instead of showing a block that it cannot read. */
@@ -170,6 +176,7 @@ export function readReport(): Report {
       throw new BlockError(`The report cannot be read: its pair ${i} names no two parts of it, or no verdict.`);
     }
   });
+  report.missing = (Array.isArray(report.missing) ? report.missing : []).map(String);
   report.resolved = (report.resolved ?? []).filter((r) => r.a && r.b && kVerdicts.includes(r.verdict));
   return report;
 }
@@ -184,10 +191,20 @@ export function readScene(parts: number): SceneBlock {
       `The 3D scene has ${scene.objects.length} objects, but the report has ${parts} parts: they do not belong together.`,
     );
   }
+  const groups = scene.groups ?? [];
+  const isKnown = (group: number | undefined, size: number) => group === undefined || isIndex(group, size);
+  const isGroup = (group: { name: string; parent?: number } | null, i: number) =>
+    typeof group?.name === 'string' && isKnown(group.parent, i);
+  if (!Array.isArray(groups) || !groups.every(isGroup)) {
+    throw new BlockError('The 3D scene cannot be read: a group of it has no name, or its parent does not come before it.');
+  }
   scene.objects.forEach((object, i) => {
     const isPlaced = Array.isArray(object.pose) && object.pose.length === 12 && object.pose.every(Number.isFinite);
     if (object.mesh !== -1 && (!isIndex(object.mesh, scene.meshes.length) || !isPlaced)) {
       throw new BlockError(`The 3D scene cannot be read: its object ${i} has no mesh or no pose.`);
+    }
+    if (!isKnown(object.group, groups.length)) {
+      throw new BlockError(`The 3D scene cannot be read: its object ${i} is in no group of it.`);
     }
   });
   return scene;

@@ -9,7 +9,9 @@ import {
   type Filter,
   type GroupKey,
   isFiltering,
+  isWorse,
   kChanges,
+  kWorse,
   type SortKey,
 } from './clashes';
 import { kVerdicts, type Report } from './data';
@@ -36,7 +38,11 @@ function numberField(label: string, id: string, onChange: (value: number) => voi
 function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
   if (key === 'change') {
     const changes = new Set(report.pairs.map(changeOf));
-    return kChanges.filter((one) => changes.has(one)).map((one) => [one, one === 'new region' ? `with a ${one}` : one]);
+    const choices: Choice[] = kChanges
+      .filter((one) => changes.has(one))
+      .map((one) => [one, one === 'new region' ? `with a ${one}` : one]);
+    if (report.pairs.some(isWorse)) choices.push([kWorse, 'worse than before']);
+    return choices;
   }
   const values = new Set<string>();
   for (const about of [...report.pairs, ...(report.resolved ?? [])]) if (about[key]) values.add(about[key]);
@@ -48,7 +54,7 @@ export class Filters {
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
   private readonly search = el('input', {
     type: 'search',
-    placeholder: 'Filter names',
+    placeholder: 'Filter',
     'aria-label': 'Filter by part names',
     id: 'clash-search',
   });

@@ -16,6 +16,9 @@ export function rounded(value: number): string {
   return String(Number(value.toFixed(decimals))).replace('-', '−');
 }
 
+/** The number that is read where a value stands rounded. */
+export const shown = (value: number): number => Number(rounded(value).replace(/−/g, '-'));
+
 /** From when to when, in words as few as a row has room for. */
 export function spanText(span: { start: number; end: number; isFromStart: boolean; isToEnd: boolean }): string {
   const [start, end] = [rounded(span.start), rounded(span.end)];

@@ -55,7 +55,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
 
   showSummary(report, motion, clashes, titleOf(report, scene), (clash) => store.select(clash));
   const stage = new Stage(report, store, motion, () => clashes.length > 0);
-  const tree = new PartsTree(report, clashes, store, (parts) => stage.fitParts(parts));
+  const tree = new PartsTree(report, scene, clashes, store, (parts) => stage.fitParts(parts));
   const countOf = (part: number) =>
     clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
   new Details(report, countOf, store, {

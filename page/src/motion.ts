@@ -34,6 +34,8 @@ export interface Motion {
   animation: { name: string; seconds: number; frames: number; step: number };
   times: number[];
   objects: { id: number; poses: Pose[] }[];
+  /** Sentences on what the animation does and was not run. */
+  left_out?: string[];
   spans: Span[];
 }
 
@@ -67,6 +69,12 @@ function checkObjects({ objects, times }: Motion, parts: number): void {
   });
 }
 
+function checkLeftOut({ left_out: list }: Motion): void {
+  if (isNone(list)) return;
+  const areTexts = Array.isArray(list) && list.every((one) => typeof one === 'string');
+  if (!areTexts) throw bad('what it leaves out is no list of sentences');
+}
+
 function checkSpans({ spans }: Motion, parts: number): void {
   if (!Array.isArray(spans)) throw bad('it lists no spans');
   spans.forEach((span, i) => {
@@ -89,6 +97,7 @@ export function readMotion(parts: number): Motion | null {
   checkTimes(motion);
   checkObjects(motion, parts);
   checkSpans(motion, parts);
+  checkLeftOut(motion);
   return motion;
 }
 

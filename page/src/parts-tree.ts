@@ -3,7 +3,7 @@
 //
 // The tree of files, groups and parts.
 import type { Clash } from './clashes';
-import type { Report } from './data';
+import type { Report, SceneBlock } from './data';
 import { byId, button, el, nameOf } from './dom';
 import { counted, fileName, nameText, plural } from './format';
 import type { Store } from './store';
@@ -49,6 +49,7 @@ export class PartsTree {
 
   constructor(
     private readonly report: Report,
+    scene: SceneBlock | null,
     clashes: Clash[],
     private readonly store: Store,
     private readonly onFit: (parts: number[]) => void,
@@ -62,9 +63,10 @@ export class PartsTree {
       if (!pair) continue;
       ++this.clashesOf[first];
       ++this.clashesOf[second];
-      if (pair.fails) this.fails[first] = this.fails[second] = 1;
+      // What clashes at some time of a motion is what it is run for.
+      if (pair.fails || pair.span) this.fails[first] = this.fails[second] = 1;
     }
-    this.build();
+    this.build(scene);
     this.rows = new VirtualRows(byId('parts-tree'), 'treeitem', {
       count: 0,
       fill: (row, i) => this.fill(row, this.shown[i]),
@@ -82,25 +84,26 @@ export class PartsTree {
     });
   }
 
-  private build(): void {
-    const byPath = new Map<string, number>();
-    const at = (key: string, label: string, parent: number): number => {
-      const known = byPath.get(key);
-      if (known !== undefined) return known;
-      const index = this.addNode(label, parent, -1);
-      byPath.set(key, index);
-      return index;
-    };
-    for (const part of this.report.objects) {
-      let key = part.file;
-      let node = at(key, fileName(part.file), -1);
-      const group = part.path.endsWith(part.name) ? part.path.slice(0, part.path.length - part.name.length) : part.path;
-      for (const step of group.split('/').filter(Boolean).slice(0, kMostLevels)) {
-        key += `\n${step}`;
-        node = at(key, step, node);
+  /** Groups come from the scene, node by node: names are shared, numbered, and have a slash in them. */
+  private build(scene: SceneBlock | null): void {
+    const ofFile = new Map<string, number>();
+    const groups = scene?.groups ?? [];
+    const ofGroup = new Int32Array(groups.length).fill(-1);
+    const nodeOf = (file: string, group: number | undefined): number => {
+      const fresh: number[] = [];
+      let above = group;
+      for (; above !== undefined && ofGroup[above] < 0; above = groups[above].parent) fresh.push(above);
+      let node = above === undefined ? ofFile.get(file) : ofGroup[above];
+      if (node === undefined) ofFile.set(file, (node = this.addNode(fileName(file), -1, -1)));
+      for (const index of fresh.reverse()) {
+        if (this.nodes[node].level <= kMostLevels) node = this.addNode(groups[index].name, node, -1);
+        ofGroup[index] = node;
       }
-      this.leafOf[part.id] = this.addNode(part.name, node, part.id);
-    }
+      return node;
+    };
+    this.report.objects.forEach((part, i) => {
+      this.leafOf[part.id] = this.addNode(part.name, nodeOf(part.file, scene?.objects[i].group), part.id);
+    });
     this.numberParts();
   }
 

@@ -30,6 +30,8 @@ const kSection = /* glsl */ `
 export const partVertex = /* glsl */ `
   #include <batching_pars_vertex>
   ${kParts}
+  uniform int recessed;
+  uniform float isParallel;
   varying vec3 vNormal;
   varying vec3 vPlace;
   varying vec3 vView;
@@ -54,6 +56,8 @@ export const partVertex = /* glsl */ `
     vPlace = place.xyz;
     vec4 seen = viewMatrix * place;
     vView = seen.xyz;
+    // Away from the eye by more than rounding does to a face: of two faces in one place the other part's is seen.
+    if (vPart == recessed) seen.xyz *= isParallel > 0.5 ? vec3(1.0, 1.0, 1.0003) : vec3(1.0003);
     gl_Position = isDrawn ? projectionMatrix * seen : vec4(2.0, 2.0, 2.0, 1.0);
   }
 `;

@@ -22,9 +22,6 @@ import { Tools } from './tools';
 import { add, emptyBox, middleOf, unite } from './vector';
 import { View } from './view';
 
-/** These formats have Y upwards by their own rules or by custom; the others Z. */
-const kUpwardsY = /\.(glb|gltf|obj|fbx|dae)$/i;
-
 const isStill = (): boolean =>
   matchMedia('(prefers-reduced-motion: reduce)').matches || new URLSearchParams(location.search).has('still');
 
@@ -77,7 +74,7 @@ export class Stage {
     const { state } = this.store;
     this.moveParts(state.time);
     this.look.applyLooks(state);
-    const up: UpAxis = this.report.objects.every((part) => kUpwardsY.test(part.file)) ? 'y' : 'z';
+    const up: UpAxis = scene.up === 'y' ? 'y' : 'z';
     view.camera.up = up;
     byId<HTMLSelectElement>('up-axis').value = up;
     const { bounds } = view.assembly!;

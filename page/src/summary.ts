@@ -76,6 +76,13 @@ function changeFact(report: Report): Fact | null {
   return fact;
 }
 
+/** With tests their modes say what fails, and `new`, if it is there, which of that. */
+function failsFact({ settings, tests }: Report): Fact | null {
+  if (!settings?.fail_on) return null;
+  if (!tests?.length) return [`fails on ${settings.fail_on.join(', ') || 'nothing'}`];
+  return [`fails by the mode of each test${settings.fail_on.includes('new') ? ', only what is new' : ''}`];
+}
+
 /** What was looked at, and what such looking cannot see. */
 function stepsFact({ animation }: Motion): Fact {
   return [
@@ -85,6 +92,17 @@ function stepsFact({ animation }: Motion): Fact {
     numberOf(animation.step),
     ' s: what is over within one step may be missed',
   ];
+}
+
+const kMostLeftOut = 3;
+
+/** What the answer is not about: sentences, and what they are called. */
+function leftOutFacts(what: string, list: string[]): Fact[] {
+  const told = (text: string): Fact => [el('span', { class: 'left-out bad' }, `${what}: ${text}`)];
+  const facts = list.slice(0, kMostLeftOut).map((text) => told(nameText(text, 300)));
+  const more = list.length - facts.length;
+  if (more > 0) facts.push(told(`${plural(more, 'more thing')}, which the JSON lists`));
+  return facts;
 }
 
 function motionLine({ animation }: Motion, clashes: Clash[]): Node[] {
@@ -128,6 +146,8 @@ export function showSummary(
   document.title = `${report.settings ? 'Clashes: ' : motion ? 'Motion: ' : ''}${nameText(title, 120)}`;
   byId('verdict-line').replaceChildren(...(motion ? motionLine(motion, clashes) : verdictLine(report)));
   const facts: (Fact | null)[] = [
+    ...leftOutFacts('not read', report.missing ?? []),
+    ...leftOutFacts('left out', motion?.left_out ?? []),
     motion && stepsFact(motion),
     partFacts(report, motion),
     motion && motion.animation.name ? ['animation ', nameOf(motion.animation.name, 60)] : null,
@@ -136,7 +156,7 @@ export function showSummary(
     toleranceFact(report),
   ];
   if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
-  if (report.settings?.fail_on) facts.push([`fails on ${report.settings.fail_on.join(', ') || 'nothing'}`]);
+  facts.push(failsFact(report));
   const rules = report.settings?.ignore?.length ?? 0;
   if (rules) facts.push([countOf(rules), rules === 1 ? ' rule leaves pairs out' : ' rules leave pairs out']);
   byId('facts').replaceChildren();

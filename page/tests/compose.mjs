@@ -18,14 +18,16 @@ export function geometryText(meshes) {
   return deflateSync(Buffer.concat(chunks)).toString('base64');
 }
 
-export function sceneOf(title, meshes, objects, shown) {
+export function sceneOf(title, meshes, objects, { shown, groups = [] } = {}) {
   const triangles = objects.reduce((sum, { mesh }) => sum + (mesh < 0 ? 0 : meshes[mesh].corners.length / 3), 0);
   return {
     version: 1,
     title,
+    up: 'z',
     triangles,
     shown: shown ?? triangles,
     meshes: meshes.map(({ positions, corners }) => ({ vertices: positions.length / 3, triangles: corners.length / 3 })),
+    groups,
     objects,
   };
 }

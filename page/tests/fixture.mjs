@@ -59,6 +59,21 @@ function part(id, name, group, file, triangles, volume) {
   };
 }
 
+/** Groups by ways such as 'frame/left', and the number of each way; nothing for the empty one. */
+export function groupsOf(ways) {
+  const groups = [];
+  const numbers = new Map();
+  const number = (way) => {
+    if (!way || numbers.has(way)) return numbers.get(way);
+    const cut = way.lastIndexOf('/');
+    const parent = number(way.slice(0, Math.max(cut, 0)));
+    groups.push({ name: way.slice(cut + 1), ...(parent !== undefined && { parent }) });
+    numbers.set(way, groups.length - 1);
+    return groups.length - 1;
+  };
+  return { numbers: ways.map(number), groups };
+}
+
 export const kMarkup = '<img src=x onerror="window.broken=1"></script><b>bold</b>';
 export const kSteering = 'left\u202eright\nnext\u0000line';
 export const kLong = 'long/'.repeat(2048);
@@ -88,10 +103,12 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
     2.2 * Math.floor(i / 4) + offset[1],
     (i % 3) * 0.8 + offset[2],
   ]);
+  const { numbers, groups } = groupsOf(named.map(([, group]) => group));
   const scene = sceneOf(
     'frame.stl',
     meshes,
-    named.map(([, , , mesh], i) => ({ mesh, pose: at(...places[i]) })),
+    named.map(([, , , mesh], i) => ({ mesh, pose: at(...places[i]), group: numbers[i] })),
+    { groups },
   );
   const middle = (a, b) => places[a].map((c, k) => (c + places[b][k]) / 2);
   const square = ([x, y, z], s) => [
@@ -264,15 +281,29 @@ export function nestedPage() {
   return compose({ report: { ...report, objects, pairs, counts }, scene, geometry: geometryText(meshes) });
 }
 
+/** One box twice, cut into other triangles, askew and far away, so that no two of its depths are rounded alike. */
+export function twinsPage() {
+  const meshes = [box(3, 2, 1, 2), box(3, 2, 1, 7)];
+  const [c, s] = [Math.cos(0.7), Math.sin(0.7)];
+  const pose = [c, -s * c, s * s, 1234.567, s, c * c, -s * c, 89.1, 0, s, c, 0.23];
+  const { report } = review({ triage: false });
+  const objects = meshes.map(({ corners }, id) => part(id, `twin ${id}`, '', 'twins.stl', corners.length / 3, 6));
+  const pairs = [{ ...report.pairs[8], a: 0, b: 1, regions: [] }];
+  const scene = sceneOf('twins.stl', meshes, meshes.map((_, mesh) => ({ mesh, pose }))); // prettier-ignore
+  return compose({ report: { ...report, objects, pairs }, scene, geometry: geometryText(meshes) });
+}
+
 /** 10,000 parts of 108 triangles, and 15,000 pairs. */
 export function plantPage() {
   const n = 100;
   const meshes = [box(1, 1, 1, 3), box(0.5, 2, 0.7, 3)];
   const objects = [];
   const poses = [];
+  const ways = [];
   for (let i = 0; i < n * n; ++i) {
     const [x, y] = [i % n, Math.floor(i / n)];
-    objects.push(part(i, `part ${i}`, `hall ${Math.floor(y / 10)}/row ${y}`, 'plant.stl', 108, 1));
+    ways.push(`hall ${Math.floor(y / 10)}/row ${y}`);
+    objects.push(part(i, `part ${i}`, ways[i], 'plant.stl', 108, 1));
     poses.push({ mesh: i % 2, pose: at(1.2 * x, 1.2 * y, 0.3 * (i % 7)) });
   }
   const pairs = [];
@@ -319,5 +350,7 @@ export function plantPage() {
       candidates: 20000,
     },
   };
-  return compose({ report, scene: sceneOf('plant.stl', meshes, poses), geometry: geometryText(meshes) });
+  const { numbers, groups } = groupsOf(ways);
+  poses.forEach((pose, i) => (pose.group = numbers[i]));
+  return compose({ report, scene: sceneOf('plant.stl', meshes, poses, { groups }), geometry: geometryText(meshes) });
 }

@@ -55,7 +55,7 @@ export function mechanism({ offset = [0, 0, 0], lanes = 0 } = {}) {
   }
   return {
     report: { version: 1, settings: null, objects, pairs: [], counts: null },
-    scene: sceneOf('machine.glb', meshes, meshOf.map((mesh, id) => ({ mesh, pose: poses[id] }))), // prettier-ignore
+    scene: { ...sceneOf('machine.glb', meshes, meshOf.map((mesh, id) => ({ mesh, pose: poses[id] }))), up: 'y' }, // prettier-ignore
     geometry: geometryText(meshes),
     motion: {
       version: 1,

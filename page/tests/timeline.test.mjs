@@ -278,7 +278,7 @@ describe('the timeline', () => {
     assert.equal(await page.textContent('.time-now'), '1 clash now');
     await seek(page, 2);
     assert.equal(await page.textContent('.time-now'), 'no clash now');
-    const reds = async () => {
+    const redsOn = async (page) => {
       await settled(page);
       const { png } = await picture(page);
       return page.evaluate(async (data) => {
@@ -293,9 +293,45 @@ describe('the timeline', () => {
         return count;
       }, png.toString('base64'));
     };
-    assert.equal(await reds(), 0);
+    assert.equal(await redsOn(page), 0);
     await seek(page, 3);
-    assert.ok((await reds()) > 500);
+    assert.ok((await redsOn(page)) > 500);
+    await close();
+    // Where nothing clashes in the beginning, nothing is red before a time is chosen.
+    const calm = mechanism();
+    calm.motion.spans = calm.motion.spans.filter((span) => span.from);
+    const other = await browser.open(compose(calm));
+    assert.equal(await other.page.textContent('.time-now'), 'no clash now');
+    assert.equal(await redsOn(other.page), 0);
+    await seek(other.page, 3);
+    assert.ok((await redsOn(other.page)) > 500);
+    await other.close();
+  });
+
+  test('the tree counts in red what clashes at some time', async () => {
+    const { page, close } = await browser.open(mechanismPage());
+    const red = await page.evaluate(() =>
+      [...document.querySelectorAll('#parts-tree .row:has(.badge.failing)')].map((row) => [
+        row.querySelector('.name').textContent,
+        row.querySelector('.badge').textContent,
+      ]),
+    );
+    assert.deepEqual(red, [
+      ['arm', '3'],
+      ['slider', '3'],
+      ['wall', '1'],
+      [kMarkup, '1'],
+    ]);
+    await close();
+  });
+
+  test('what the motion leaves out is said on top', async () => {
+    const blocks = mechanism();
+    blocks.motion.left_out = ['first', kMarkup, 'third', 'fourth', 'fifth', 'sixth'];
+    const { page, close } = await browser.open(compose(blocks));
+    const told = await page.locator('#facts .left-out').allTextContents();
+    assert.deepEqual(told, ['left out: first', `left out: ${kMarkup}`, 'left out: third', 'left out: 3 more things, which the JSON lists']);
+    assert.equal(await page.locator('#facts b, #facts script').count(), 0, 'as text');
     await close();
   });
 
@@ -343,6 +379,7 @@ describe('the timeline', () => {
     ['a pose too few', (m) => m.objects[1].poses.pop(), /object 1 has not one pose/],
     ['a short pose', (m) => m.objects[1].poses[2].pop(), /object 1 is not twelve numbers/],
     ['a span of no part', (m) => (m.spans[1].b = -1), /span 1 names no two parts/],
+    ['sentences that are none', (m) => (m.left_out = [1]), /what it leaves out is no list of sentences/],
     ['a span of no verdict', (m) => (m.spans[1].worst = 'bad'), /span 1 names no two parts, or no verdict/],
     ['a span that ends before it ends', (m) => (m.spans[2].to = [2, 1]), /span 2 has times/],
     ['a depth that is none', (m) => (m.spans[0].overlap_depth = { a_in_b: 3 }), /span 0 has a depth/],

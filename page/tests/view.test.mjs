@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { listed, picture, settled, startBrowser } from './browser.mjs';
 import { compose } from './compose.mjs';
-import { nestedPage, plantPage, review, reviewPage } from './fixture.mjs';
+import { nestedPage, plantPage, review, reviewPage, twinsPage } from './fixture.mjs';
 
 const stand = (page) => page.evaluate(() => structuredClone(window.impinge.stand()));
 const frames = (page) => page.evaluate(() => window.impinge.frames());
@@ -23,6 +23,49 @@ describe('the 3D view', () => {
       assert.ok(count > 50 && most < 0.97, `${count} colours, ${most} of it is one`);
       await close();
     }
+  });
+
+  test('stands on what the scene says is down, whatever the files are called', async () => {
+    for (const [up, file] of [
+      ['y', 'house.ifc'],
+      ['z', 'house.obj'],
+      ['z', 'house.glb'],
+    ]) {
+      const { report, scene, geometry } = review();
+      for (const part of report.objects) part.file = file;
+      const { page, close } = await browser.open(compose({ report, scene: { ...scene, up }, geometry }));
+      assert.equal(await page.inputValue('#up-axis'), up);
+      const labels = await page.locator('#cube button').evaluateAll((all) => all.map((one) => one.ariaLabel));
+      const axes = { y: ['+Z', '+Y'], z: ['−Y', '+Z'] }[up];
+      ['front', 'top'].forEach((face, i) => assert.ok(labels.includes(`View from the ${face} (${axes[i]})`), labels.join()));
+      // From the front, upwards on the screen is along that axis; from the top, nothing is.
+      const k = up === 'y' ? 1 : 2;
+      const rise = async (key) => {
+        await page.keyboard.press(key);
+        await settled(page);
+        const places = [0, 10].map((id) => scene.objects[id].pose.filter((_, i) => i % 4 === 3)[k]);
+        const seen = await page.evaluate(() => [0, 10].map((id) => window.impinge.screenPlace(id).y));
+        return (seen[0] - seen[1]) / (places[1] - places[0]);
+      };
+      assert.ok((await rise('1')) > 20);
+      const turned = await page.evaluate(() => window.impinge.stand());
+      assert.ok(Math.abs(turned.yaw) < 1e-9 && Math.abs(turned.pitch) < 1e-9);
+      await close();
+    }
+  });
+
+  test('of two equal parts in one place the first is seen, from everywhere', async () => {
+    const { page, close } = await browser.open(twinsPage(), { hash: '#clash=1' });
+    for (const isParallel of [false, true]) {
+      if (isParallel) await page.keyboard.press('p');
+      for (const key of ['', 'ArrowLeft', 'ArrowUp', 'ArrowLeft', 'ArrowRight', 'ArrowDown', 'ArrowDown']) {
+        if (key) await page.keyboard.press(key);
+        await settled(page);
+        const { a, b } = await picture(page);
+        assert.ok(a > 0.05 && b < 0.002, `${key}: ${a} of it is the first, ${b} the second`);
+      }
+    }
+    await close();
   });
 
   test('a click in the list moves the camera, fills the details and marks the parts', async () => {

@@ -158,7 +158,7 @@ TEST_F(Advice, WhatIsNoEarlierReportIsCalledWhatItIs) {
                    "it is the JSON of impinge motion"));
   // What people add to a report does not make it another document.
   json report = json::parse(clash({"--json", "-"}).out);
-  report["files"] = report["truncated"] = 1;
+  report["reviewers"] = report["truncated"] = 1;
   folder.write("old", report.dump());
   EXPECT_EQ(clash({"--previous", "old"}).code, 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // What people wrote about a pair stays with this pair, or with none.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -124,6 +125,85 @@ TEST_F(Approval, StaysWithItsPartAmongPartsOfOneName) {
   EXPECT_TRUE(second.at("resolved").empty());
 }
 
+TEST_F(Approval, IsNotForTheLastNamesake) {
+  const Node bolt{"bolt", {1, 0, 0}}, plate{"plate", {2, 1, 1}};
+  const std::string text = gltf({bolt, plate});
+  folder.write("a.gltf", text);
+  json first = run({"a.gltf", "--regions"});
+  ASSERT_EQ(first.at("pairs").size(), 1U);
+  first.at("pairs").at(0)["status"] = "approved";
+  first.at("pairs").at(0).at("regions").at(0)["comment"] = "here";
+  keep(first, "1.json");
+  folder.write("a.gltf", gltf({bolt, {"bolt", {3, 0, 0}}, plate}));
+  json second = run({"a.gltf", "--previous", "1.json"});
+  EXPECT_EQ(second.at("pairs").at(0).at("change"), "new");
+  keep(second, "2.json");
+  for (const bool stays : {true, false}) {
+    SCOPED_TRACE(stays);
+    // What is left is the bolt that was meant; or one that nobody has looked at.
+    folder.write("a.gltf", stays ? text : gltf({{"bolt", {3, 0, 0}}, plate}));
+    std::string previous = "2.json";
+    for (int week = 0; week < 3; ++week) {
+      const Ended ended = shell(folder, "rm -f out.json; impinge clash a.gltf --json out.json --previous " + previous);
+      EXPECT_EQ(ended.err.find("such as bolt / plate, is not taken over: what has") != std::string::npos, !stays)
+          << ended.err;
+      const json report = json::parse(folder.read("out.json"));
+      ASSERT_EQ(report.at("pairs").size(), 1U);
+      const json& pair = report.at("pairs").at(0);
+      EXPECT_EQ(pair.at("change"), week == 0 ? "new" : "persisting");
+      EXPECT_EQ(pair.at("status"), stays ? json("approved") : json(nullptr));
+      EXPECT_EQ(pair.at("regions").at(0).at("comment"), stays ? json("here") : json(nullptr));
+      std::size_t kept = 0;
+      for (const json& gone : report.at("resolved")) {
+        if (gone.at("status").is_null()) continue;
+        ++kept;
+        EXPECT_EQ(gone.at("ambiguous"), true);
+        EXPECT_EQ(gone.at("regions").at(0).at("comment"), "here");
+      }
+      EXPECT_EQ(kept, stays ? 0U : 1U);
+      previous = "week.json";
+      folder.write(previous, report.dump());
+    }
+  }
+}
+
+TEST_F(Approval, OfARegionIsNotForOneOfAnotherPart) {
+  const auto comb = [](const std::vector<int>& places) {
+    std::string text;
+    int corners = 0;
+    for (const int x : places) {
+      const Solid solid = box({x, -2, -2}, {x + 2, 4, 4});
+      for (const auto& [a, b, c] : solid.vertices) text += fmt::format("v {} {} {}\n", a, b, c);
+      for (const auto& [a, b, c] : solid.triangles)
+        text += fmt::format("f {} {} {}\n", corners + a + 1, corners + b + 1, corners + c + 1);
+      corners += 8;
+    }
+    return text;
+  };
+  const auto write = [&](const std::string& combs) {
+    folder.write("a.obj", "o bar\n" + obj(box({0, 0, 0}, {80, 2, 2})));
+    folder.write("b.obj", combs);
+  };
+  write("o comb\n" + comb({10, 30}));
+  json report = run({"a.obj", "b.obj", "--regions"});
+  ASSERT_EQ(report.at("pairs").size(), 1U);
+  ASSERT_EQ(report.at("pairs").at(0).at("regions").size(), 2U);
+  for (json& region : report.at("pairs").at(0).at("regions"))
+    if (region.at("centroid").at(0) > 20) region["comment"] = "here";
+  keep(report, "last.json");
+  // The prong goes, then the comb; then there is another comb, which at last has a prong in that place.
+  for (const std::string& combs : {comb({10}), std::string(), comb({50}), comb({30, 50})}) {
+    write(combs.empty() ? "o else\n" + comb({200}) : "o comb\n" + combs);
+    report = run({"a.obj", "b.obj", "--previous", "last.json"});
+    keep(report, "last.json");
+    std::size_t kept = 0;
+    for (const json& gone : report.at("resolved")) kept += gone.at("comment") == "here" ? 1 : 0;
+    EXPECT_EQ(kept, 1U);
+    for (const json& pair : report.at("pairs"))
+      for (const json& region : pair.at("regions")) EXPECT_TRUE(region.at("comment").is_null());
+  }
+}
+
 TEST_F(Approval, IsGivenToNoneOfTwins) {
   const std::vector<Node> nodes{{"bolt", {0, 0, 0}}, {"bolt", {0, 0, 0}}, {"plate", {1, 1, 1}}};
   folder.write("a.gltf", gltf(nodes));
@@ -173,6 +253,20 @@ TEST_F(Approval, IsGivenToNoneOfTwins) {
   std::size_t fresh = 0;
   for (const json& now : third.at("pairs")) fresh += now.at("change") == "new" ? 1 : 0;
   EXPECT_EQ(fresh, 3U) << "against the plate and both others";
+}
+
+TEST_F(Approval, OfTwinsIsNotForAThirdInAnotherPlace) {
+  folder.write("a.gltf", gltf({{"bolt", {0, 0, 0}}, {"bolt", {0, 0, 0}}, {"plate", {1, 1, 1}}}));
+  json first = run({"a.gltf", "--regions"});
+  for (json& pair : first.at("pairs")) pair["status"] = "approved";
+  keep(first, "last.json");
+  folder.write("a.gltf", gltf({{"bolt", {2, 2, 2}}, {"plate", {1, 1, 1}}}));
+  const json third = run({"a.gltf", "--previous", "last.json"});
+  ASSERT_EQ(third.at("pairs").size(), 1U);
+  EXPECT_TRUE(third.at("pairs").at(0).at("status").is_null());
+  std::size_t kept = 0;
+  for (const json& resolved : third.at("resolved")) kept += resolved.at("status") == "approved" ? 1 : 0;
+  EXPECT_EQ(kept, 3U);
 }
 
 TEST_F(Approval, ComesBackWhenATwinIsTakenOutAgain) {

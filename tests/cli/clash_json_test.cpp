@@ -44,8 +44,8 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
   const json answer = json::parse(run.out);
-  EXPECT_EQ(keys(answer), (std::vector<std::string>{"counts", "groups", "objects", "pairs", "resolved", "settings",
-                                                    "tests", "types", "version"}));
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"counts", "files", "groups", "objects", "pairs", "resolved",
+                                                    "settings", "tests", "types", "version"}));
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
                                          {"clearance", 0.0},
@@ -66,8 +66,8 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   for (const json& object : answer.at("objects"))
     EXPECT_EQ(keys(object),
               (std::vector<std::string>{"area", "closed", "file", "first_open_edge", "first_self_crossing", "id",
-                                        "name", "open_edges", "path", "product", "self_crossings", "solid", "triangles",
-                                        "type", "volume", "wall"}));
+                                        "name", "open_edges", "path", "placed", "product", "self_crossings", "solid",
+                                        "triangles", "type", "volume", "wall"}));
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "scalar", "--json", "-"}).out);

@@ -163,12 +163,12 @@ TEST(Configuration, ReadsClashSetsOfIfcClash) {
   EXPECT_EQ(first.terms.tolerance.value_or(std::nullopt), 0.002);
   EXPECT_FALSE(first.terms.clearance);
   const Group& walls = first.a.any.at(0).any.at(0);
-  EXPECT_EQ(walls.products.at(0).text, "IfcWall*");
+  EXPECT_EQ(walls.classes.at(0).text, "IfcWall");
   EXPECT_EQ(walls.files.at(0).text, "/x/one.ifc");
   ASSERT_TRUE(first.b);
   EXPECT_EQ(first.b->any.at(0).files.at(0).text, "two.ifc");
   ASSERT_EQ(first.b->any.at(0).except.size(), 2U);
-  EXPECT_EQ(first.b->any.at(0).except[1].products.at(0).text, "IfcPipeFitting*");
+  EXPECT_EQ(first.b->any.at(0).except[1].classes.at(0).text, "IfcPipeFitting");
   EXPECT_EQ(read->mode_of(read->tests[1]), Mode::contact);
   EXPECT_EQ(read->mode_of(read->tests[2]), Mode::penetration);
   EXPECT_FALSE(read->tests[2].b);

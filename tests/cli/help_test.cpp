@@ -102,6 +102,8 @@ TEST(Help, ListsEveryOption) {
                              "--quiet",
                              "--help"})
     EXPECT_NE(clash.find("  " + std::string(option) + " "), std::string::npos) << option;
+  for (const char* command : {"view", "motion"})
+    EXPECT_NE(impinge(folder, {command, "--help"}).out.find("  --up y|z "), std::string::npos) << command;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace impinge::cli {
 namespace {
 
 const std::string kReport =
-    R"({"version":1,"settings":{"scale":[["a",1]]},"objects":[{"id":0,"name":"a","path":"p/a","file":"f"},
+    R"({"version":1,"settings":{"scale":[["a",1]]},"files":[{"file":"f","name":"f","known_as":"e"}],
+ "objects":[{"id":0,"name":"a","path":"p/a","file":"f","placed":"u"},
  {"id":1,"name":"b","path":"b","file":"f"}],"pairs":[{"id":"p","a":0,"b":1,"verdict":"penetrating","test":"t","status":"s",
  "comment":null,"nearest":[[0,0,0],[1,1,1]],"regions":[{"id":"r","box":[[0,0,0],[2,2,2]],"centroid":[1,1,1],"comment":"c"}]}],
  "resolved":[{"id":"q","region":null,"a":{"name":"a","path":"","file":""},"b":{"name":"b","path":"","file":""},
@@ -30,6 +31,10 @@ TEST(PreviousReport, IsReadWhole) {
   const Previous::Pair& pair = read->pairs.front();
   EXPECT_EQ(pair.id, "p");
   EXPECT_EQ(pair.a.path, "p/a");
+  EXPECT_EQ(pair.a.placed, "u");
+  EXPECT_EQ(pair.b.placed, "");
+  ASSERT_EQ(read->files.size(), 1U);
+  EXPECT_EQ(read->files[0].known_as, "e");
   EXPECT_EQ(pair.b.name, "b");
   EXPECT_EQ(pair.test, "t");
   EXPECT_EQ(pair.verdict, Verdict::penetrating);
@@ -41,6 +46,16 @@ TEST(PreviousReport, IsReadWhole) {
   ASSERT_EQ(read->resolved.size(), 1U);
   EXPECT_EQ(read->resolved[0].remark.comment, "y");
   EXPECT_EQ(read->resolved[0].regions.at(0).region, "s");
+}
+
+TEST(PreviousReport, WithoutNamesOfFilesTakesThemFromItsParts) {
+  const auto read = parse_previous("old.json", R"({"version":1,"objects":[{"id":0,"name":"a","path":"p/a","file":"f/g"},
+ {"id":1,"name":"b","path":"b","file":""},{"id":2,"name":"c","path":"c"}],"pairs":[]})");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->files.size(), 1U);
+  EXPECT_EQ(read->files[0].file, "f/g");
+  EXPECT_EQ(read->files[0].name, "g");
+  EXPECT_EQ(read->files[0].known_as, "g");
 }
 
 TEST(PreviousReport, SurvivesWhateverAFileHolds) {
@@ -125,6 +140,14 @@ TEST(Matching, OfAHundredThousandRegionsEndsSoon) {
   std::vector<double> many(100'000, 0.0);
   const std::vector<int> numbers = matched(many, {0, 0}, 0);
   EXPECT_EQ(numbers, (std::vector<int>{0, 1}));
+}
+
+TEST(Matching, KnowsHoweverManyRegionsThatStayed) {
+  std::vector<double> before, now;
+  for (int i = 0; i < 5000; ++i) before.push_back(10 * i), now.push_back(10 * (4999 - i));
+  now[4998] += 0.5;  // the first but one
+  const std::vector<int> numbers = matched(before, now, 0);
+  for (int i = 0; i < 5000; ++i) EXPECT_EQ(numbers[static_cast<std::size_t>(i)], 4999 - i);
 }
 
 TEST(Types, AreCalledWhatTheirNamesHaveInCommon) {

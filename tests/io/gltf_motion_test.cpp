@@ -206,16 +206,22 @@ void expect_left_out(const char* what, const Spoil& spoil, std::string_view why)
   EXPECT_EQ(only_track(model).property, Track::Property::scale);
   EXPECT_EQ(model.animations.at(0).seconds, 1);
   EXPECT_THAT(model.warnings, ElementsAre(HasSubstr(std::string(why))));
+  ASSERT_EQ(model.animations[0].unfollowed.size(), 1U);
+  const Unfollowed& lost = model.animations[0].unfollowed[0];
+  EXPECT_EQ(lost.what, Unfollowed::What::place);
+  EXPECT_EQ(lost.node, model.objects.at(0).node);
+  EXPECT_THAT(lost.sentence, testing::StartsWith("channel 0, the translation of node 0 'cube': "));
+  EXPECT_THAT(lost.sentence, HasSubstr(std::string(why)));
 }
 
 TEST(GltfMotion, ChannelsThatLieAreLeftOut) {
   using json = nlohmann::json;
-  const char* const kNoKeys = "it has no keys";
+  const char* const kNoKeys = "its times or values are not there";
   const auto change = [](const char* member, const json& value) {
     return [member, value](AnimatedGltf&, json& input, json&) { input[member] = value; };
   };
   expect_left_out("sparse", change("sparse", json::object()), kNoKeys);
-  expect_left_out("fewer", change("count", 2), kNoKeys);
+  expect_left_out("fewer", change("count", 2), "it has 2 times and 3 values");
   expect_left_out("none", change("count", 0), kNoKeys);
   expect_left_out("too far on", change("byteOffset", 1U << 20U), kNoKeys);
   expect_left_out("another type", change("type", "VEC2"), kNoKeys);
@@ -232,7 +238,180 @@ TEST(GltfMotion, ChannelsThatLieAreLeftOut) {
   };
   expect_left_out("backwards", times({0, 3, 1}), "not in the order of time");
   expect_left_out("not a number", times({0, 1, std::numeric_limits<double>::quiet_NaN()}), "not finite");
+  expect_left_out("before the beginning", times({-1, 0, 3}), "it begins before the time 0");
   expect_left_out("endless", times({0, 1, std::numeric_limits<double>::infinity()}), "not finite");
+}
+
+TEST(GltfMotion, SamplersThatLieAreLeftOut) {
+  const auto sampler = [](const char* member, const nlohmann::json& value) {
+    return [member, value](AnimatedGltf& file, nlohmann::json&, nlohmann::json&) {
+      file.root["animations"][0]["samplers"][0][member] = value;
+    };
+  };
+  const char* const kUnknown = "its interpolation is none of STEP, LINEAR and CUBICSPLINE";
+  expect_left_out("another way", sampler("interpolation", "CATMULL"), kUnknown);
+  expect_left_out("no name of a way", sampler("interpolation", 7), kUnknown);
+  expect_left_out("no tangents", sampler("interpolation", "CUBICSPLINE"), "not three for each time");
+  expect_left_out(
+      "no number",
+      [](AnimatedGltf& file, nlohmann::json&, nlohmann::json&) {
+        std::vector<double> values = kPlaces;
+        values[4] = std::numeric_limits<double>::quiet_NaN();
+        file.root["animations"][0]["samplers"][0]["output"] = file.floats(values, "VEC3");
+      },
+      "not finite");
+}
+
+/// What a channel on node 0 leaves unfollowed.
+Unfollowed only_unfollowed(const AnimatedGltf& file) {
+  const Model model = read_text(file.text());
+  if (model.animations.size() != 1 || model.animations[0].unfollowed.size() != 1) {
+    ADD_FAILURE() << "not one thing unfollowed";
+    return {};
+  }
+  return model.animations[0].unfollowed[0];
+}
+
+TEST(GltfMotion, RotationsThatAreNoneAreLeftOut) {
+  for (const bool is_cubic : {false, true}) {
+    SCOPED_TRACE(is_cubic);
+    AnimatedGltf file = one_cube();
+    std::vector<double> turns{0, 0, 0, 1, 0, 0, 0, 0};
+    // Tangents may be zero, and those that are not make up for nothing.
+    if (is_cubic) turns = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
+    file.channel(0, "rotation", {0, 1}, turns, is_cubic ? "CUBICSPLINE" : "LINEAR");
+    EXPECT_THAT(only_unfollowed(file).sentence, HasSubstr("quaternion of four zeros"));
+    turns[is_cubic ? 16 : 4] = 1;
+    file = one_cube();
+    file.channel(0, "rotation", {0, 1}, turns, is_cubic ? "CUBICSPLINE" : "LINEAR");
+    EXPECT_THAT(read_text(file.text()).warnings, IsEmpty());
+  }
+}
+
+TEST(GltfMotion, TwoChannelsForOneThingAreLeftOut) {
+  AnimatedGltf file = one_cube();
+  file.channel(0, "translation", kTimes, kPlaces);
+  file.channel(0, "scale", {0, 1}, {1, 1, 1, 2, 2, 2});
+  file.channel(0, "translation", {0, 1}, {0, 0, 0, 1, 0, 0});
+  const Unfollowed lost = only_unfollowed(file);
+  EXPECT_EQ(lost.what, Unfollowed::What::place);
+  EXPECT_THAT(lost.sentence, HasSubstr("channel 2, the translation of node 0 'cube': another channel"));
+}
+
+TEST(GltfMotion, PointersToNodesAreLeftOut) {
+  const auto pointing = [](const char* to) {
+    AnimatedGltf file = one_cube();
+    file.channel(0, "translation", kTimes, kPlaces);
+    file.channel(0, "scale", {0, 1}, {1, 1, 1, 2, 2, 2});
+    file.root["animations"][0]["channels"][1]["target"] = {
+        {"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", to}}}}}};
+    return file;
+  };
+  EXPECT_EQ(only_unfollowed(pointing("/nodes/0/rotation")).what, Unfollowed::What::place);
+  EXPECT_EQ(only_unfollowed(pointing("/nodes/0/weights/1")).what, Unfollowed::What::shape);
+  EXPECT_EQ(only_unfollowed(pointing("/nodes/9/rotation")).node, std::nullopt);
+  for (const char* harmless : {"/materials/0/emissiveFactor", "/nodes/0/extensions/KHR_node_visibility/visible", ""})
+    EXPECT_THAT(read_text(pointing(harmless).text()).animations.at(0).unfollowed, IsEmpty()) << harmless;
+}
+
+/// assimp makes two nodes of it, of which only one would move.
+TEST(GltfMotion, NodesWithTwoParentsAreNotFollowed) {
+  AnimatedGltf file;
+  const int part = file.node({{"name", "part"}, {"mesh", 0}});
+  file.roots({file.node({{"children", {part}}}), file.node({{"children", {part}}, {"translation", {9, 0, 0}}})});
+  file.animation("go");
+  file.channel(part, "translation", kTimes, kPlaces);
+  const Unfollowed lost = only_unfollowed(file);
+  EXPECT_EQ(lost.what, Unfollowed::What::place);
+  EXPECT_EQ(lost.node, std::nullopt);
+}
+
+/// A mesh that bones bend is told of where one of them moves, by itself or with its parent.
+/// Two nodes show the cube; "body" hangs on a bone, which a node holds, with all its corners.
+struct Skinned {
+  AnimatedGltf file;
+  int bone, root, body, other;
+
+  explicit Skinned(const nlohmann::json& of_root = nlohmann::json::object()) {
+    bone = file.node({{"name", "bone"}});
+    nlohmann::json holder = of_root;
+    holder["name"] = "root", holder["children"] = {bone};
+    root = file.node(holder);
+    body = file.node({{"name", "body"}, {"mesh", 0}, {"skin", 0}});
+    other = file.node({{"name", "other"}, {"mesh", 1}});
+    file.roots({root, body, other});
+    file.root["meshes"].push_back(file.root["meshes"][0]);
+    auto& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = file.accessor(file.view(std::string(32, '\0')), 5121, 8, "VEC4");
+    file.root["accessors"].back().erase("normalized");
+    std::vector<double> weights;
+    for (int i = 0; i < 8; ++i) weights.insert(weights.end(), {1, 0, 0, 0});
+    attributes["WEIGHTS_0"] = file.floats(weights, "VEC4");
+    std::string unit;
+    for (int i = 0; i < 16; ++i) AnimatedGltf::append(unit, i % 5 == 0 ? 1.0F : 0.0F);
+    const int matrix = file.accessor(file.view(unit), 5126, 1, "MAT4");
+    file.root["skins"] = nlohmann::json::array({{{"joints", {bone}}, {"inverseBindMatrices", matrix}}});
+  }
+};
+
+TEST(GltfMotion, BentPartsAreToldOfWhereABoneMoves) {
+  for (const int moving : {0, 1, 2, 3}) {
+    Skinned skinned;
+    skinned.file.animation("bend");
+    skinned.file.channel(moving, "translation", kTimes, kPlaces);
+    const Model model = read_text(skinned.file.text());
+    EXPECT_THAT(model.missing, IsEmpty()) << "at rest the bone is where it was bound";
+    const auto& unfollowed = model.animations.at(0).unfollowed;
+    ASSERT_EQ(unfollowed.size(), moving == skinned.bone || moving == skinned.root ? 1U : 0U) << moving;
+    if (unfollowed.empty()) continue;
+    EXPECT_EQ(unfollowed[0].what, Unfollowed::What::shape);
+    EXPECT_EQ(unfollowed[0].node, model.objects.at(0).node) << model.objects[0].name;
+  }
+}
+
+TEST(GltfMotion, PartsThatBonesBendAtRestAreToldOf) {
+  const Skinned skinned(nlohmann::json{{"translation", {1, 0, 0}}});
+  EXPECT_THAT(read_text(skinned.file.text()).missing,
+              ElementsAre(HasSubstr("1 part, 'body', is reshaped by bones, which is not read")));
+}
+
+TEST(GltfMotion, MorphTargetsAtWorkAreToldOf) {
+  AnimatedGltf file;
+  const int shown = file.node({{"name", "face"}, {"mesh", 0}});
+  const int relaxed = file.node({{"name", "relaxed"}, {"mesh", 0}, {"weights", {0}}});
+  file.roots({shown, relaxed});
+  EXPECT_THAT(read_text(file.text()).missing, IsEmpty());
+  auto& mesh = file.root["meshes"][0];
+  mesh["weights"] = {0.5};
+  EXPECT_THAT(read_text(file.text()).missing, IsEmpty()) << "without targets";
+  mesh["primitives"][0]["targets"] =
+      nlohmann::json::array({{{"POSITION", mesh["primitives"][0]["attributes"]["POSITION"]}}});
+  EXPECT_THAT(read_text(file.text()).missing,
+              ElementsAre(HasSubstr("1 part, 'face', is reshaped by morph targets, which is not read")));
+  mesh.erase("weights");
+  EXPECT_THAT(read_text(file.text()).missing, IsEmpty());
+}
+
+/// assimp finds fault with keys that go back in time and with channels of nothing.
+TEST(GltfMotion, BrokenAnimationsKeepNobodyFromReadingTheParts) {
+  AnimatedGltf file = one_cube();
+  file.channel(0, "translation", {3, 1, 0}, kPlaces);
+  file.animation("nothing");
+  file.channel(0, "rotation", {-1, std::numeric_limits<double>::quiet_NaN(), 1e30}, kTurns);
+  const Model model = read_text(file.text());
+  ASSERT_EQ(model.objects.size(), 1U);
+  EXPECT_EQ(model.animations.at(0).unfollowed.size(), 1U);
+}
+
+/// In a second scene nothing is shown, so that nothing is lost.
+TEST(GltfMotion, ChannelsOfNodesThatAreNotShownAreNoLoss) {
+  AnimatedGltf file = one_cube();
+  const int hidden = file.node({{"name", "hidden"}, {"mesh", 0}});
+  file.channel(0, "translation", kTimes, kPlaces);
+  file.channel(hidden, "translation", {0, 3, 1}, kPlaces);
+  const Model model = read_text(file.text());
+  EXPECT_THAT(model.animations.at(0).unfollowed, IsEmpty());
+  EXPECT_THAT(model.warnings, IsEmpty());
 }
 
 TEST(GltfMotion, WhatLastsNoTimeMovesNothing) {
@@ -290,7 +469,7 @@ TEST(GltfMotion, MutatedFilesHaveAnAnswer) {
     }
     expect_sound(*model);
     for (const Animation& animation : model->animations) {
-      EXPECT_GT(animation.seconds, 0) << round;
+      EXPECT_TRUE(animation.seconds > 0 || !animation.unfollowed.empty()) << round;
       for (const double share : {0.0, 0.4, 1.0})
         EXPECT_EQ(nodes_at(*model, animation, share * animation.seconds).size(), model->nodes.size()) << round;
       ++followed;

@@ -65,6 +65,54 @@ TEST(Import, GltfNamesPathsPosesAndSharedMeshes) {
   EXPECT_TRUE(model.warnings.empty()) << model.warnings[0];
 }
 
+/// "storey/wall" of each object: the groups above it, by their names, "-" without one.
+std::vector<std::string> groups_of(const Model& model) {
+  std::vector<std::string> all;
+  for (const Object& object : model.objects) {
+    std::string way;
+    for (auto at = object.group; at; at = model.groups.at(*at).parent) {
+      const std::string& name = model.groups[*at].name;
+      way = (name.empty() ? "-" : name) + (way.empty() ? "" : "/" + way);
+    }
+    all.push_back(way);
+  }
+  return all;
+}
+
+TEST(Import, ObjectsHangUnderTheNodesOfTheFile) {
+  const TemporaryFolder folder;
+  const Model model = model_of(
+      read(folder.write("case.gltf", gltf(R"({"name":"engine","children":[1,2,3,5]},)"
+                                          R"({"name":"asm","children":[7,8]},)"
+                                          R"({"name":"asm","children":[9]},)"
+                                          R"({"children":[4]},)"
+                                          R"({"children":[6],"mesh":1},)"
+                                          R"({"mesh":0,"name":"lid 1/2"},)"
+                                          R"({"mesh":0},)"
+                                          R"({"mesh":0,"name":"p"},{"mesh":0,"name":"q"},{"mesh":0,"name":"p"})"))));
+  EXPECT_EQ(groups_of(model),
+            (std::vector<std::string>{"engine/asm", "engine/asm", "engine/asm", "engine/-", "engine/-/-", "engine"}));
+  EXPECT_EQ(model.objects[0].group, model.objects[1].group);
+  EXPECT_NE(model.objects[0].group, model.objects[2].group) << "two nodes of one name";
+  EXPECT_EQ(model.groups.size(), 5u) << "each once, and none without objects";
+  for (const Object& object : model_of(read(folder.write("one.gltf", gltf(R"({"mesh":1})")))).objects)
+    EXPECT_FALSE(object.group) << "it is the root";
+
+  const Model house = model_of(read(kModels / "IFC/AC14-FZK-Haus.ifc"));
+  const std::vector<std::string> ways = groups_of(house);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    // Of this file no name has a '/', and every part is under a product that has one.
+    const std::string& path = house.objects[i].path;
+    EXPECT_EQ(ways[i], path.find('/') == std::string::npos ? "" : path.substr(0, path.rfind('/')));
+  }
+  // What assimp makes of a transform is no node of the file.
+  for (const char* const file : {"FBX/box.fbx", "FBX/cubes_with_names.fbx", "FBX/spider.fbx"})
+    for (const Group& group : model_of(read(kModels / file)).groups)
+      EXPECT_EQ(group.name.find("Assimp"), std::string::npos) << file;
+  const Model box = model_of(read(kModels / "FBX/box.fbx"));
+  EXPECT_EQ(groups_of(box), std::vector<std::string>{"-"}) << "under pivots, and these under the root";
+}
+
 void replace(std::string& text, std::string_view what, std::string_view by) {
   const std::size_t at = text.find(what);
   ASSERT_NE(at, std::string::npos) << what;
@@ -133,6 +181,33 @@ TEST(Import, GltfThatAssimpWouldMisreadIsRefused) {
   replace(text, R"({"mesh":0})", R"({"mesh":0,"children":[0]})");
   EXPECT_THAT(problem_of(text), HasSubstr("its nodes form a loop"));
   EXPECT_THAT(problem_of("{\"asset\":"), HasSubstr("its JSON cannot be read"));
+}
+
+/// assimp takes a node without what it cannot read, which puts the part elsewhere.
+TEST(Import, GltfNodesThatAssimpWouldPutElsewhereAreRefused) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& what) {
+    std::string text = indexed_gltf({0, 1, 2});
+    replace(text, R"({"mesh":0})", R"({"name":"arm","mesh":0,)" + what + "}");
+    return read(folder.write("case.gltf", text));
+  };
+  const std::pair<const char*, const char*> kBad[] = {
+      {"matrix", "[1,0,0,0,0,1,0,0,0,0,1,0,5,0,1]"},
+      {"matrix", "[1e39,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1]"},
+      {"translation", "[5,0]"},
+      {"translation", R"(["5",0,0])"},
+      {"translation", "5"},
+      {"rotation", "[0,0,1]"},
+      {"scale", "[1,null,1]"},
+  };
+  for (const auto& [name, value] : kBad)
+    EXPECT_THAT(error_of(with('"' + std::string(name) + "\":" + value)),
+                HasSubstr(std::string("node 0 'arm' has a ") + name + " that is not "))
+        << value;
+  EXPECT_TRUE(with(R"("translation":[5,0,0],"rotation":[0,0,1,0],"scale":[1,-1,1])").has_value());
+  EXPECT_TRUE(with(R"("matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1],"extensions":{"KHR_node":{}})").has_value());
+  EXPECT_THAT(error_of(with(R"("extensions":{"EXT_mesh_gpu_instancing":{}})")),
+              HasSubstr("node 0 'arm' is shown many times by EXT_mesh_gpu_instancing"));
 }
 
 TEST(Import, GlbWhoseChunkIsLongerThanTheFileIsRefused) {

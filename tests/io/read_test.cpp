@@ -133,8 +133,8 @@ class FakeImporter : public testing::Test {
     const int descriptor = open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
     ImportWriter writer(descriptor);
     writer.mesh(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}, std::vector<std::uint32_t>{0, 1, 2});
-    writer.object("bolt", "", "", 0, kNoNode, {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1});
-    writer.object("nut", "", "", 0, kNoNode, {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1});
+    writer.object("bolt", "", "", 0, kNoNode, kNoNode, {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1});
+    writer.object("nut", "", "", 0, kNoNode, kNoNode, {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1});
     writer.end();
     close(descriptor);
     return "cat '" + file.string() + "'; " + then;

@@ -27,7 +27,8 @@ const Animation kOpening{"opening",
                          2,
                          {{1, Track::Property::rotation, Track::Between::linear, {0, 2}, {0, 0, 0, 1, 0, 0, 1, 0}},
                           {0, Track::Property::scale, Track::Between::cubic, {1}, {0, 0, 0, 1, 2, 3, 0, 0, 0}},
-                          {1, Track::Property::translation, Track::Between::step, {0, 1}, {1, 2, 3, 4, 5, 6}}}};
+                          {1, Track::Property::translation, Track::Between::step, {0, 1}, {1, 2, 3, 4, 5, 6}}},
+                         {{Unfollowed::What::place, 1, "broken"}, {Unfollowed::What::shape, std::nullopt, "bent"}}};
 
 /// What a writer's calls put on the wire.
 template <class Calls>
@@ -44,12 +45,15 @@ std::string written(const Calls& calls) {
 std::string small_stream() {
   return written([](ImportWriter& writer) {
     writer.warning("careful");
+    writer.missing("a leg");
     writer.node(kRoot);
     writer.node(kChild);
     writer.animation(kOpening);
     writer.mesh(kXyz, kTriangle);
-    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, kIdentity);
-    writer.object("", "", "", 0, kNoNode, kIdentity);
+    writer.group("a/b", kNoNode);
+    writer.group("", 0);
+    writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, 1, kIdentity);
+    writer.object("", "", "", 0, kNoNode, kNoNode, kIdentity);
     EXPECT_TRUE(writer.end());
   });
 }
@@ -58,6 +62,7 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   const Result<Imported> imported = decode_import(small_stream());
   ASSERT_TRUE(imported.has_value());
   EXPECT_EQ(imported->warnings, std::vector<std::string>{"careful"});
+  EXPECT_EQ(imported->missing, std::vector<std::string>{"a leg"});
   ASSERT_EQ(imported->meshes.size(), 1u);
   EXPECT_EQ(imported->meshes[0].xyz, kXyz);
   EXPECT_EQ(imported->meshes[0].triangles, kTriangle);
@@ -68,6 +73,13 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   EXPECT_EQ(imported->objects[0].world, kIdentity);
   EXPECT_EQ(imported->objects[0].node, 1u);
   EXPECT_EQ(imported->objects[1].node, kNoNode);
+  EXPECT_EQ(imported->objects[0].group, 1u);
+  EXPECT_EQ(imported->objects[1].group, kNoNode);
+  ASSERT_EQ(imported->groups.size(), 2u);
+  EXPECT_EQ(imported->groups[0].name, "a/b");
+  EXPECT_EQ(imported->groups[0].parent, kNoNode);
+  EXPECT_EQ(imported->groups[1].name, "");
+  EXPECT_EQ(imported->groups[1].parent, 0u);
   ASSERT_EQ(imported->nodes.size(), 2u);
   EXPECT_EQ(imported->nodes[0].parent, kNoNode);
   EXPECT_EQ(imported->nodes[1].parent, 0u);
@@ -86,6 +98,13 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(found.between, expected.between);
     EXPECT_EQ(found.times, expected.times);
     EXPECT_EQ(found.values, expected.values);
+  }
+  ASSERT_EQ(imported->animations[0].unfollowed.size(), kOpening.unfollowed.size());
+  for (std::size_t i = 0; i < kOpening.unfollowed.size(); ++i) {
+    const Unfollowed &found = imported->animations[0].unfollowed[i], &expected = kOpening.unfollowed[i];
+    EXPECT_EQ(found.what, expected.what);
+    EXPECT_EQ(found.node, expected.node);
+    EXPECT_EQ(found.sentence, expected.sentence);
   }
   const Result<Imported> failed = decode_import(written([](ImportWriter& writer) { writer.error("why not"); }));
   ASSERT_TRUE(failed.has_value());
@@ -124,7 +143,7 @@ TEST(ImportStream, MutationsAreErrorsOrStreams) {
 }
 
 TEST(ImportStream, SizesBeyondTheStreamAreRefused) {
-  std::string stream = "impinge2M";
+  std::string stream = "impinge3M";
   append_bytes(stream, std::uint64_t{1} << 61);
   append_bytes(stream, std::uint64_t{1});
   EXPECT_FALSE(decode_import(stream + std::string(100, 'x')).has_value());
@@ -145,6 +164,21 @@ std::string one_track(std::uint32_t node, std::uint32_t property, std::uint32_t 
   return stream + std::string(4 * sizeof(double), '\0') + "Z";
 }
 
+TEST(ImportStream, WhatIsUnfollowedPointsToANode) {
+  const auto with = [](std::optional<std::uint32_t> node, std::uint8_t what) {
+    return written([&](ImportWriter& writer) {
+      writer.node(kRoot);
+      writer.animation({"", 1, {}, {{static_cast<Unfollowed::What>(what), node, "why"}}});
+      EXPECT_TRUE(writer.end());
+    });
+  };
+  EXPECT_TRUE(decode_import(with(0, 1)).has_value());
+  EXPECT_TRUE(decode_import(with(std::nullopt, 0)).has_value());
+  EXPECT_FALSE(decode_import(with(1, 0)).has_value()) << "no such node";
+  EXPECT_FALSE(decode_import(with(0, 2)).has_value()) << "neither place nor shape";
+  EXPECT_FALSE(decode_import("impinge3" + with(0, 0).substr(with(0, 0).find('U'))).has_value()) << "of no animation";
+}
+
 TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   EXPECT_TRUE(decode_import(one_track(0, 0, 0, 1)).has_value());
   EXPECT_FALSE(decode_import(one_track(1, 0, 0, 1)).has_value()) << "no such node";
@@ -153,7 +187,7 @@ TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, 0)).has_value()) << "no keys";
   EXPECT_FALSE(decode_import(one_track(0, 0, 2, 1)).has_value()) << "a cubic key is longer";
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, std::uint64_t{1} << 59)).has_value());
-  EXPECT_FALSE(decode_import("impinge2" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
+  EXPECT_FALSE(decode_import("impinge3" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
       << "a track before any animation";
   const auto with_node = [](std::uint32_t parent) {
     return written([&](ImportWriter& writer) {
@@ -167,8 +201,24 @@ TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   EXPECT_FALSE(decode_import(with_node(0)).has_value()) << "its own parent";
 }
 
+TEST(ImportStream, GroupsComeBeforeWhatIsInThem) {
+  const auto decoded = [](std::uint32_t parent, std::uint32_t group) {
+    return decode_import(written([&](ImportWriter& writer) {
+             writer.mesh(kXyz, kTriangle);
+             writer.group("top", kNoNode);
+             writer.group("inner", parent);
+             writer.object("bolt", "", "", 0, kNoNode, group, kIdentity);
+             writer.end();
+           }))
+        .has_value();
+  };
+  EXPECT_TRUE(decoded(0, 1));
+  EXPECT_FALSE(decoded(1, 1)) << "its own parent";
+  EXPECT_FALSE(decoded(0, 2)) << "there are two";
+}
+
 Imported one_object(const std::array<double, 16>& world) {
-  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, kNoNode, world}}, {}, {}, {}, {}};
+  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, kNoNode, kNoNode, world}}, {}, {}, {}, {}, {}};
 }
 
 TEST(ImportedModel, ARotationBecomesThePoseAndAnythingElseIsBaked) {

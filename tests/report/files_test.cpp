@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Several outputs in one run: each appears whole or not at all, and is the same bytes each time.
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include <chrono>
 #include <csignal>
@@ -93,6 +94,39 @@ TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
   EXPECT_EQ(folder.read("model.glb"), model);
 }
 
+TEST_F(Files, ABcfThatAnotherToolHasWrittenToIsNotReplaced) {
+  ASSERT_EQ(clash({"--bcf", "out.bcf"}).code, 1);
+  const std::string ours = folder.read("out.bcf");
+  const auto expect_kept = [&](const std::string& way) {
+    SCOPED_TRACE(way);
+    const std::string theirs = folder.read("out.bcf");
+    EXPECT_NE(theirs, ours);
+    EXPECT_EQ(clash({"--bcf", "out.bcf"}).code, 2);
+    EXPECT_TRUE(folder.read("out.bcf") == theirs);
+    folder.write("out.bcf", ours);
+  };
+  const std::string place = (folder.path() / "out.bcf").string();
+  const std::string markup = "<Markup/>";
+  for (const bool is_new : {true, false}) {
+    zip_t* const archive = zip_open(place.c_str(), 0, nullptr);
+    ASSERT_NE(archive, nullptr);
+    zip_source_t* const text = zip_source_buffer(archive, markup.data(), markup.size(), 0);
+    const zip_int64_t first = zip_name_locate(archive, "markup.bcf", ZIP_FL_NODIR);
+    ASSERT_GE(first, 0);
+    if (is_new)
+      ASSERT_GE(zip_file_add(archive, "more/markup.bcf", text, 0), 0);
+    else
+      ASSERT_EQ(zip_file_replace(archive, static_cast<zip_uint64_t>(first), text, 0), 0);
+    ASSERT_EQ(zip_close(archive), 0);
+    expect_kept(is_new ? "a topic more" : "a topic changed");
+  }
+  folder.write("out.bcf", ours + " ");
+  expect_kept("longer");
+  folder.write("out.bcf", ours.substr(0, ours.size() / 2));
+  expect_kept("cut short");
+  EXPECT_EQ(clash({"--bcf", "out.bcf"}).code, 1) << "nobody has written to it";
+}
+
 TEST_F(Files, OnePlaceTakesOneDocument) {
   std::filesystem::create_directory(folder.path() / "sub");
   std::filesystem::create_symlink("sub", folder.path() / "link");
@@ -171,8 +205,9 @@ TEST_F(Files, AnInterruptWhileTopicsAreDrawnLeavesTheOldArchive) {
     folder.write(name, off(box({i, i, i}, {i + 100, i + 100, i + 100})));
     words.push_back(name);
   }
-  const std::string older = "PK\3\4" + std::string(26, ' ') + "bcf.version";
-  folder.write("out.bcf", older);
+  ASSERT_NE(clash({"--bcf", "out.bcf"}).code, 2);
+  const std::string older = folder.read("out.bcf");
+  ASSERT_FALSE(older.empty());
   Running running(folder, words);
   ASSERT_TRUE(running.handles(SIGINT, 20s));
   const auto names = [&] {
@@ -203,7 +238,8 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   refused({"--date", "2024-01-01"}, "--bcf FILE");
   refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf FILE");
   refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
-  refused({"--up", "y"}, "--up is for");
+  refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");
+  refused({"--up", "x", "--html", "out.html"}, "'x'");
   refused({"--unit", "miles", "--bcf", "out.bcf"}, "'miles'");
   refused({"--up", "x", "--gltf", "out.glb"}, "'x'");
   refused({"--date", "2023-02-29", "--bcf", "out.bcf"}, "'2023-02-29'");

@@ -24,6 +24,7 @@ TEST(NamesOfFiles, HaveAsManyFoldersAsTellThemApart) {
   EXPECT_EQ(names_of_files({"a/c/x", "b/c/x", "d/x"}), (Names{"a/c/x", "b/c/x", "d/x"}));
   EXPECT_EQ(names_of_files({"a/../p/x", "./q/x"}), (Names{"p/x", "q/x"}));
   EXPECT_EQ(names_of_files({}), Names{});
+  EXPECT_EQ(names_of_files({"", "x"}), (Names{"", "x"}));
 }
 
 TEST(NamesOfFiles, DoNotHaveTheFolderThatAllAreIn) {

@@ -12,8 +12,11 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "models.hpp"
+#include "read_back.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/io/animated_gltf.hpp"
 
 namespace impinge::test {
 namespace {
@@ -163,6 +166,78 @@ TEST_F(PageFile, InstancesShareAMesh) {
   ASSERT_EQ(out.scene.at("objects").size(), 3U);
   EXPECT_EQ(out.corners(1), corners(cube(20, 0, 0)));
   EXPECT_EQ(out.corners(2), corners(cube(0, 0, 40)));
+}
+
+TEST_F(PageFile, SaysWhichAxisIsUp) {
+  folder.write("a.obj", obj(cube(0, 0, 0)));
+  folder.write("b.stl", stl(cube(3, 0, 0)));
+  folder.write("c.gltf", gltf({{"one", {6, 0, 0}}}));
+  folder.write("house.ifc", ifc_of_two_walls());
+  folder.write("HOUSE.IFC", ifc_of_two_walls());
+  folder.write("duck.dae", collada_of_two_walls());
+  const auto up = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--html", "out.html", "--quiet"});
+    const Ended ended = run(words);
+    EXPECT_NE(ended.code, 2) << ended.err;
+    return page().scene.at("up").get<std::string>();
+  };
+  for (const std::string command : {"view", "clash"}) {
+    SCOPED_TRACE(command);
+    // assimp's readers turn these, or their formats say so.
+    for (const char* file : {"house.ifc", "HOUSE.IFC", "duck.dae", "c.gltf"})
+      EXPECT_EQ(up({command, file}), "y") << file;
+    for (const char* file : {"a.obj", "b.stl", "a.off"}) EXPECT_EQ(up({command, file}), "z") << file;
+    // A file that leaves it open fits the one that does not, in either order.
+    EXPECT_EQ(up({command, "a.obj", "house.ifc"}), "y");
+    EXPECT_EQ(up({command, "house.ifc", "a.obj"}), "y");
+    EXPECT_EQ(up({command, "a.obj", "b.stl"}), "z");
+    EXPECT_EQ(up({command, "a.obj", "--up", "y"}), "y");
+    EXPECT_EQ(up({command, "house.ifc", "--up", "z"}), "z");
+  }
+}
+
+TEST_F(PageFile, HasTheSameUpAsOtherOutputs) {
+  folder.write("a.obj", obj(cube(0, 0, 0)));
+  folder.write("house.ifc", ifc_of_two_walls());
+  for (const std::string up : {"", "y", "z"}) {
+    std::vector<std::string> words{"clash", "a.obj", "house.ifc", "--html", "out.html", "--csv", "out.csv"};
+    words.insert(words.end(), {"--unit", "m", "--quiet"});
+    if (!up.empty()) words.insert(words.end(), {"--up", up});
+    EXPECT_EQ(run(words).code, 1);
+    const auto rows = read_csv(folder.read("out.csv"));
+    ASSERT_GT(rows.size(), 1U);
+    const auto number = [&](const std::string& column) {
+      const auto at = std::find(rows[0].begin(), rows[0].end(), column) - rows[0].begin();
+      return std::stod(rows.at(1).at(static_cast<std::size_t>(at)));
+    };
+    EXPECT_EQ(number("z_m"), number(page().scene.at("up"))) << up;
+    EXPECT_NE(number("y"), number("z"));
+  }
+}
+
+TEST_F(PageFile, TellsWhichGroupsPartsAreIn) {
+  for (const char* const name : {"one.glb", "two.glb"}) {
+    AnimatedGltf file;
+    const auto part = [&](const char* part_name, double x) {
+      return file.node({{"name", part_name}, {"mesh", 0}, {"translation", {x, 0, 0}}});
+    };
+    const int left = file.node({{"name", "asm"}, {"children", {part("bolt", 0), part("bolt", 10)}}});
+    const int unnamed = file.node({{"children", {part("DN 1/2", 20)}}});
+    const int right = file.node({{"name", "asm"}, {"children", {unnamed}}});
+    file.roots({file.node({{"name", "a/b"}, {"children", {left, right}}}), part("lid", 30)});
+    folder.write(name, file.glb());
+  }
+  EXPECT_EQ(run({"view", "one.glb", "a.off", "two.glb", "--html", "out.html"}).code, 0);
+  const Page out = page();
+  EXPECT_EQ(out.scene.at("groups"), json::parse(R"([{"name":"a/b"},{"name":"asm","parent":0},{"name":"asm","parent":0},
+                            {"name":"a/b"},{"name":"asm","parent":3},{"name":"asm","parent":3}])"));
+  std::vector<std::string> ways;
+  for (const json& object : out.report.at("objects")) {
+    const json& drawn = out.scene.at("objects").at(object.at("id").get<std::size_t>());
+    ways.push_back(object.at("name").get<std::string>() + " " + drawn.value("group", json("-")).dump());
+  }
+  EXPECT_EQ(ways, (std::vector<std::string>{"bolt 1", "bolt (2) 1", "DN 1/2 2", "lid \"-\"", "a \"-\"", "bolt 4",
+                                            "bolt (2) 4", "DN 1/2 5", "lid \"-\""}));
 }
 
 TEST_F(PageFile, NoNameEndsItsBlock) {

@@ -72,7 +72,7 @@ class TriageFiles : public testing::Test {
     pair_of(first, "p2")["status"] = "in \"review\"\n<b>";
     pair_of(first, "p2")["comment"] = "two\nlines & \x1b[2J";
     pair_of(first, "p2").at("regions").at(0)["status"] = "approved";
-    pair_of(first, "p2").at("regions").at(0)["comment"] = "glued";
+    pair_of(first, "p2").at("regions").at(0)["comment"] = "glued,\r\nand\rwelded";
     folder.write("last.json", first.dump());
     pin("p4", 32);
     return run({"p2", "p3", "p4"}, {"--previous", "last.json"});
@@ -163,7 +163,7 @@ TEST_F(TriageFiles, BcfHasStatusLabelsAndComments) {
     EXPECT_EQ(std::string(comment.child("Author").text().get()), "impinge");
     EXPECT_EQ(std::string(comment.child("Viewpoint").attribute("Guid").value()), kept.view().attribute("Guid").value());
   }
-  EXPECT_EQ(said, (std::vector<std::string>{"two\nlines & \\x1b[2J", "Region 1 (approved): glued"}));
+  EXPECT_EQ(said, (std::vector<std::string>{"two\nlines & \\x1b[2J", "Region 1 (approved): glued,\nand\nwelded"}));
   const Topic& fresh = topics.at(pair_of(report, "p4").at("id"));
   EXPECT_EQ(std::string(fresh.topic().attribute("TopicStatus").value()), "Open");
   EXPECT_EQ(texts(fresh.topic(), "Labels"), (std::vector<std::string>{"penetrating", "pins & \"plate\"", "new"}));

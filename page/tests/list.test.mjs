@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// The parts of the page that are read: lists, filters, figures, messages. Expected orders are worked out here from the report.
+// The list of clashes: order, filters, figures. Expected orders are worked out here from the report.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
-import { blocksOf, compose } from './compose.mjs';
 import { listed, settled, startBrowser } from './browser.mjs';
-import { kLong, kMarkup, review, reviewPage } from './fixture.mjs';
+import { compose } from './compose.mjs';
+import { review, reviewPage } from './fixture.mjs';
 
 const kOrder = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'apart'];
-const { report, scene, geometry } = review();
+const { report, scene } = review();
 const depth = (pair) =>
   pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a[1]) : NaN;
 const area = (pair) => pair.regions.reduce((sum, region) => sum + region.area, 0);
@@ -29,12 +28,8 @@ const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
 const changeOf = ({ change, regions }) =>
   change === 'persisting' && regions.some((region) => region.change === 'new') ? 'new region' : change;
+const isWorse = ({ was, verdict }) => was !== null && kOrder.indexOf(verdict) < kOrder.indexOf(was);
 const nameOf = (id) => report.objects[id].name;
-
-test('a page has the licences of what it contains', () => {
-  const licence = readFileSync(new URL('../node_modules/three/LICENSE', import.meta.url), 'utf8').trim();
-  assert.ok(compose({}).includes(licence));
-});
 
 describe('the list of clashes', () => {
   let browser;
@@ -74,6 +69,23 @@ describe('the list of clashes', () => {
       'clearance 0.5',
     ]) {
       assert.ok(facts.includes(fact), `${fact} in ${facts}`);
+    }
+  });
+
+  test('says what fails: the words of the call, or the modes of the tests', async () => {
+    const { report, scene, geometry } = review();
+    const tests = [{ name: 'bolts against plates', mode: 'contact' }];
+    for (const [more, failOn, told] of [
+      [{}, ['penetration', 'inside'], 'fails on penetration, inside'],
+      [{ tests: [] }, [], 'fails on nothing'],
+      [{ tests }, [], 'fails by the mode of each test'],
+      [{ tests }, ['new'], 'fails by the mode of each test, only what is new'],
+    ]) {
+      const settings = { ...report.settings, fail_on: failOn };
+      const { page, close } = await browser.open(compose({ report: { ...report, ...more, settings }, scene, geometry }));
+      const facts = await page.locator('#facts > span').allTextContents();
+      assert.deepEqual(facts.filter((fact) => fact.startsWith('fails')), [told]); // prettier-ignore
+      await close();
     }
   });
 
@@ -144,9 +156,60 @@ describe('the list of clashes', () => {
     await page.fill('#distance-to', '0.25');
     assert.deepEqual(
       await listed(page),
-      ranksOf((pair) => pair.distance !== null && pair.distance <= 0.25),
+      ranksOf((pair) => pair.verdict !== 'apart' || pair.distance <= 0.25),
     );
     await clear();
+  });
+
+  test('is filtered by figures as they are shown, and as they are', async () => {
+    const { report, scene, geometry } = review({ triage: false });
+    const [first, second, third] = report.pairs.filter((pair) => pair.verdict === 'apart');
+    [first.distance, second.distance, third.distance] = [0.0100002, 0.0099998, 0.01001];
+    const deep = report.pairs.filter((pair) => pair.overlap_depth);
+    deep.forEach((pair, i) => (pair.overlap_depth = { a_in_b: [0, [0.0199999, 0.0200002, 0.01998, 1][i]], b_in_a: null }));
+    // What lies free in another is as far as the clearance from its boundary, or farther.
+    const free = report.pairs.find((pair) => pair.verdict === 'inside');
+    free.touching = free.coplanar = free.crossing = 0;
+    const { page, close } = await browser.open(compose({ report, scene, geometry }));
+    const pairs = (field, value) => async () => {
+      await page.fill(field, value);
+      const ranks = await listed(page);
+      await page.fill(field, '');
+      return page.evaluate(
+        (ranks) => ranks.map((rank) => window.impinge.clashes[rank - 1].pair).map(({ a, b }) => `${a} ${b}`),
+        ranks,
+      );
+    };
+    const namesOf = (some) => some.map(({ a, b }) => `${a} ${b}`).sort();
+    const isMeeting = (pair) => pair.verdict !== 'apart' && pair !== free;
+    for (const [value, near] of [
+      ['0.01', [first, second]],
+      ['0.0099999', [second]],
+      ['0.0100002', [first, second]],
+      ['0.01001', [first, second, third]],
+      ['0', []],
+    ]) {
+      const found = (await pairs('#distance-to', value)()).sort();
+      assert.deepEqual(found, namesOf([...report.pairs.filter(isMeeting), ...near]), value);
+    }
+    for (const [value, found] of [
+      ['0.02', [deep[0], deep[1], deep[3]]],
+      ['0.0200002', [deep[1], deep[3]]],
+      ['0.01998', deep],
+    ])
+      assert.deepEqual((await pairs('#depth-from', value)()).sort(), namesOf(found), value);
+    await close();
+  });
+
+  test('says what may be typed in full', async () => {
+    const room = await page.locator('#clash-search').evaluate((input) => {
+      const style = getComputedStyle(input);
+      const context = document.createElement('canvas').getContext('2d');
+      context.font = style.font;
+      // A search field keeps room for the cross that empties it.
+      return input.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - 20 - context.measureText(input.placeholder).width;
+    });
+    assert.ok(room >= 0, `${room} pixels are left`);
   });
 
   test('is filtered by what triage says', async () => {
@@ -165,6 +228,9 @@ describe('the list of clashes', () => {
       );
       await clear();
     }
+    await page.selectOption('#filter-change', 'worse');
+    assert.deepEqual(await listed(page), ranksOf(isWorse));
+    await clear();
     await page.click('.chip.resolved');
     assert.deepEqual(await listed(page), [ranked.length + 1, ranked.length + 2].map(String));
     await clear();
@@ -277,7 +343,7 @@ describe('the list of clashes', () => {
   });
 
   test('marks what got worse', async () => {
-    const marked = ranked.filter((pair) => pair.was && kOrder.indexOf(pair.verdict) < kOrder.indexOf(pair.was));
+    const marked = ranked.filter(isWorse);
     assert.deepEqual(marked, [report.pairs[0]]);
     const rows = await listed(page, '.tags');
     assert.deepEqual(
@@ -365,241 +431,4 @@ describe('the list of clashes', () => {
       assert.ok(reached.has(id), id);
     }
   });
-});
-
-describe('the tree of parts', () => {
-  let browser;
-  before(async () => (browser = await startBrowser()));
-  after(() => browser.stop());
-
-  test('lists files, groups and parts; search leaves what matches and the way to it', async () => {
-    const { page, close } = await browser.open(reviewPage());
-    const names = await listed(page, '.name', '#parts-tree');
-    assert.equal(names.length, 12 + 2 + 4, 'parts, files and the groups frame, left, right, far');
-    await page.fill('#parts-search', 'bolt FRAME');
-    assert.deepEqual(await listed(page, '.name', '#parts-tree'), [
-      'left.stl',
-      'frame',
-      'left',
-      'bolt',
-      'bolt (2)',
-      'right',
-      'bolt (3)',
-    ]);
-    await page.fill('#parts-search', '');
-    await page.focus('#parts-tree');
-    await page.keyboard.press('Home');
-    await page.keyboard.press('ArrowLeft');
-    assert.deepEqual((await listed(page, '.name', '#parts-tree')).slice(0, 2), ['left.stl', 'right.stl'], 'closed');
-    await close();
-  });
-
-  test('counts in red what fails, and nothing else', async () => {
-    const nothing = report.pairs.map((pair) => ({ ...pair, fails: false }));
-    for (const pairs of [report.pairs, nothing]) {
-      const { page, close } = await browser.open(compose({ report: { ...report, pairs }, scene, geometry }), {
-        height: 1600,
-      });
-      const red = await page.evaluate(() => {
-        const bad = document.createElement('i');
-        bad.style.color = 'var(--bad)';
-        document.body.append(bad);
-        const colour = getComputedStyle(bad).color;
-        bad.remove();
-        return [...document.querySelectorAll('#parts-tree .row')]
-          .filter((row) => getComputedStyle(row.querySelector('.badge')).color === colour)
-          .map((row) => row.querySelector('.name').textContent);
-      });
-      const failing = report.objects.filter(({ id }) =>
-        pairs.some((pair) => pair.fails && (pair.a === id || pair.b === id)),
-      );
-      assert.equal(red.length, failing.length);
-      for (const name of ['bolt', 'plate', 'post'])
-        assert.equal(red.includes(name), failing.some((one) => one.name === name), name);
-      await close();
-    }
-  });
-
-  test('hides, isolates and shows', async () => {
-    const { page, close } = await browser.open(reviewPage());
-    await page.focus('#parts-tree');
-    await page.keyboard.press('Home');
-    await page.keyboard.press('h');
-    assert.equal(await page.textContent('#parts-count'), '12, 6 hidden');
-    await page.keyboard.press('i');
-    assert.equal(await page.textContent('#parts-count'), '12, 6 hidden');
-    await page.click('#show-all');
-    assert.equal(await page.textContent('#parts-count'), '12');
-    await close();
-  });
-});
-
-describe('the page', () => {
-  let browser;
-  before(async () => (browser = await startBrowser()));
-  after(() => browser.stop());
-
-  test('shows names as text, whatever they hold', async () => {
-    const { page, close } = await browser.open(reviewPage());
-    assert.equal(await page.evaluate(() => window.broken), undefined);
-    assert.equal(await page.locator('#parts-tree img, #clash-list img, #details-body b').count(), 0);
-    const names = await listed(page, '.name', '#parts-tree');
-    assert.ok(names.includes(kMarkup));
-    assert.ok(names.includes('left\\u202eright\\nnext\\x00line'), 'characters that steer are spelled out');
-    assert.ok(
-      names.some((name) => name.startsWith('long/') && name.length < kLong.length / 10),
-      'a long name is cut',
-    );
-    await close();
-  });
-
-  test('has nothing to scroll sideways at 320 pixels', async () => {
-    const { page, close } = await browser.open(reviewPage(), { width: 320, height: 256, hash: '#clash=1' });
-    for (const pane of ['clashes', 'details', 'parts']) {
-      await page.click(`#panes [data-pane=${pane}]`);
-      assert.ok(await page.locator(`#${pane}`).isVisible());
-      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 320), pane);
-    }
-    await close();
-  });
-
-  test('is light or dark as the system is, until the button says otherwise', async () => {
-    const { page, close } = await browser.open(reviewPage(), { scheme: 'dark' });
-    const ground = () => page.evaluate(() => getComputedStyle(document.getElementById('parts')).backgroundColor);
-    const dark = await ground();
-    await page.click('#theme-button');
-    const light = await ground();
-    assert.notEqual(dark, light);
-    await page.emulateMedia({ colorScheme: 'light' });
-    assert.equal(await ground(), light);
-    await page.keyboard.press('t');
-    assert.equal(await ground(), dark);
-    await close();
-  });
-
-  test('text has a contrast of 4.5 or more, light and dark', async () => {
-    for (const scheme of ['light', 'dark']) {
-      const { page, close } = await browser.open(reviewPage(), { scheme, hash: '#clash=3' });
-      const poor = await page.evaluate(() => {
-        const parse = (text) => (text.match(/[\d.]+/g) ?? []).map(Number);
-        const light = ([r, g, b]) =>
-          [r, g, b]
-            .map((c) => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
-            .reduce((s, c, i) => s + c * [0.2126, 0.7152, 0.0722][i], 0);
-        const groundOf = (element) => {
-          for (let e = element; e; e = e.parentElement) {
-            const colour = parse(getComputedStyle(e).backgroundColor);
-            if (colour.length === 3 || colour[3] === 1) return colour;
-          }
-          return [255, 255, 255];
-        };
-        const found = [];
-        for (const element of document.querySelectorAll('body *')) {
-          const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
-          if (!own || !element.checkVisibility() || element.closest(':disabled, script, #cube')) continue;
-          const [x, y] = [light(parse(getComputedStyle(element).color)), light(groundOf(element))];
-          const contrast = (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
-          if (contrast < 4.5)
-            found.push(
-              `${element.tagName}.${element.className} ${element.textContent.slice(0, 20)} ${contrast.toFixed(2)}`,
-            );
-        }
-        return found;
-      });
-      assert.deepEqual(poor, [], scheme);
-      await close();
-    }
-  });
-
-  test('shows a model without clashes', async () => {
-    const plain = { ...report, settings: null, pairs: [], counts: null, resolved: undefined };
-    const { page, close } = await browser.open(compose({ report: plain, scene, geometry }));
-    assert.ok(!(await page.locator('#clashes').isVisible()));
-    assert.equal((await listed(page, '.name', '#parts-tree')).length, 18);
-    assert.equal(await page.textContent('#verdict-line'), '');
-    await close();
-  });
-
-  test('says so if the model was simplified', async () => {
-    const { page, close } = await browser.open(
-      compose({ report, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
-    );
-    assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles; figures/);
-    await close();
-    const more = await browser.open(
-      compose({ report, scene: { ...scene, triangles: 9999, shown: 1100, asked: 1000 }, geometry }),
-    );
-    assert.match(
-      await more.page.textContent('#facts'),
-      /simplified to 1.100 of 9.999 triangles, as with fewer parts would lose their shape; figures/,
-    );
-    await more.close();
-  });
-
-  const broken = {
-    'no report': [{ scene, geometry }, /the block “report” is missing/],
-    'a report that is not JSON': [{ report: '{"version":1,', scene, geometry }, /“report” is not JSON/],
-    'a report of another version': [
-      { report: { ...report, version: 7 }, scene, geometry },
-      /version 7, and this page reads version 1/,
-    ],
-    'a pair of no parts': [
-      { report: { ...report, pairs: [{ ...report.pairs[0], b: 99 }] }, scene, geometry },
-      /its pair 0 names no two parts/,
-    ],
-    'no scene': [{ report, geometry }, /the block “scene” is missing/],
-    'a scene of another report': [
-      { report, scene: { ...scene, objects: [] }, geometry },
-      /0 objects, but the report has 12 parts/,
-    ],
-    'a pose that is none': [
-      { report, scene: { ...scene, objects: scene.objects.map(() => ({ mesh: 0, pose: [1] })) }, geometry },
-      /its object 0 has no mesh or no pose/,
-    ],
-    'no geometry': [{ report, scene }, /the block “geometry” is missing/],
-    'geometry cut short': [{ report, scene, geometry: geometry.slice(0, 40) }, /geometry cannot be read/],
-    'geometry of noise': [{ report, scene, geometry: '!!!!' }, /geometry cannot be read/],
-    'geometry of too few bytes': [
-      {
-        report,
-        scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, triangles: mesh.triangles + 1 })) },
-        geometry,
-      },
-      /geometry cannot be read/,
-    ],
-  };
-  for (const [what, [blocks, words]] of Object.entries(broken)) {
-    test(`tells of ${what}`, async () => {
-      const { page, close } = await browser.open(compose(blocks));
-      assert.match(await page.textContent('#trouble'), words);
-      assert.ok(await page.locator('#trouble').isVisible());
-      if (
-        blocks.report &&
-        typeof blocks.report === 'object' &&
-        words.source.match(/geometry|scene|objects,|object 0/)
-      ) {
-        assert.equal((await listed(page)).length, report.pairs.length, 'the list is there all the same');
-      }
-      await close();
-    });
-  }
-
-  test('blocks hold no sequence that ends them', () => {
-    assert.equal(blocksOf({ report }).match(/<\/script/g).length, 1);
-  });
-});
-
-test('without WebGL the list and the figures are complete', async () => {
-  const browser = await startBrowser({ webgl: false });
-  try {
-    const { page, close } = await browser.open(reviewPage());
-    assert.match(await page.textContent('#stage-note'), /offers no WebGL 2/);
-    assert.equal((await listed(page)).length, report.pairs.length);
-    await page.locator('#clash-list .row').first().click();
-    assert.match(await page.textContent('#details-body'), /is a duplicate of/);
-    for (const key of ['f', '1', 's', 'e', 'x', 'p', 'h', 'i', 'a', 'Escape']) await page.keyboard.press(key);
-    await close({ ignoring: /WebGL/ });
-  } finally {
-    await browser.stop();
-  }
 });

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+/// The classes of IFC's products, and which are derived from which.
+namespace impinge::cli {
+
+[[nodiscard]] bool is_ifc_class(std::string_view name);
+
+/// Whether objects of the class `name` are of the class `wanted`: it is that, or derived from it.
+[[nodiscard]] bool is_of_ifc_class(std::string_view name, std::string_view wanted);
+
+/// The known class that is spelled most like the word.
+[[nodiscard]] std::string_view nearest_ifc_class(std::string_view word);
+
+}  // namespace impinge::cli

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// The page as a whole: what it contains, colours, widths, messages, what a browser lacks.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, describe, test } from 'node:test';
+import { blocksOf, compose } from './compose.mjs';
+import { listed, startBrowser } from './browser.mjs';
+import { kLong, kMarkup, review, reviewPage } from './fixture.mjs';
+
+const { report, scene, geometry } = review();
+
+test('a page has the licences of what it contains', () => {
+  const licence = readFileSync(new URL('../node_modules/three/LICENSE', import.meta.url), 'utf8').trim();
+  assert.ok(compose({}).includes(licence));
+});
+describe('the page', () => {
+  let browser;
+  before(async () => (browser = await startBrowser()));
+  after(() => browser.stop());
+
+  test('shows names as text, whatever they hold', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    assert.equal(await page.evaluate(() => window.broken), undefined);
+    assert.equal(await page.locator('#parts-tree img, #clash-list img, #details-body b').count(), 0);
+    const names = await listed(page, '.name', '#parts-tree');
+    assert.ok(names.includes(kMarkup));
+    assert.ok(names.includes('left\\u202eright\\nnext\\x00line'), 'characters that steer are spelled out');
+    assert.ok(
+      names.some((name) => name.startsWith('long/') && name.length < kLong.length / 10),
+      'a long name is cut',
+    );
+    await close();
+  });
+
+  test('has nothing to scroll sideways at 320 pixels', async () => {
+    const { page, close } = await browser.open(reviewPage(), { width: 320, height: 256, hash: '#clash=1' });
+    for (const pane of ['clashes', 'details', 'parts']) {
+      await page.click(`#panes [data-pane=${pane}]`);
+      assert.ok(await page.locator(`#${pane}`).isVisible());
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 320), pane);
+    }
+    await close();
+  });
+
+  test('is light or dark as the system is, until the button says otherwise', async () => {
+    const { page, close } = await browser.open(reviewPage(), { scheme: 'dark' });
+    const ground = () => page.evaluate(() => getComputedStyle(document.getElementById('parts')).backgroundColor);
+    const dark = await ground();
+    await page.click('#theme-button');
+    const light = await ground();
+    assert.notEqual(dark, light);
+    await page.emulateMedia({ colorScheme: 'light' });
+    assert.equal(await ground(), light);
+    await page.keyboard.press('t');
+    assert.equal(await ground(), dark);
+    await close();
+  });
+
+  test('text has a contrast of 4.5 or more, light and dark', async () => {
+    for (const scheme of ['light', 'dark']) {
+      const { page, close } = await browser.open(reviewPage(), { scheme, hash: '#clash=3' });
+      const poor = await page.evaluate(() => {
+        const parse = (text) => (text.match(/[\d.]+/g) ?? []).map(Number);
+        const light = ([r, g, b]) =>
+          [r, g, b]
+            .map((c) => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+            .reduce((s, c, i) => s + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const groundOf = (element) => {
+          for (let e = element; e; e = e.parentElement) {
+            const colour = parse(getComputedStyle(e).backgroundColor);
+            if (colour.length === 3 || colour[3] === 1) return colour;
+          }
+          return [255, 255, 255];
+        };
+        const found = [];
+        for (const element of document.querySelectorAll('body *')) {
+          const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
+          if (!own || !element.checkVisibility() || element.closest(':disabled, script, #cube')) continue;
+          const [x, y] = [light(parse(getComputedStyle(element).color)), light(groundOf(element))];
+          const contrast = (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
+          if (contrast < 4.5)
+            found.push(
+              `${element.tagName}.${element.className} ${element.textContent.slice(0, 20)} ${contrast.toFixed(2)}`,
+            );
+        }
+        return found;
+      });
+      assert.deepEqual(poor, [], scheme);
+      await close();
+    }
+  });
+
+  test('shows a model without clashes', async () => {
+    const plain = { ...report, settings: null, pairs: [], counts: null, resolved: undefined };
+    const { page, close } = await browser.open(compose({ report: plain, scene, geometry }));
+    assert.ok(!(await page.locator('#clashes').isVisible()));
+    assert.equal((await listed(page, '.name', '#parts-tree')).length, 18);
+    assert.equal(await page.textContent('#verdict-line'), '');
+    await close();
+  });
+
+  test('what could not be read of the files is said on top', async () => {
+    const missing = [`a.dae: ${kMarkup}`];
+    const { page, close } = await browser.open(compose({ report: { ...report, missing }, scene, geometry }));
+    assert.deepEqual(await page.locator('#facts .left-out').allTextContents(), [`not read: a.dae: ${kMarkup}`]);
+    await close();
+  });
+
+  test('says so if the model was simplified', async () => {
+    const { page, close } = await browser.open(
+      compose({ report, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
+    );
+    assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles; figures/);
+    await close();
+    const more = await browser.open(
+      compose({ report, scene: { ...scene, triangles: 9999, shown: 1100, asked: 1000 }, geometry }),
+    );
+    assert.match(
+      await more.page.textContent('#facts'),
+      /simplified to 1.100 of 9.999 triangles, as with fewer parts would lose their shape; figures/,
+    );
+    await more.close();
+  });
+
+  const broken = {
+    'no report': [{ scene, geometry }, /the block “report” is missing/],
+    'a report that is not JSON': [{ report: '{"version":1,', scene, geometry }, /“report” is not JSON/],
+    'a report of another version': [
+      { report: { ...report, version: 7 }, scene, geometry },
+      /version 7, and this page reads version 1/,
+    ],
+    'a pair of no parts': [
+      { report: { ...report, pairs: [{ ...report.pairs[0], b: 99 }] }, scene, geometry },
+      /its pair 0 names no two parts/,
+    ],
+    'no scene': [{ report, geometry }, /the block “scene” is missing/],
+    'a scene of another report': [
+      { report, scene: { ...scene, objects: [] }, geometry },
+      /0 objects, but the report has 12 parts/,
+    ],
+    'a pose that is none': [
+      { report, scene: { ...scene, objects: scene.objects.map(() => ({ mesh: 0, pose: [1] })) }, geometry },
+      /its object 0 has no mesh or no pose/,
+    ],
+    'no geometry': [{ report, scene }, /the block “geometry” is missing/],
+    'geometry cut short': [{ report, scene, geometry: geometry.slice(0, 40) }, /geometry cannot be read/],
+    'geometry of noise': [{ report, scene, geometry: '!!!!' }, /geometry cannot be read/],
+    'geometry of too few bytes': [
+      {
+        report,
+        scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, triangles: mesh.triangles + 1 })) },
+        geometry,
+      },
+      /geometry cannot be read/,
+    ],
+  };
+  for (const [what, [blocks, words]] of Object.entries(broken)) {
+    test(`tells of ${what}`, async () => {
+      const { page, close } = await browser.open(compose(blocks));
+      assert.match(await page.textContent('#trouble'), words);
+      assert.ok(await page.locator('#trouble').isVisible());
+      if (
+        blocks.report &&
+        typeof blocks.report === 'object' &&
+        words.source.match(/geometry|scene|objects,|object 0/)
+      ) {
+        assert.equal((await listed(page)).length, report.pairs.length, 'the list is there all the same');
+      }
+      await close();
+    });
+  }
+
+  test('blocks hold no sequence that ends them', () => {
+    assert.equal(blocksOf({ report }).match(/<\/script/g).length, 1);
+  });
+});
+
+test('without WebGL the list and the figures are complete', async () => {
+  const browser = await startBrowser({ webgl: false });
+  try {
+    const { page, close } = await browser.open(reviewPage());
+    assert.match(await page.textContent('#stage-note'), /offers no WebGL 2/);
+    assert.equal((await listed(page)).length, report.pairs.length);
+    await page.locator('#clash-list .row').first().click();
+    assert.match(await page.textContent('#details-body'), /is a duplicate of/);
+    for (const key of ['f', '1', 's', 'e', 'x', 'p', 'h', 'i', 'a', 'Escape']) await page.keyboard.press(key);
+    await close({ ignoring: /WebGL/ });
+  } finally {
+    await browser.stop();
+  }
+});

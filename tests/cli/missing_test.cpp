@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// What a reader could not read of a file is said wherever an answer without it is.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/import_stream.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kLost = "3 of 15 triangles are missing";
+
+/// A file of one triangle, by an importer that says that something of it is lost.
+class Missing : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.dae", "<COLLADA/>");
+    folder.write("page.html", kPageHead + "<html><!-- impinge: data --></html>\n");
+    const std::filesystem::path stream = folder.path() / "stream", importer = folder.path() / "importer";
+    const int descriptor = ::open(stream.c_str(), O_WRONLY | O_CREAT, 0600);
+    ASSERT_GE(descriptor, 0);
+    io::ImportWriter writer(descriptor);
+    writer.missing(kLost);
+    const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::vector<std::uint32_t> triangle{0, 1, 2};
+    writer.mesh(xyz, triangle);
+    writer.object("bolt", "bolt", "", 0, io::kNoNode, io::kNoNode, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+    ASSERT_TRUE(writer.end());
+    ::close(descriptor);
+    folder.write("importer", "#!/bin/sh\nexec cat '" + stream.string() + "'\n");
+    std::filesystem::permissions(importer, std::filesystem::perms::owner_all);
+    launch.environment["IMPINGE_IMPORTER"] = importer.string();
+    launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
+  }
+  Folder folder;
+  Launch launch;
+};
+
+TEST_F(Missing, IsSaidWithEveryAnswer) {
+  for (const char* const command : {"check", "clash"}) {
+    const Ended run = impinge(folder, {command, "a.dae", "--quiet", "--json", "-"}, launch);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "impinge: a.dae: " + kLost + "\n");
+    EXPECT_EQ(json::parse(run.out).at("missing"), json::array({"a.dae: " + kLost}));
+  }
+  const Ended info = impinge(folder, {"info", "a.dae"}, launch);
+  EXPECT_NE(info.out.find("warning: " + kLost), std::string::npos) << info.out;
+}
+
+TEST_F(Missing, IsOnThePage) {
+  for (const char* const command : {"view", "clash"}) {
+    const Ended run = impinge(folder, {command, "a.dae", "--quiet", "--html", "out.html"}, launch);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "impinge: a.dae: " + kLost + "\n");
+    EXPECT_NE(folder.read("out.html").find(R"("missing":["a.dae: )" + kLost), std::string::npos);
+  }
+}
+
+TEST_F(Missing, IsNoMemberWhereNothingIs) {
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Ended run = impinge(folder, {"clash", "a.off", "--quiet", "--json", "-"}, launch);
+  EXPECT_EQ(run.err, "");
+  EXPECT_FALSE(json::parse(run.out).contains("missing"));
+}
+
+}  // namespace
+}  // namespace impinge::test

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Exports that have a date in their names.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "meshes.hpp"
+#include "program.hpp"
+
+namespace impinge::test {
+namespace {
+
+using nlohmann::json;
+
+struct Block {
+  std::string name;
+  std::array<int, 3> lo;
+  int size = 2;
+};
+
+std::string blocks(const std::vector<Block>& all) {
+  std::string text;
+  int corners = 0;
+  for (const auto& [name, lo, size] : all) {
+    text += "o " + name + "\n";
+    const Solid solid = box(lo, {lo[0] + size, lo[1] + size, lo[2] + size});
+    for (const auto& [x, y, z] : solid.vertices)
+      text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    for (const auto& triangle : solid.triangles) {
+      text += "f";
+      for (const int corner : triangle) text += " " + std::to_string(corners + corner + 1);
+      text += "\n";
+    }
+    corners += 8;
+  }
+  return text;
+}
+
+/// The names of two parts.
+std::string parts_of(const json& report, const json& pair) {
+  const auto name = [&](const char* side) {
+    return report.at("objects").at(pair.at(side).get<std::size_t>()).at("path").get<std::string>();
+  };
+  return std::min(name("a"), name("b")) + "/" + std::max(name("a"), name("b"));
+}
+
+class Renamed : public testing::Test {
+ protected:
+  /// A run on these files, which knows the last one, and what it complained of.
+  void run(std::vector<std::string> files) {
+    files.insert(files.begin(), {"clash", "--json", "new.json", "--bcf", "new.bcf", "--regions"});
+    if (!report.is_null()) {
+      folder.write("last.json", report.dump());
+      files.insert(files.end(), {"--previous", "last.json"});
+    }
+    for (const char* name : {"new.json", "new.bcf"}) std::filesystem::remove(folder.path() / name);
+    const Ended ended = impinge(folder, files);
+    ASSERT_LE(ended.code, 1) << ended.err;
+    said = ended.err;
+    report = json::parse(folder.read("new.json"));
+  }
+  /// Approves each pair that nothing is written about, for its parts.
+  void approve() {
+    for (json& pair : report.at("pairs"))
+      if (pair.at("status").is_null()) pair["status"] = parts_of(report, pair);
+  }
+  /// All pairs, by their parts' names, of which these persist with what was written about them.
+  void expect(const std::set<std::string>& persisting, const std::set<std::string>& fresh) const {
+    std::set<std::string> kept, others;
+    for (const json& pair : report.at("pairs")) {
+      const std::string parts = parts_of(report, pair);
+      (pair.at("change") == "persisting" ? kept : others).insert(parts);
+      EXPECT_EQ(pair.at("status"), pair.at("change") == "persisting" ? json(parts) : json(nullptr)) << parts;
+    }
+    EXPECT_EQ(kept, persisting);
+    EXPECT_EQ(others, fresh);
+  }
+  [[nodiscard]] std::map<std::string, std::string> known_as() const {
+    std::map<std::string, std::string> known;
+    for (const json& file : report.at("files")) known[file.at("name")] = file.at("known_as");
+    return known;
+  }
+  [[nodiscard]] std::set<std::string> ids() const {
+    std::set<std::string> found;
+    for (const json& pair : report.at("pairs")) found.insert(pair.at("id").get<std::string>());
+    return found;
+  }
+  Folder folder;
+  json report;
+  std::string said;
+};
+
+using Known = std::map<std::string, std::string>;
+const std::vector<Block> kModel{{"plate", {0, 0, 0}, 4}, {"pin", {3, 3, 3}}, {"bolt", {-1, -1, -1}}};
+
+TEST_F(Renamed, EachWeekIsTheSameFile) {
+  const std::vector<std::string> weeks{"model_2026-11-15.obj", "model_2026-11-22.obj", "model_2026-11-29.obj"};
+  std::set<std::string> first;
+  for (std::size_t week = 0; week < weeks.size(); ++week) {
+    SCOPED_TRACE(weeks[week]);
+    std::filesystem::create_directory(folder.path() / std::to_string(week));
+    const std::string file = std::to_string(week) + "/" + weeks[week];
+    std::vector<Block> model = kModel;
+    if (week == 2) model[1].lo = {3, 3, 2};  // one has moved
+    folder.write(file, blocks(model));
+    run({file});
+    EXPECT_EQ(known_as(), (Known{{weeks[week], weeks[0]}}));
+    if (week == 0) {
+      EXPECT_EQ(said, "");
+      approve();
+      first = ids();
+      continue;
+    }
+    EXPECT_EQ(said, "impinge: " + weeks[week] + " is taken for " + weeks[week - 1] +
+                        " of last.json, renamed: its parts are known by the same names as then\n");
+    expect({"pin/plate", "bolt/plate"}, {});
+    EXPECT_TRUE(report.at("resolved").empty());
+    EXPECT_EQ(ids(), first) << "and so the topics of the BCF";
+  }
+  run({"2/" + weeks[2]});
+  EXPECT_EQ(said, "");
+  expect({"pin/plate", "bolt/plate"}, {});
+  // What has the name of the first week then, beside the last one, is another file, and is from then on.
+  for (int again = 0; again < 2; ++again) {
+    run({"2/" + weeks[2], "0/" + weeks[0]});
+    EXPECT_EQ(said, "");
+    EXPECT_EQ(known_as(), (Known{{weeks[2], weeks[0]}, {weeks[0], weeks[0] + " (2)"}}));
+    for (const json& pair : report.at("pairs"))
+      EXPECT_EQ(pair.at("status").is_string(), first.contains(pair.at("id").get<std::string>()));
+    EXPECT_EQ(report.at("pairs").size(), again == 0 ? report.at("pairs").size() : ids().size());
+  }
+}
+
+TEST_F(Renamed, PartsThatAreCalledAsTheirFileAre) {
+  folder.write("plate_1.off", off(box({0, 0, 0}, {4, 4, 4})));
+  folder.write("pin_1.off", off(box({3, 3, 3}, {6, 6, 6})));
+  run({"plate_1.off", "pin_1.off"});
+  report.at("pairs").at(0)["status"] = "approved";
+  const std::set<std::string> first = ids();
+  for (const char* name : {"plate", "pin"})
+    std::filesystem::rename(folder.path() / (name + std::string("_1.off")),
+                            folder.path() / (name + std::string("_2.off")));
+  run({"plate_2.off", "pin_2.off"});
+  EXPECT_EQ(said,
+            "impinge: pin_2.off is taken for pin_1.off of last.json, renamed, and 1 other file likewise: its parts are "
+            "known by the same names as then\n");
+  EXPECT_EQ(ids(), first);
+  EXPECT_EQ(report.at("pairs").at(0).at("status"), "approved");
+}
+
+TEST_F(Renamed, OneOfTwoFilesOfWhichAPartHasChanged) {
+  folder.write("plates.obj", blocks({kModel[0]}));
+  folder.write("pins_1.obj", blocks({kModel[1], kModel[2]}));
+  run({"plates.obj", "pins_1.obj"});
+  approve();
+  const std::set<std::string> first = ids();
+  folder.write("pins_2.obj", blocks({{"pin", {3, 3, 1}}, kModel[2], {"new", {3, -1, 0}}}));
+  run({"pins_2.obj", "plates.obj"});
+  EXPECT_NE(said.find("pins_2.obj is taken for pins_1.obj of last.json, renamed: "), std::string::npos) << said;
+  EXPECT_EQ(known_as(), (Known{{"plates.obj", "plates.obj"}, {"pins_2.obj", "pins_1.obj"}}));
+  expect({"pin/plate", "bolt/plate"}, {"new/plate"});
+  for (const std::string& id : first) EXPECT_TRUE(ids().contains(id));
+}
+
+TEST_F(Renamed, FilesThatChangeTheirNamesWithEachOther) {
+  const std::string left = blocks({kModel[0], {"pin", {3, 3, 3}}}),
+                    right = blocks({{"plate", {20, 0, 0}, 4}, {"pin", {22, 3, 3}}});
+  folder.write("a.obj", left), folder.write("b.obj", right);
+  run({"a.obj", "b.obj"});
+  approve();
+  folder.write("a.obj", right), folder.write("b.obj", left);
+  run({"a.obj", "b.obj"});
+  EXPECT_EQ(said, "");
+  EXPECT_EQ(known_as(), (Known{{"a.obj", "a.obj"}, {"b.obj", "b.obj"}}));
+}
+
+TEST_F(Renamed, IsNoneThatIsAnotherFile) {
+  // Parts of the same names, but no others: the one is gone, and the other has nothing of what was written.
+  folder.write("plate.obj", blocks({kModel[0]}));
+  folder.write("pins.obj", blocks({{"solid", {3, 3, 3}}, {"frame", {100, 0, 0}}, {"body", {-1, 0, 0}}}));
+  folder.write("pipes.obj", blocks({{"solid", {3, 0, 0}}, {"frame", {100, 0, 0}}, {"body", {-1, 3, 0}}}));
+  run({"plate.obj", "pins.obj"});
+  approve();
+  run({"plate.obj", "pipes.obj"});
+  EXPECT_EQ(
+      said,
+      "impinge: all clashes of pipes.obj are new: last.json has no file of that name, and pins.obj, which it has, "
+      "cannot be told for certain to be the same, renamed; if so, give the file the name that it had then\n");
+  expect({}, {"plate/solid", "body/plate"});
+  EXPECT_EQ(known_as(), (Known{{"plate.obj", "plate.obj"}, {"pipes.obj", "pipes.obj"}}));
+  std::set<std::string> kept;
+  for (const json& gone : report.at("resolved")) kept.insert(gone.at("status").get<std::string>());
+  EXPECT_EQ(kept, (std::set<std::string>{"plate/solid", "body/plate"}));
+}
+
+TEST_F(Renamed, WhatTakesTheFirstNameOfARenamedFileIsNotIt) {
+  folder.write("plate.obj", blocks({kModel[0]}));
+  folder.write("pins.obj", blocks({kModel[1], kModel[2]}));
+  folder.write("pins_2.obj", blocks({kModel[1], kModel[2]}));
+  run({"plate.obj", "pins.obj"});
+  approve();
+  run({"plate.obj", "pins_2.obj"});
+  expect({"pin/plate", "bolt/plate"}, {});
+  folder.write("pins.obj", blocks({{"pin", {3, 0, 0}}, {"bolt", {-1, 3, 0}}}));
+  run({"plate.obj", "pins.obj"});
+  expect({}, {"pin/plate", "bolt/plate"});
+  EXPECT_EQ(known_as(), (Known{{"plate.obj", "plate.obj"}, {"pins.obj", "pins.obj (2)"}}));
+}
+
+TEST_F(Renamed, IsNoneThatHasTheNameOfAPart) {
+  for (const bool stays : {true, false}) {
+    SCOPED_TRACE(stays);
+    report = json();
+    folder.write("bolt.obj", blocks(kModel));
+    run({"bolt.obj"});
+    approve();
+    folder.write("pin.obj", blocks(stays ? kModel : std::vector<Block>{kModel[0], kModel[1]}));
+    run({"pin.obj"});
+    expect({}, stays ? std::set<std::string>{"pin/plate", "bolt/plate"} : std::set<std::string>{"pin/plate"});
+    EXPECT_EQ(report.at("resolved").size(), 2U);
+  }
+}
+
+TEST_F(Renamed, IsNoneIfAnotherFileIsAsMuchLikeIt) {
+  const std::vector<Block> frame{{"frame", {50, 0, 0}}};
+  const auto with = [&](const Block& block) { return blocks({frame[0], block}); };
+  const std::string first = with({"pin", {3, 3, 3}}), second = with({"pin", {-1, -1, -1}});
+  folder.write("plate.obj", blocks({kModel[0]}));
+  folder.write("c.obj", second);
+  for (const bool moved_on : {true, false}) {
+    SCOPED_TRACE(moved_on);
+    report = json();
+    folder.write("a.obj", first);
+    folder.write("b.obj", second);
+    run({"plate.obj", "a.obj", "b.obj"});
+    for (json& pair : report.at("pairs")) pair["status"] = "approved";
+    // c is what b was, or a copy of it.
+    if (moved_on) folder.write("b.obj", first);
+    run({"plate.obj", "b.obj", "c.obj"});
+    EXPECT_EQ(known_as(), (Known{{"plate.obj", "plate.obj"}, {"b.obj", "b.obj"}, {"c.obj", "c.obj"}}));
+    for (const json& pair : report.at("pairs"))
+      if (report.at("objects").at(pair.at("b").get<std::size_t>()).at("file") == "c.obj") {
+        EXPECT_EQ(pair.at("status"), json(nullptr));
+      }
+  }
+}
+
+TEST_F(Renamed, SeveralAtOnceAreToldApartByTheirParts) {
+  const std::vector<Block> left{{"plate", {0, 0, 0}, 4}, {"pin", {3, 3, 3}}},
+      right{{"plate", {20, 0, 0}, 4}, {"pin", {22, 3, 3}}};
+  folder.write("north_1.obj", blocks(left)), folder.write("south_1.obj", blocks(right));
+  run({"north_1.obj", "south_1.obj"});
+  for (json& pair : report.at("pairs"))
+    pair["status"] = pair.at("regions").at(0).at("centroid").at(0) < 10 ? "left" : "right";
+  const std::set<std::string> first = ids();
+  // Their names say the opposite, and one is added.
+  folder.write("south_2.obj", blocks(left)), folder.write("north_2.obj", blocks(right));
+  folder.write("west_2.obj", blocks({{"pin", {60, 0, 0}}}));
+  run({"west_2.obj", "north_2.obj", "south_2.obj"});
+  EXPECT_EQ(known_as(),
+            (Known{{"west_2.obj", "west_2.obj"}, {"north_2.obj", "south_1.obj"}, {"south_2.obj", "north_1.obj"}}));
+  EXPECT_EQ(ids(), first);
+  for (const json& pair : report.at("pairs"))
+    EXPECT_EQ(pair.at("status"), pair.at("regions").at(0).at("centroid").at(0) < 10 ? "left" : "right");
+  // Two that are alike: nobody knows which is which.
+  folder.write("x.obj", blocks(left)), folder.write("y.obj", blocks(left));
+  run({"x.obj", "y.obj"});
+  EXPECT_NE(said.find("all clashes of x.obj and 1 other are new: "), std::string::npos) << said;
+  for (const json& pair : report.at("pairs")) EXPECT_TRUE(pair.at("status").is_null());
+}
+
+TEST_F(Renamed, OfAReportThatSaysNothingOfFiles) {
+  folder.write("model_1.obj", blocks(kModel)), folder.write("model_2.obj", blocks(kModel));
+  run({"model_1.obj"});
+  approve();
+  report.erase("files");
+  run({"model_2.obj"});
+  expect({"pin/plate", "bolt/plate"}, {});
+}
+
+}  // namespace
+}  // namespace impinge::test
