@@ -3,12 +3,16 @@
 #pragma once
 
 /// impinge: every pair of triangles that touch between meshes, exactly.
+#include "impinge/clash.hpp"
 #include "impinge/collide.hpp"
 #include "impinge/contacts.hpp"
 #include "impinge/devices.hpp"
+#include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/predicates.hpp"
+#include "impinge/regions.hpp"
 #include "impinge/result.hpp"
 #include "impinge/scene.hpp"
 #include "impinge/version.hpp"
+#include "impinge/workspace.hpp"

@@ -26,13 +26,14 @@ struct MetSide {
   [[nodiscard]] Triangle triangle(std::uint32_t index) const { return part.body.triangle(sheets.ids[index]); }
 };
 
-/// Both parts' sides of some pairs of triangles. Sheets are made of these, and of others that are named besides.
+/// Both parts' sides of some pairs of triangles, exactly or within a tolerance. Sheets are made of these, and of others
+/// that are named besides.
 template <class Pairs>
-std::array<MetSide, 2> sides_of(const solid::Part& a, const solid::Part& b, const Pairs& pairs,
+std::array<MetSide, 2> sides_of(const solid::Part& a, const solid::Part& b, const Pairs& pairs, double tolerance,
                                 std::vector<std::uint32_t> ids_a = {}, std::vector<std::uint32_t> ids_b = {}) {
   for (const auto& pair : pairs) ids_a.push_back(pair.a), ids_b.push_back(pair.b);
-  std::array<MetSide, 2> sides{MetSide{a, sheets_of(a, std::move(ids_a)), {}},
-                               MetSide{b, sheets_of(b, std::move(ids_b)), {}}};
+  std::array<MetSide, 2> sides{MetSide{a, sheets_of(a, std::move(ids_a), tolerance), {}},
+                               MetSide{b, sheets_of(b, std::move(ids_b), tolerance), {}}};
   for (MetSide& side : sides) side.met.resize(side.sheets.ids.size());
   for (const auto& pair : pairs) {
     if (!a.is_boundary(pair.a) || !b.is_boundary(pair.b)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "clash/local_frame.hpp"
 #include "measure/nearest.hpp"
@@ -31,6 +32,8 @@ std::vector<Shell> shells_of(const solid::Part& part) {
   return shells;
 }
 
+double area_of(const Triangle& t) { return norm(cross(t[1] - t[0], t[2] - t[0])) / 2; }
+
 /// The deepest of some points under a triangle's middle.
 std::optional<DeepPoint> deepest_below(const solid::Part& part, std::uint32_t t, const LocalFrame& frame, double size) {
   constexpr int kTries = 10;
@@ -56,19 +59,32 @@ std::optional<DeepPoint> deepest_below(const solid::Part& part, std::uint32_t t,
 
 }  // namespace
 
-std::vector<DeepPoint> deep_points(const solid::Part& part) {
-  constexpr std::size_t kEnough = 3, kMostTriangles = 24;
+std::vector<DeepPoint> deep_points(const solid::Part& part, double enough) {
+  constexpr std::size_t kMostPoints = 3, kMostTriangles = 24;
   std::vector<DeepPoint> points;
   if (!part.solid) return points;
-  for (const Shell& shell : shells_of(part)) {
+  for (Shell& shell : shells_of(part)) {
     if (shell.triangles.empty()) continue;
     const LocalFrame frame = local_frame(shell.box, shell.box);
     const double size = norm(frame.unit * (shell.box.hi - shell.box.lo)) / frame.unit;
-    const std::size_t stride = std::max<std::size_t>(shell.triangles.size() / kMostTriangles, 1);
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < shell.triangles.size() && found < kEnough; i += stride) {
-      if (const auto point = deepest_below(part, shell.triangles[i], frame, size)) points.push_back(*point), ++found;
+    // Under the largest: below a sliver another face is near.
+    std::vector<std::pair<double, std::uint32_t>> order;
+    for (const std::uint32_t t : shell.triangles)
+      order.emplace_back(-area_of(frame.to_local(part.body.triangle(t))), t);
+    const std::size_t count = std::min(order.size(), kMostTriangles);
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+    std::vector<DeepPoint> found;
+    std::size_t deep = 0;
+    for (std::size_t i = 0; i < count && deep < kMostPoints; ++i) {
+      const auto point = deepest_below(part, order[i].second, frame, size);
+      if (!point) continue;
+      found.push_back(*point);
+      deep += point->depth > enough ? 1U : 0U;
     }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const DeepPoint& p, const DeepPoint& q) { return p.depth > q.depth; });
+    found.resize(std::min(found.size(), kMostPoints));
+    points.insert(points.end(), found.begin(), found.end());
   }
   return points;
 }

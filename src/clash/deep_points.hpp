@@ -16,7 +16,7 @@ struct DeepPoint {
   std::uint32_t shell;  ///< the nearest: nothing of the boundary is between it and the point
 };
 
-/// Up to three for each shell, as deep as a few tries find; none for a shell that is too thin for that.
-std::vector<DeepPoint> deep_points(const solid::Part& part);
+/// Up to three for each shell, deeper than what is enough if a few tries find such; none for a shell that is too thin.
+std::vector<DeepPoint> deep_points(const solid::Part& part, double enough);
 
 }  // namespace impinge::clash

@@ -15,12 +15,6 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;  ///< positions
 
-Corners corners_of(const solid::Part& part, std::uint32_t triangle) {
-  const auto& [a, b, c] = part.body.placed.mesh->triangles[triangle];
-  const auto& position = part.topology.position;
-  return {position[a], position[b], position[c]};
-}
-
 std::size_t place_of(std::uint32_t position, const Corners& corners) {
   return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), position) - corners.begin());
 }

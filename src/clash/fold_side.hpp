@@ -6,12 +6,14 @@
 
 #include "clash/local_frame.hpp"
 #include "clash/near_cells.hpp"
+#include "clash/sheet_ends.hpp"
 
 namespace impinge::clash {
 
 /// A triangle of a part, in local coordinates too.
 struct PartTriangle {
   const LinkedPart& part;
+  const SheetEnds& ends;
   const LocalFrame& frame;
   std::uint32_t id;
   Triangle local;

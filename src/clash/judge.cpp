@@ -8,6 +8,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/passing.hpp"
 #include "clash/verdict.hpp"
+#include "exact/orientation.hpp"
 #include "exact/segment.hpp"
 #include "exact/triangle_pair.hpp"
 #include "measure/nearest.hpp"
@@ -82,13 +83,13 @@ class Case {
   }
   bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
-  /// False where floating point cannot tell.
+  /// False where floating point, or the points that are looked at, cannot tell.
   bool judge_nearly() {
     const auto found = near_cells(a_, b_, {judgement_.tolerance, met_, enough(), goal_.stop});
     if (!found) return false;
     Cells cells = *found;
     if (kinds_.a_is_solid && kinds_.b_is_solid) {
-      if (met_.is_near() && !is_settled(cells, kinds_)) look_deep(cells);
+      if (met_.is_near() && !is_settled(cells, kinds_) && !look_deep(cells)) return false;
     } else if (!kinds_.a_is_solid && !kinds_.b_is_solid && ((cells.a | cells.b) & kOutside) == 0) {
       cells.a |= kSameSide, cells.b |= kSameSide;
     }
@@ -101,11 +102,14 @@ class Case {
 
   /// What is near is shared: with both interiors on one side if somewhere deep within the one part lies the other too.
   /// And what lies deep within one and outside of the other is not inside of it, wherever its boundary is near.
-  void look_deep(Cells& cells) const {
+  /// False if no point tells, while all of both is near: they may be one or lie side by side.
+  bool look_deep(Cells& cells) const {
+    constexpr std::uint8_t kFarOff = solid::kInside | kOutside;
     const Spread of_a = spread(known_a_, b_.part), of_b = spread(known_b_, a_.part);
     if (of_a.inside || of_b.inside) cells.a |= kSameSide, cells.b |= kSameSide;
     if (of_a.outside) cells.a |= kOutside;
     if (of_b.outside) cells.b |= kOutside;
+    return of_a.inside || of_b.inside || ((cells.a | cells.b) & kFarOff) != 0;
   }
 
   Note note() {
@@ -113,11 +117,38 @@ class Case {
     if (verdict == Verdict::penetrating || verdict == Verdict::crossing) return Note::none;
     if (verdict == Verdict::duplicate) return is_exact(verdict) ? Note::none : Note::equal_within_tolerance;
     if (met_.contacts.empty()) return verdict == Verdict::touching ? Note::gap_within_tolerance : Note::none;
-    if (verdict == Verdict::inside) return some_cross() ? Note::outside_within_tolerance : Note::none;
-    const auto& contacts = met_.contacts;
+    const Note differs = verdict == Verdict::inside ? Note::outside_within_tolerance : Note::overlap_within_tolerance;
+    if (some_cross()) return differs;
     const auto overlap = [&](const exact::Contact& contact) { return has_interiors_on_one_side(contact); };
-    const bool do_overlap = verdict == Verdict::touching && std::any_of(contacts.begin(), contacts.end(), overlap);
-    return some_cross() || do_overlap ? Note::overlap_within_tolerance : Note::none;
+    if (verdict == Verdict::touching && std::any_of(met_.contacts.begin(), met_.contacts.end(), overlap))
+      return differs;
+    // Boundaries that are cut where they meet the other may go on beyond without a pair that crosses.
+    const bool is_so = verdict == Verdict::touching && kinds_.a_is_solid && kinds_.b_is_solid
+                           ? are_parted() || !solid::reach_into_each_other(a_.part, b_.part, met_.contacts)
+                           : is_exact(verdict);
+    return is_so ? Note::none : differs;
+  }
+
+  /// Whether the plane of some shared area has the two on either side: most flush parts lie so.
+  [[nodiscard]] bool are_parted() const {
+    const auto& contacts = met_.contacts;
+    const auto flush = std::find_if(contacts.begin(), contacts.end(),
+                                    [](const exact::Contact& contact) { return contact.kind == Kind::coplanar; });
+    if (flush == contacts.end()) return false;
+    const Triangle plane = a_.part.body.triangle(flush->a);
+    const auto sides_of = [&](const LinkedPart& part) {
+      int lo = 0, hi = 0;
+      for (const Vec3& vertex : part.part.body.world) {
+        const int side = exact::orient3d(plane[0], plane[1], plane[2], vertex);
+        lo = std::min(lo, side), hi = std::max(hi, side);
+        if (lo < hi - 1) break;
+      }
+      return std::pair(lo, hi);
+    };
+    const auto [lo_a, hi_a] = sides_of(a_);
+    if (lo_a < 0 && hi_a > 0) return false;
+    const auto [lo_b, hi_b] = sides_of(b_);
+    return (lo_a >= 0 && hi_b <= 0) || (hi_a <= 0 && lo_b >= 0);
   }
 
   [[nodiscard]] bool some_cross() const { return met_.counts[static_cast<std::size_t>(Kind::crossing)] > 0; }

@@ -68,7 +68,7 @@ KnownPart know(solid::Body body, const Defects& defects) {
   facts.self_crossings = defects.count, facts.self_crossing = defects.first;
   if (!part.topology.open_edges.empty()) facts.open_edge = place_of(part.topology.open_edges[0], part);
   measure(known);
-  known.deep_points = deep_points(part);
+  known.deep_points = deep_points(part, known.thinnest_wall / 4);  // no larger tolerance is applied
   return known;
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 /// In tolerances: what is no farther from a point than the first of these is there, and a ray is with another one if it
 /// ends no farther from it than the second. (A line may be one tolerance off what is near it, and so may what is near
-/// on its other side.)
-constexpr double kThere = 3, kWith = 2;
+/// on its other side.) One that is no longer than the third would be with another one at whatever angle.
+constexpr double kThere = 3, kWith = 2, kShort = 4;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -59,12 +59,6 @@ double distance(const Vec3& point, const Segment& segment) {
 
 Vec3 normal(const Triangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
-/// What lies over a slab's triangle.
-Polygon between(Polygon piece, const Slab& slab) {
-  for (std::size_t i = 0; i < slab.size && piece.size() > 0; ++i) piece = cut(piece, slab.sides[i]).within;
-  return piece;
-}
-
 /// A triangle's flap as it goes on from a point.
 struct NearFlap {
   Flap flap;
@@ -95,9 +89,13 @@ std::optional<NearStretch> NearGeometry::stretch(const NearLine& line, const Tri
   };
   const Span near = clipped(tolerance_), nearby = clipped(3 * tolerance_);
   if (!(nearby.length() > 0)) return std::nullopt;
-  NearStretch stretch{nearby.lo, nearby.hi, 2 * near.lo - nearby.lo, 2 * near.hi - nearby.hi, number, triangle};
-  if (!(near.length() > 0) || !(stretch.surely_hi > stretch.surely_lo))
+  NearStretch stretch{nearby.lo, nearby.hi, 2 * near.lo - nearby.lo, 2 * near.hi - nearby.hi, false, number, triangle};
+  if (!(near.length() > 0) || !(stretch.surely_hi > stretch.surely_lo)) {
     stretch.surely_lo = stretch.surely_hi = nearby.hi;
+    // What ends because the two part at an angle is as much shorter as the distance is, or by half of that if the line
+    // begins beyond the triangle.
+    stretch.is_beside = clipped(2.75 * tolerance_).length() > (1 - 1.0 / 32) * nearby.length();
+  }
   return stretch;
 }
 
@@ -128,6 +126,10 @@ std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double 
     return dot(shorter.flap.toward - point, longer.flap.toward - point) > 0 &&
            distance(shorter.flap.toward, longer.section) <= kWith * tolerance_;
   };
+  for (std::size_t i = 0; flaps.size() > 1 && i < flaps.size(); ++i) {
+    const NearFlap &flap = flaps[i], &next = flaps[(i + 1) % flaps.size()];
+    if (std::min(flap.extent, next.extent) <= kShort * tolerance_ && are_one(flap, next)) return std::nullopt;
+  }
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < flaps.size(); ++i) {
     if (i == 0 || !are_one(flaps[i - 1], flaps[i])) rays.emplace_back();

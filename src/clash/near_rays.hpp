@@ -23,6 +23,7 @@ struct NearLine {
 struct NearStretch {
   double lo, hi;                ///< elsewhere it is not near
   double surely_lo, surely_hi;  ///< there it is; empty around a point
+  bool is_beside;               ///< nowhere surely, and as long whatever the distance that counts: beside each other
   std::uint32_t number;         ///< as flaps are numbered
   Triangle triangle;
 };
@@ -46,7 +47,8 @@ class NearGeometry {
 
   /// Around a point of a line, of the triangles that are near it there: counterclockwise as seen against the line's
   /// direction. What lies within the tolerance of another, as far as the shorter one goes on, is in one ray with it.
-  /// Nothing where a triangle is too narrow to be told from a line.
+  /// Nothing where a triangle is too narrow to be told from a line, or an overhang too short to be told from what it
+  /// lies beside.
   [[nodiscard]] std::optional<std::vector<Ray>> rays(const NearLine& line, double at,
                                                      const std::vector<const NearStretch*>& near) const;
 

@@ -120,7 +120,7 @@ void NearTriangle::subtract(Polygon piece, const SlabIds& slabs, std::size_t nex
            std::any_of(slab.sides.begin(), slab.sides.begin() + static_cast<std::ptrdiff_t>(slab.size), misses);
   };
   for (; next < slabs.size() && is_missed(slabs_[slabs[next]].slab); ++next) ++effort_;
-  if (next == slabs.size()) return evaluate(piece, slabs, 0);
+  if (next == slabs.size()) return evaluate(piece, slabs);
   const Slab& slab = slabs_[slabs[next]].slab;
   const auto go_on = [&](const HalfSpace& half_space) {
     const Cut parts = cut(piece, half_space);
@@ -135,9 +135,8 @@ void NearTriangle::subtract(Polygon piece, const SlabIds& slabs, std::size_t nex
 
 // A piece outside of the slabs, or what is left of it, or a small one, is on one side where it is far: near where
 // all of it is near one triangle; else some point of it is farther than the tolerance from all, or halving it goes
-// on.
-void NearTriangle::evaluate(const Polygon& piece, const SlabIds& slabs, int depth) {
-  constexpr int kDeep = 10;
+// on. Where all points that are looked at are near however small the piece, what is farther is so by rounding alone.
+void NearTriangle::evaluate(const Polygon& piece, const SlabIds& slabs) {
   ++effort_;
   if (is_exhausted()) return;
   const bool is_near_one = std::any_of(slabs.begin(), slabs.end(), [&](std::uint32_t i) {
@@ -153,18 +152,15 @@ void NearTriangle::evaluate(const Polygon& piece, const SlabIds& slabs, int dept
     locate_at(middle);
     return;
   }
-  if (is_near(piece, by_middle->triangle)) {
+  const double least = std::max(0x1p-20 * tolerance_, 0x1p-47 * space_.frame.scale);
+  if (is_near(piece, by_middle->triangle) || radius(piece, middle) <= least) {
     bits_ |= kNear;
     return;
   }
   if (is_told_by_corners(piece)) return;
-  if (depth == kDeep) {
-    locate_at(middle);
-    return;
-  }
   const Cut halves = halve(piece);
   for (const Polygon* half : {&halves.within, &halves.beyond})
-    if (half->size() > 0) evaluate(*half, slabs, depth + 1);
+    if (half->size() > 0) evaluate(*half, slabs);
 }
 
 // A piece that is small beside the tolerance, whatever slabs reach it: in halves until each is told.
@@ -174,7 +170,7 @@ void NearTriangle::settle(const Polygon& piece) {
   if (is_exhausted()) return;
   const Vec3 middle = piece.middle();
   const double size = radius(piece, middle);
-  if (size <= kSmallest * tolerance_) return evaluate(piece, {}, 0);
+  if (size <= kSmallest * tolerance_) return evaluate(piece, {});
   if (is_told(piece, middle, size)) return;
   const Cut halves = halve(piece);
   for (const Polygon* half : {&halves.within, &halves.beyond})

@@ -58,7 +58,7 @@ class NearTriangle {
   [[nodiscard]] bool is_exhausted() const;
   void divide(const Polygon& piece, const SlabIds& slabs, Before before);
   void subtract(Polygon piece, const SlabIds& slabs, std::size_t next);
-  void evaluate(const Polygon& piece, const SlabIds& slabs, int depth);
+  void evaluate(const Polygon& piece, const SlabIds& slabs);
   void settle(const Polygon& piece);
   bool is_told(const Polygon& piece, const Vec3& middle, double size);
   bool is_told_by_corners(const Polygon& piece);

@@ -31,7 +31,8 @@ class Passing {
         stop_(stop),
         around_(a_.sheets, b_.sheets),
         along_a_(a_, b_),
-        along_b_(b_, a_) {}
+        along_b_(b_, a_),
+        is_open_(a_.sheets.ids.size()) {}
 
   bool find() {
     if (some_cross() || look_along_edges(a_, true) || look_along_edges(b_, false)) return true;
@@ -41,12 +42,11 @@ class Passing {
     return around_.pass_at_areas();
   }
 
-  /// Pairs of which it is open what they share.
-  [[nodiscard]] std::vector<TrianglePair> open_pairs() const {
-    std::vector<TrianglePair> open;
+  /// Triangles of a of which it is open what they share with b.
+  [[nodiscard]] std::vector<std::uint32_t> open_triangles() const {
+    std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < a_.met.size() && !stop_.stop_requested(); ++i)
-      for (const std::uint32_t j : a_.met[i])
-        if (near_.is_open(local(a_, i), local(b_, j))) open.push_back({a_.sheets.ids[i], b_.sheets.ids[j]});
+      if (is_open_[i] || is_open_with_some(i)) open.push_back(a_.sheets.ids[i]);
     return open;
   }
 
@@ -56,6 +56,11 @@ class Passing {
 
   [[nodiscard]] Triangle local(const MetSide& side, std::uint32_t index) const {
     return near_.frame().to_local(side.triangle(index));
+  }
+
+  [[nodiscard]] bool is_open_with_some(std::uint32_t i) const {
+    return std::any_of(a_.met[i].begin(), a_.met[i].end(),
+                       [&](std::uint32_t j) { return near_.is_open(local(a_, i), local(b_, j)); });
   }
 
   bool some_cross() {
@@ -91,17 +96,17 @@ class Passing {
     return look_at_sections(*line, stretches);
   }
 
-  /// Where a triangle's stretch may end or not, nothing is told.
   struct Piece {
     double lo, hi;
-    const NearStretch* stretch;  ///< none where it is open whether the triangle is there
+    const NearStretch* stretch;
+    bool is_open;  ///< whether the triangle is there
   };
 
   bool look_at_sections(const NearLine& line, const std::vector<NearStretch>& stretches) {
     std::vector<Piece> pieces;
     for (const NearStretch& s : stretches)
-      for (const Piece& piece :
-           {Piece{s.lo, s.surely_lo, nullptr}, Piece{s.surely_lo, s.surely_hi, &s}, Piece{s.surely_hi, s.hi, nullptr}})
+      for (const Piece& piece : {Piece{s.lo, s.surely_lo, &s, true}, Piece{s.surely_lo, s.surely_hi, &s, false},
+                                 Piece{s.surely_hi, s.hi, &s, true}})
         if (piece.lo < piece.hi) pieces.push_back(piece);
     bool passing = false;
     each_section(std::move(pieces), [&](const std::vector<const Piece*>& open, double lo, double hi) {
@@ -109,12 +114,24 @@ class Passing {
       std::vector<const NearStretch*> there;
       there.reserve(open.size());
       for (const Piece* const piece : open) there.push_back(piece->stretch);
-      if (std::count(there.begin(), there.end(), nullptr) > 0) return true;
+      if (std::any_of(open.begin(), open.end(), [](const Piece* piece) { return piece->is_open; })) {
+        if (std::any_of(open.begin(), open.end(),
+                        [](const Piece* piece) { return piece->is_open && piece->stretch->is_beside; }))
+          leave_open(there);
+        return true;
+      }
       const auto rays = near_.rays(line, (lo + hi) / 2, there);
+      if (!rays) leave_open(there);
       passing = rays && around_.look_around(*rays);
       return !passing;
     });
     return passing;
+  }
+
+  /// The half-planes around a line cannot be told: it runs beside what is near it, in about the tolerance.
+  void leave_open(const std::vector<const NearStretch*>& near) {
+    for (const NearStretch* const stretch : near)
+      if (stretch->number % 2 == 0) is_open_[stretch->number / 2] = true;
   }
 
   std::vector<NearStretch> stretches_of(const NearLine& line, const std::vector<std::uint32_t>& triangles,
@@ -132,15 +149,17 @@ class Passing {
   const std::stop_token& stop_;
   AroundLines around_;
   AlongEdge along_a_, along_b_;
+  std::vector<bool> is_open_;  ///< triangles of a
 };
 
 }  // namespace
 
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop) {
-  const std::array<MetSide, 2> sides = sides_of(a.part, b.part, encounter.near, encounter.near_a, encounter.near_b);
+  const std::array<MetSide, 2> sides =
+      sides_of(a.part, b.part, encounter.near, tolerance, encounter.near_a, encounter.near_b);
   Passing passing(sides, tolerance, stop);
-  return passing.find() || pass_widely(a, b, tolerance, encounter, passing.open_pairs(), stop);
+  return passing.find() || pass_widely(a, b, tolerance, encounter, passing.open_triangles(), stop);
 }
 
 }  // namespace impinge::clash

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <stop_token>
 
@@ -15,14 +16,14 @@ namespace impinge::clash {
 bool pass_through(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
                   const std::stop_token& stop);
 
-/// The same for what hangs together with pairs of triangles so narrow or so flush that the rays around a line cannot be
-/// told. A place is a set of near pairs that hang together by common triangles, of two sheets: triangles that hang
-/// together by common vertices. There, each sheet is on both sides of the other, where it comes within the other's
-/// triangles and is not near another of them, and the place is longer than a point is: an edge that ends on a face, or
-/// pokes through it by no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles
-/// hand them on; a one-sided surface has none.
+/// The same for what hangs together with those triangles of a about which the rays around a line cannot be told. A
+/// place is a set of near pairs that hang together by common triangles, of two sheets: triangles that hang together by
+/// common vertices. There, each sheet is on both sides of the other, where it comes within the other's triangles and is
+/// not near another of them, and the place is longer than a point is: an edge that ends on a face, or pokes through it
+/// by no more than the tolerance, does not pass. Sides are told apart as far as neighbouring triangles hand them on; a
+/// one-sided surface has none.
 bool pass_widely(const LinkedPart& a, const LinkedPart& b, double tolerance, const Encounter& encounter,
-                 std::span<const TrianglePair> open, const std::stop_token& stop);
+                 std::span<const std::uint32_t> open_a, const std::stop_token& stop);
 
 /// The same, exactly: two triangles cross, or somewhere along a common line, or around a common area, each sheet is on
 /// both sides of the other. `contacts` are all pairs of triangles that share more than

@@ -117,7 +117,7 @@ class Passing {
 bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts) {
   if (std::any_of(contacts.begin(), contacts.end(), [](const auto& c) { return c.kind == Kind::crossing; }))
     return true;
-  const std::array<MetSide, 2> sides = sides_of(a, b, contacts);
+  const std::array<MetSide, 2> sides = sides_of(a, b, contacts, 0);
   std::array<std::vector<bool>, 2> flat;
   for (std::size_t i = 0; i < 2; ++i) flat[i].resize(sides[i].sheets.ids.size(), true);
   for (const exact::Contact& contact : contacts)

@@ -2,7 +2,40 @@
 // SPDX-License-Identifier: MIT
 #include "clash/polygon.hpp"
 
+#include <algorithm>
+
 namespace impinge::clash {
+namespace {
+
+using Heights = std::array<double, Polygon::kMost>;
+
+/// From the highest corner to the lowest, either way around.
+void keep_below(Heights& height, std::size_t from, std::size_t to, std::size_t step, std::size_t size) {
+  bool is_below = false;
+  for (std::size_t i = from; i != to; i = (i + step) % size) {
+    is_below |= height[i] < 0;
+    if (is_below && height[i] > 0) height[i] = 0;
+  }
+}
+
+/// Around a convex polygon heights fall once and rise once. Where they do not, the polygon is not quite convex for
+/// rounding, and what is in the way lies on the plane but for as much: so a plane meets two borders at most.
+void keep_one_fall(Heights& height, std::size_t size) {
+  std::size_t above = 0, below = 0;  // runs
+  for (std::size_t i = 0; i < size; ++i) {
+    const double next = height[i + 1 == size ? 0 : i + 1];
+    above += height[i] > 0 && !(next > 0) ? 1U : 0U;
+    below += height[i] < 0 && !(next < 0) ? 1U : 0U;
+  }
+  if (above <= 1 && below <= 1) return;
+  const auto end = height.begin() + static_cast<std::ptrdiff_t>(size);
+  const auto top = static_cast<std::size_t>(std::max_element(height.begin(), end) - height.begin());
+  const auto bottom = static_cast<std::size_t>(std::min_element(height.begin(), end) - height.begin());
+  keep_below(height, top, bottom, 1, size);
+  keep_below(height, top, bottom, size - 1, size);
+}
+
+}  // namespace
 
 Vec3 Polygon::middle() const {
   Vec3 sum{0, 0, 0};
@@ -11,7 +44,7 @@ Vec3 Polygon::middle() const {
 }
 
 Cut cut(const Polygon& polygon, const HalfSpace& half_space) {
-  std::array<double, Polygon::kMost> height;
+  Heights height;
   bool some_within = false, some_beyond = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     height[i] = dot(half_space.normal, polygon[i]) - half_space.offset;
@@ -19,6 +52,7 @@ Cut cut(const Polygon& polygon, const HalfSpace& half_space) {
   }
   if (!some_beyond) return {polygon, {}};
   if (!some_within) return {{}, polygon};
+  keep_one_fall(height, polygon.size());
   Cut result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t next = i + 1 == polygon.size() ? 0 : i + 1;

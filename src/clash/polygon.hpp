@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -25,7 +26,10 @@ class Polygon {
   [[nodiscard]] const Vec3* begin() const { return points_.data(); }
   [[nodiscard]] const Vec3* end() const { return points_.data() + size_; }
   [[nodiscard]] const Vec3& operator[](std::size_t i) const { return points_[i]; }
-  void push(const Vec3& point) { points_[size_++] = point; }
+  void push(const Vec3& point) {
+    if (size_ == kMost) throw std::length_error("a polygon has too many corners");  // an error, not a fault
+    points_[size_++] = point;
+  }
   [[nodiscard]] bool is_full() const { return size_ >= kFull; }
   [[nodiscard]] Vec3 middle() const;
 
@@ -40,7 +44,8 @@ struct HalfSpace {
   double offset;
 };
 
-/// The parts of a polygon within a half space and beyond it; empty ones have no vertices.
+/// The parts of a polygon within a half space and beyond it; empty ones have no vertices, others one more than the
+/// polygon at most, be it convex up to rounding only.
 struct Cut {
   Polygon within, beyond;
 };

@@ -7,21 +7,19 @@
 #include <span>
 #include <utility>
 
+#include "clash/edge_cuts.hpp"
 #include "core/disjoint_sets.hpp"
 
 namespace impinge::clash {
 namespace {
 
+/// A piece of an edge, as a triangle uses it.
 struct EdgeUse {
   std::uint32_t low, high;  ///< positions
   std::uint32_t triangle;   ///< index among the ids
+  std::uint32_t corner;     ///< at which the edge begins
   int way;
 };
-
-std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle) {
-  const auto& [a, b, c] = part.body.placed.mesh->triangles[triangle];
-  return {part.topology.position[a], part.topology.position[b], part.topology.position[c]};
-}
 
 /// Which triangle stands for one, and whether the two look the same way. Where a surface has both windings of each
 /// triangle, so that it is seen from either side, the two are one: one is above where the other is below.
@@ -56,49 +54,12 @@ std::vector<Stand> stands_of(const solid::Part& part, const std::vector<std::uin
   return stands;
 }
 
-/// Sorted: those of one edge are next to each other. Of triangles that others stand for there are none.
-std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::uint32_t>& ids,
-                               const std::vector<Stand>& stands) {
-  std::vector<EdgeUse> uses;
-  for (std::uint32_t i = 0; i < ids.size(); ++i) {
-    if (stands[i].index != i) continue;
-    const auto corners = corners_of(part, ids[i]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
-      uses.push_back({std::min(from, to), std::max(from, to), i, from < to ? 1 : -1});
-    }
-  }
+void sort(std::vector<EdgeUse>& uses) {
   std::sort(uses.begin(), uses.end(),
             [](const EdgeUse& p, const EdgeUse& q) { return std::pair(p.low, p.high) < std::pair(q.low, q.high); });
-  return uses;
 }
 
-/// The way from an edge to the triangle's third corner, at a right angle.
-Vec3 away_from(const EdgeUse& use, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
-  const auto corners = corners_of(part, ids[use.triangle]);
-  const Triangle t = part.body.triangle(ids[use.triangle]);
-  std::size_t apex = 0;
-  while (corners[apex] == use.low || corners[apex] == use.high) ++apex;
-  const Vec3 along = t[(apex + 2) % 3] - t[(apex + 1) % 3], way = t[apex] - t[(apex + 1) % 3];
-  return way - (dot(way, along) / dot(along, along)) * along;
-}
-
-/// Of two triangles at an edge: +1 if what is above the one is above the other, as the surface goes on. A surface that
-/// is folded up flat is two layers of one sheet: what is above the one is below the other.
-int turn_between(const EdgeUse& p, const EdgeUse& q, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
-  constexpr double kFlat = 0x1p-6;  // what the tolerance parts is folded up flat as well
-  const Vec3 u = away_from(p, part, ids), v = away_from(q, part, ids);
-  const double along = dot(u, v);
-  const bool is_folded_up = along > 0 && norm(cross(u, v)) <= kFlat * along;
-  return (is_folded_up ? 1 : -1) * p.way * q.way;
-}
-
-struct Neighbor {
-  std::uint32_t index;
-  int turn;
-};
-
-/// Calls `take` with the uses of each edge.
+/// Calls `take` with the uses of each edge, or piece of one.
 template <class Take>
 void each_edge(const std::vector<EdgeUse>& uses, const Take& take) {
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
@@ -106,6 +67,66 @@ void each_edge(const std::vector<EdgeUse>& uses, const Take& take) {
     take(std::span(uses).subspan(first, last - first));
   }
 }
+
+/// Of whole edges, sorted: those of one edge are next to each other. Of triangles that others stand for there are none.
+std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::uint32_t>& ids,
+                               const std::vector<Stand>& stands) {
+  std::vector<EdgeUse> uses;
+  for (std::uint32_t i = 0; i < ids.size(); ++i) {
+    if (stands[i].index != i) continue;
+    const auto corners = corners_of(part, ids[i]);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
+      uses.push_back({std::min(from, to), std::max(from, to), i, k, from < to ? 1 : -1});
+    }
+  }
+  sort(uses);
+  return uses;
+}
+
+/// The same of pieces of edges, cut where other corners lie on them. Of edges along one line that all overlap there
+/// would be as many pieces as their number squared: too many are left uncut.
+std::vector<EdgeUse> cut_up(const std::vector<EdgeUse>& uses, const solid::Part& part,
+                            const std::vector<std::uint32_t>& ids, const EdgeCuts& cuts) {
+  constexpr std::size_t kMost = 8;
+  std::vector<EdgeUse> pieces;
+  each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    std::vector<std::uint32_t> along{edge[0].low, edge[0].high};
+    if (pieces.size() < kMost * uses.size()) along = cuts.along(edge[0].low, edge[0].high);
+    // A triangle may be so narrow that its third corner is on the edge but for the tolerance.
+    for (const EdgeUse& use : edge)
+      if (along.size() > 2) std::erase(along, corners_of(part, ids[use.triangle])[(use.corner + 2) % 3]);
+    for (EdgeUse use : edge) {
+      const int way = use.way;
+      for (std::size_t i = 1; i < along.size(); ++i) {
+        use.low = std::min(along[i - 1], along[i]), use.high = std::max(along[i - 1], along[i]);
+        use.way = along[i - 1] < along[i] ? way : -way;
+        pieces.push_back(use);
+      }
+    }
+  });
+  sort(pieces);
+  return pieces;
+}
+
+/// The way from an edge to the triangle's third corner, at a right angle.
+Vec3 away_from(const TriangleEdge& edge, const solid::Part& part) {
+  const Triangle t = part.body.triangle(edge.triangle);
+  const Vec3 &from = t[edge.corner], along = t[(edge.corner + 1) % 3] - from, way = t[(edge.corner + 2) % 3] - from;
+  return way - (dot(way, along) / dot(along, along)) * along;
+}
+
+/// Of two triangles at an edge: +1 if what is above the one is above the other, as the surface goes on. A surface that
+/// is folded up flat is two layers of one sheet: what is above the one is below the other.
+int turn_between(const EdgeUse& p, const EdgeUse& q, const solid::Part& part, const std::vector<std::uint32_t>& ids) {
+  const bool is_folded_up = go_one_way(part, {ids[p.triangle], p.corner}, {ids[q.triangle], q.corner});
+  return (is_folded_up ? 1 : -1) * p.way * q.way;
+}
+
+struct Neighbor {
+  std::uint32_t index;
+  int turn;
+};
 
 void find_pieces(const std::vector<EdgeUse>& uses, const solid::Part& part, Sheets& sheets) {
   std::vector<std::vector<Neighbor>> neighbors(sheets.ids.size());
@@ -147,10 +168,22 @@ void find_links(const std::vector<EdgeUse>& uses, const solid::Part& part, Sheet
   });
 }
 
-void find_clusters(const solid::Part& part, Sheets& sheets) {
+void find_ends(const std::vector<EdgeUse>& uses, const solid::Part& part, const EdgeCuts& cuts, Sheets& sheets) {
+  each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const auto of = [&](const EdgeUse& use) { return TriangleEdge{sheets.ids[use.triangle], use.corner}; };
+    const auto goes_too = [&](const EdgeUse& use) { return go_one_way(part, of(edge[0]), of(use)); };
+    if (!std::all_of(edge.begin() + 1, edge.end(), goes_too)) return;
+    const auto [low, high] = std::pair(edge[0].low, edge[0].high);
+    sheets.ends.push_back({{cuts.at(low), cuts.at(high)}, {low, high}, of(edge[0])});
+  });
+}
+
+void find_clusters(const solid::Part& part, const std::vector<EdgeUse>& uses, Sheets& sheets) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;
   for (std::uint32_t i = 0; i < sheets.ids.size(); ++i)
     for (const std::uint32_t position : corners_of(part, sheets.ids[i])) corners.emplace_back(position, i);
+  for (const EdgeUse& use : uses)
+    corners.emplace_back(use.low, use.triangle), corners.emplace_back(use.high, use.triangle);
   std::sort(corners.begin(), corners.end());
   DisjointSets clusters(sheets.ids.size());
   for (std::size_t i = 1; i < corners.size(); ++i)
@@ -160,21 +193,35 @@ void find_clusters(const solid::Part& part, Sheets& sheets) {
 
 }  // namespace
 
-Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids) {
+std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle) {
+  const auto& [a, b, c] = part.body.placed.mesh->triangles[triangle];
+  return {part.topology.position[a], part.topology.position[b], part.topology.position[c]};
+}
+
+bool go_one_way(const solid::Part& part, const TriangleEdge& p, const TriangleEdge& q) {
+  constexpr double kFlat = 0x1p-6;  // what the tolerance parts is folded up flat as well
+  const Vec3 u = away_from(p, part), v = away_from(q, part);
+  const double along = dot(u, v);
+  return along > 0 && norm(cross(u, v)) <= kFlat * along;
+}
+
+Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids, double tolerance) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   const auto is_degenerate = [&](std::uint32_t t) { return part.topology.shell[t] == solid::Topology::kNoShell; };
   ids.erase(std::remove_if(ids.begin(), ids.end(), is_degenerate), ids.end());
-  Sheets sheets{.ids = std::move(ids), .cluster = {}, .piece = {}, .side = {}, .links = {}};
+  Sheets sheets{.ids = std::move(ids), .cluster = {}, .piece = {}, .side = {}, .links = {}, .ends = {}};
   const std::vector<Stand> stands = stands_of(part, sheets.ids);
-  const std::vector<EdgeUse> uses = edge_uses(part, sheets.ids, stands);
+  const EdgeCuts cuts(part, sheets.ids, tolerance);
+  const std::vector<EdgeUse> uses = cut_up(edge_uses(part, sheets.ids, stands), part, sheets.ids, cuts);
   find_pieces(uses, part, sheets);
   for (std::uint32_t i = 0; i < sheets.ids.size(); ++i) {
     const auto [index, way] = stands[i];
     sheets.piece[i] = sheets.piece[index], sheets.side[i] = way * sheets.side[index];
   }
   find_links(uses, part, sheets);
-  find_clusters(part, sheets);
+  find_ends(uses, part, cuts, sheets);
+  find_clusters(part, uses, sheets);
   return sheets;
 }
 

@@ -20,11 +20,17 @@ inline std::uint8_t turned(std::uint8_t sides, int way) {
   return static_cast<std::uint8_t>(((sides & kAbove) != 0 ? kBelow : 0) | ((sides & kBelow) != 0 ? kAbove : 0));
 }
 
+/// The edge from a triangle's corner to the next.
+struct TriangleEdge {
+  std::uint32_t triangle;  ///< its id
+  std::uint32_t corner;
+};
+
 /// Some proper triangles of a part, and how they hang together.
 struct Sheets {
   std::vector<std::uint32_t> ids;      ///< sorted
-  std::vector<std::uint32_t> cluster;  ///< over common vertices
-  std::vector<std::uint32_t> piece;    ///< over edges that two of them use; coincident ones count as one
+  std::vector<std::uint32_t> cluster;  ///< over common vertices, and those that are on another's edge
+  std::vector<std::uint32_t> piece;    ///< over pieces of edges that two of them use; coincident ones count as one
   std::vector<int> side;               ///< +1 or -1: those of one piece look the same way if normals are turned by it
 
   /// Pieces that three or more triangles join at an edge: any two of them are one sheet, if one is turned.
@@ -34,13 +40,28 @@ struct Sheets {
   };
   std::vector<std::vector<Link>> links;  ///< per piece
 
+  /// A piece of an edge from which all of these triangles go one way.
+  struct End {
+    Segment piece;
+    std::array<std::uint32_t, 2> positions;
+    TriangleEdge of;  ///< of one of them
+  };
+  std::vector<End> ends;
+
   [[nodiscard]] std::uint32_t index(std::uint32_t id) const {
     return static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
   }
 };
 
-/// Degenerate ones, and those that are named twice, are left out.
-Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids);
+/// Positions.
+std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle);
+
+/// Whether of two triangles at a line along which both have an edge one lies on the other: the surface is folded up
+/// flat there, if they are of one.
+bool go_one_way(const solid::Part& part, const TriangleEdge& p, const TriangleEdge& q);
+
+/// Degenerate ones, and those that are named twice, are left out. Within a tolerance of an edge a vertex is on it.
+Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids, double tolerance);
 
 /// The sides of each piece of some sheets on which something is.
 class SidesSeen {

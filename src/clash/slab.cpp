@@ -94,4 +94,9 @@ Slab make_corner_slab(const Vec3& corner, double tolerance) {
   return slab;
 }
 
+Polygon between(Polygon piece, const Slab& slab) {
+  for (std::size_t i = 0; i < slab.size && piece.size() > 0; ++i) piece = cut(piece, slab.sides[i]).within;
+  return piece;
+}
+
 }  // namespace impinge::clash

@@ -33,4 +33,7 @@ std::optional<Slab> make_slab(const Triangle& triangle, double tolerance, double
 /// it is within the tolerance of each of them.
 Slab make_corner_slab(const Vec3& corner, double tolerance);
 
+/// What of a convex polygon lies between the slab's sides: over its triangle, however far.
+Polygon between(Polygon piece, const Slab& slab);
+
 }  // namespace impinge::clash

@@ -112,10 +112,11 @@ class Located {
 
   /// What is left: cut to pieces, of each of which a point says where it lies.
   template <class Enough>
-  void locate_pieces(const Enough& enough) {
+  void locate_pieces(const Enough& enough, bool of_shared = true) {
+    const auto shares = [](const Touch& touch) { return touch.shares_area; };
     for (const Touched& t : touched_) {
       if (enough() || is_complete()) return;
-      if (!t.is_done) locate_pieces_of(t);
+      if (!t.is_done && (of_shared || std::none_of(t.touches.begin(), t.touches.end(), shares))) locate_pieces_of(t);
     }
   }
 
@@ -241,6 +242,16 @@ Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> con
     return enough({all.a, static_cast<std::uint8_t>(all.b | bits)});
   });
   return all;
+}
+
+bool reach_into_each_other(const Part& a, const Part& b, std::span<const exact::Contact> contacts) {
+  std::vector<Touch> touches = touches_of(a, b, contacts);
+  Located in_b(a, b, touches), in_a(b, a, turned(std::move(touches)));
+  const auto is_inside = [&] { return ((in_b.bits() | in_a.bits()) & kInside) != 0; };
+  for (Located* const located : {&in_b, &in_a}) located->locate_patches(is_inside);
+  for (Located* const located : {&in_b, &in_a}) located->locate_vertices(is_inside);
+  for (Located* const located : {&in_b, &in_a}) located->locate_pieces(is_inside, false);
+  return is_inside();
 }
 
 }  // namespace impinge::solid

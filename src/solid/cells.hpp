@@ -34,4 +34,9 @@ using Enough = std::function<bool(const Cells&)>;
 /// Stops early, with what was found until then, once `enough(cells)`.
 Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts, const Enough& enough);
 
+/// Whether a cell of one lies in the other's interior, told in a part of the time: by the vertices, and by pieces of
+/// triangles that share no area with the other. What is inside with all its corners on the other's boundary and its
+/// sides in the other's faces is not seen.
+bool reach_into_each_other(const Part& a, const Part& b, std::span<const exact::Contact> contacts);
+
 }  // namespace impinge::solid

@@ -63,7 +63,7 @@ TEST(AlongEdge, FindsWhatOthersMeetNearABox) {
     for (std::uint32_t i = 0; i < 30; ++i)
       for (std::uint32_t j = 0; j < 40; ++j)
         if (random.integer(1, one_in) == 1) pairs.push_back({i, j});
-    const std::array<MetSide, 2> sides = sides_of(a, b, pairs);
+    const std::array<MetSide, 2> sides = sides_of(a, b, pairs, 0);
     AlongEdge along_a(sides[0], sides[1]);
     for (const Uses& uses : edges_of(sides[1])) {
       const Triangle triangle = sides[1].triangle(uses[0] / 3);

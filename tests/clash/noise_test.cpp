@@ -16,6 +16,7 @@
 #include "scenes/solid_pairs.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -125,6 +126,66 @@ TEST(Noise, AChangedVerdictHasANote) {
   expect_verdict(Verdict::inside, large, small, std::nullopt, Note::none);
   expect_verdict(Verdict::duplicate, large, small, 0.2, Note::equal_within_tolerance);
   expect_verdict(Verdict::duplicate, large, large, 0.2, Note::none);
+}
+
+/// Their sides are cut where they meet the plate's top, so that no triangle crosses another.
+TEST(Noise, AnOverlapThatNoPairCrossesInHasANoteToo) {
+  const MeshData plate = box({0, 0, 0}, {4, 4, 1});
+  const MeshData sunk = scenes::block({1, 3}, {1, 3}, {0.95, 1, 2}),
+                 pin = scenes::block({1, 3}, {1, 3}, {0.2, 1, 1.05});
+  expect_verdict(Verdict::penetrating, plate, sunk, 0.04);
+  expect_verdict(Verdict::touching, plate, sunk, 0.06, Note::overlap_within_tolerance);
+  expect_verdict(Verdict::penetrating, plate, pin, 0.04);
+  expect_verdict(Verdict::inside, plate, pin, 0.06, Note::outside_within_tolerance);
+  const auto note = [&](const MeshData& other) { return sentence(judged(plate, other, {}, 0.06).note); };
+  EXPECT_EQ(note(scenes::block({1, 3}, {1, 3}, {1, 2, 3})), sentence(Note::none));
+  EXPECT_EQ(note(box({-2, 0, 0}, {0, 4, 1}, 3)), sentence(Note::none));
+  EXPECT_EQ(note(scenes::block({1, 3}, {1, 3}, {0.25, 0.5, 1})), sentence(Note::none));
+  // Flush on the plate's top and about its side, which no plane parts.
+  const scenes::Cells hook{{2, 4, 5}, {1, 3}, {0, 1, 2}, [](int x, int, int z) { return x == 1 || z == 1; }};
+  EXPECT_EQ(note(scenes::boundary(hook)), sentence(Note::none));
+}
+
+/// Every point of one is within the tolerance of the other, whatever is next to it and however it is cut.
+TEST(Noise, WhatIsMovedByLessThanTheToleranceIsADuplicate) {
+  constexpr double kTolerance = 0x1p-10;
+  for (int trial = 0; trial < test::trials(200); ++trial) {
+    test::Seeded seeded(static_cast<std::uint64_t>(trial));
+    auto& random = seeded.random;
+    const std::uint64_t bits = random.bits() | 1U;
+    const auto is_filled = [bits](int x, int y, int z) { return (bits >> (4 * x + 2 * y + z) & 1U) != 0; };
+    const auto is_half_filled = [&](int x, int y, int z) { return is_filled(x / 2, y / 2, z / 2); };
+    const std::vector<double> whole{0, 1, 2}, halves{0, 0.5, 1, 1.5, 2};
+    const Vec3 way{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Vec3 step = random.uniform(0.8, 0.97) * kTolerance / norm(way) * way;
+    const MeshData a = scenes::boundary({halves, halves, halves, is_half_filled}, random.bits()),
+                   coarse = scenes::boundary({whole, whole, whole, is_filled}, random.bits()),
+                   b = scenes::shifted(coarse, step.x, step.y, step.z);
+    const Pose pose = scenes::random_motion(random, 3);
+    for (const bool swap : {false, true})
+      EXPECT_EQ(name(judged(swap ? b : a, swap ? a : b, pose, kTolerance).verdict), name(Verdict::duplicate));
+  }
+}
+
+/// Below the triangles in a strip along an edge the part is nowhere deep.
+TEST(Noise, EqualPartsWithStripsNarrowerThanTheToleranceAreDuplicates) {
+  for (int strips = 1; strips <= 4; ++strips) {
+    std::vector<double> one_side{0}, both{0};
+    for (int i = 1; i <= strips; ++i) one_side.push_back(0.9 * i / strips), both.push_back(0.9 * i / strips);
+    one_side.push_back(100);
+    for (int i = strips; i >= 0; --i) both.push_back(100 - 0.9 * i / strips);
+    for (const std::vector<double>& cuts : {one_side, both}) {
+      const MeshData block = scenes::block(cuts, cuts, cuts);
+      expect_verdict(Verdict::duplicate, block, block, 1.0, Note::none);
+      expect_verdict(Verdict::duplicate, block, scenes::shifted(block, 0.9, 0, 0), 1.0, Note::equal_within_tolerance);
+      expect_verdict(Verdict::touching, block, scenes::shifted(block, 99.1, 0, 0), 1.0, Note::overlap_within_tolerance);
+      for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        test::Seeded seeded(seed);
+        const MeshData a = scenes::shuffled(block, seeded.random), b = scenes::shuffled(block, seeded.random);
+        EXPECT_EQ(name(judged(a, scenes::shifted(b, 0.9, 0, 0), {}, 1.0).verdict), name(Verdict::duplicate));
+      }
+    }
+  }
 }
 
 /// 0.5 thick each, in one part with a block: a tolerance of 0.3 must not excuse an overlap of 0.25.

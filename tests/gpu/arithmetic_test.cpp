@@ -139,7 +139,7 @@ TEST(ProbeOfDoubles, IsPassedByTheDevice) {
 // ---------------------------------------------------------------------------------------------------------
 
 template <class T>
-std::vector<Verdict> verdicts(const std::vector<AttackAs<T>>& attacks) {
+std::vector<Said> verdicts(const std::vector<AttackAs<T>>& attacks) {
   struct StoredPair {
     T a[9], b[9], error;
   };
@@ -152,8 +152,8 @@ std::vector<Verdict> verdicts(const std::vector<AttackAs<T>>& attacks) {
     std::memcpy(pairs[i].b, &attacks[i].pair.b, kSize);
     pairs[i].error = attacks[i].pair.error;
   }
-  constexpr std::array kMeaning{Verdict::no, Verdict::crossing, Verdict::unsure};  // as in triangle_pair.glsl
-  std::vector<Verdict> found;
+  constexpr std::array kMeaning{Said::no, Said::crossing, Said::unsure};  // as in triangle_pair.glsl
+  std::vector<Said> found;
   for (const std::uint32_t verdict : test::ask<std::uint32_t>(shader, pairs)) found.push_back(kMeaning.at(verdict));
   return found;
 }
@@ -222,10 +222,10 @@ TEST(DeviceFilter, IsSeldomUnsureInGeneralPosition) {
   };
   for (Attack& pair : pairs) pair.pair = {any_triangle(), any_triangle(), 0x1p-18f};
   std::array<std::size_t, 3> count{};
-  for (const Verdict verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
+  for (const Said verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
   std::cout << "unsure of " << count[1] << " of " << pairs.size() << " pairs in general position\n";
-  EXPECT_LT(count[static_cast<std::size_t>(Verdict::unsure)], pairs.size() / 200);
-  EXPECT_GT(count[static_cast<std::size_t>(Verdict::crossing)], pairs.size() / 200);
+  EXPECT_LT(count[static_cast<std::size_t>(Said::unsure)], pairs.size() / 200);
+  EXPECT_GT(count[static_cast<std::size_t>(Said::crossing)], pairs.size() / 200);
 }
 
 }  // namespace

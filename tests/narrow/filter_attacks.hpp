@@ -23,7 +23,7 @@ namespace impinge::test::filter {
 
 using scenes::Random;
 
-enum class Verdict { no, unsure, crossing };
+enum class Said { no, unsure, crossing };
 
 /// Three vertices as a filter is given them, in its type of numbers.
 template <class T>
@@ -225,12 +225,12 @@ struct Counts {
 
 /// Fails where a verdict is not true of the exact triangles.
 template <class Attacks>
-void expect_true(const Attacks& attacks, std::span<const Verdict> found, Counts& counts) {
+void expect_true(const Attacks& attacks, std::span<const Said> found, Counts& counts) {
   for (std::size_t i = 0; i < attacks.size(); ++i) {
     ++counts.of[static_cast<std::size_t>(found[i])];
-    if (found[i] == Verdict::unsure) continue;
+    if (found[i] == Said::unsure) continue;
     const auto exact = intersects(attacks[i].a, attacks[i].b);
-    ASSERT_EQ(exact, found[i] == Verdict::no ? std::nullopt : std::optional(Kind::crossing))
+    ASSERT_EQ(exact, found[i] == Said::no ? std::nullopt : std::optional(Kind::crossing))
         << "error " << attacks[i].pair.error << ", first vertex " << attacks[i].a[0].x << ' ' << attacks[i].a[0].y;
   }
 }

@@ -42,7 +42,7 @@ Pair plain_crossing() {
 }
 
 /// The verdicts on pairs that fill one stream; what lies beyond them in it must not be seen.
-std::vector<Verdict> verdicts(const std::vector<Pair>& pairs) {
+std::vector<Said> verdicts(const std::vector<Pair>& pairs) {
   const auto stream = std::make_unique<PairStream>();
   EXPECT_LE(pairs.size(), PairStream::kCapacity);
   for (std::size_t i = 0; i < PairStream::kCapacity; ++i)
@@ -53,17 +53,17 @@ std::vector<Verdict> verdicts(const std::vector<Pair>& pairs) {
   narrow::filter_pairs(*stream, filtered);
   EXPECT_EQ(filtered.crossing[0], (TrianglePair{7, 7}));
   EXPECT_EQ(filtered.unsure[0], (TrianglePair{8, 8}));
-  std::vector<Verdict> found(pairs.size(), Verdict::no);
-  const auto take = [&](const std::vector<TrianglePair>& list, Verdict verdict) {
+  std::vector<Said> found(pairs.size(), Said::no);
+  const auto take = [&](const std::vector<TrianglePair>& list, Said verdict) {
     for (std::size_t i = 1; i < list.size(); ++i) {
       ASSERT_LT(list[i].a, pairs.size());
       ASSERT_EQ(list[i].b, 1000 + list[i].a);
-      ASSERT_EQ(found[list[i].a], Verdict::no) << "one pair twice";
+      ASSERT_EQ(found[list[i].a], Said::no) << "one pair twice";
       found[list[i].a] = verdict;
     }
   };
-  take(filtered.crossing, Verdict::crossing);
-  take(filtered.unsure, Verdict::unsure);
+  take(filtered.crossing, Said::crossing);
+  take(filtered.unsure, Said::unsure);
   return found;
 }
 
@@ -170,11 +170,11 @@ TEST(PairFilter, IsSeldomUnsureInGeneralPosition) {
         std::vector<Pair> pairs;
         for (std::size_t i = 0; i < PairStream::kCapacity; ++i)
           pairs.push_back({any_triangle(random, size), any_triangle(random, size), 0x1p-22f});
-        for (const Verdict verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
+        for (const Said verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
       }
-      EXPECT_LT(count[static_cast<std::size_t>(Verdict::unsure)], 51200 / 1000) << "size " << size;
+      EXPECT_LT(count[static_cast<std::size_t>(Said::unsure)], 51200 / 1000) << "size " << size;
       if (size > 0.1) {
-        EXPECT_GT(count[static_cast<std::size_t>(Verdict::crossing)], 51200 / 200);
+        EXPECT_GT(count[static_cast<std::size_t>(Said::crossing)], 51200 / 200);
       }
     }
   }
@@ -192,9 +192,9 @@ TEST(PairFilter, IsNotUnsureOfAllThatIsNear) {
       for (auto& vertex : pair.b) vertex[2] = vertex[2] * 0x1p-10f + 0x1p-9f;
       pairs.push_back(pair);
     }
-    for (const Verdict verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
+    for (const Said verdict : verdicts(pairs)) ++count[static_cast<std::size_t>(verdict)];
   }
-  EXPECT_LT(count[static_cast<std::size_t>(Verdict::unsure)], 20 * 512 / 20);
+  EXPECT_LT(count[static_cast<std::size_t>(Said::unsure)], 20 * 512 / 20);
 }
 
 /// A pair's verdict is its own: the same alone, in every lane, in streams of every length.
@@ -205,13 +205,13 @@ TEST(PairFilter, SeesEachPairByItself) {
   for (auto& vertex : apart.b) vertex[2] += 3;
   for (auto& vertex : touching.b) vertex[2] += 1;
   kinds.push_back(apart), kinds.push_back(touching);
-  constexpr std::array kExpected{Verdict::crossing, Verdict::no, Verdict::unsure};
+  constexpr std::array kExpected{Said::crossing, Said::no, Said::unsure};
   for (const std::int64_t set : test::instruction_sets()) {
     const test::OnInstructionSet on(set);
     EXPECT_TRUE(verdicts({}).empty());
     for (std::size_t length = 1; length <= PairStream::kCapacity; length += length < 40 ? 1 : 59) {
       std::vector<Pair> pairs;
-      std::vector<Verdict> expected;
+      std::vector<Said> expected;
       for (std::size_t i = 0; i < length; ++i) {
         const auto kind = static_cast<std::size_t>(random.integer(0, 2));
         pairs.push_back(kinds[kind]);
@@ -232,7 +232,7 @@ TEST(PairFilter, DecidesNothingOfWhatIsNotKnown) {
   }
   for (const std::int64_t set : test::instruction_sets()) {
     const test::OnInstructionSet on(set);
-    EXPECT_EQ(verdicts(pairs), std::vector<Verdict>(pairs.size(), Verdict::unsure));
+    EXPECT_EQ(verdicts(pairs), std::vector<Said>(pairs.size(), Said::unsure));
   }
 }
 
