@@ -28,12 +28,8 @@ bool is_on(const Vec3& point, const Segment& edge, double within) {
 
 }  // namespace
 
-EdgeCuts::EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& ids, double tolerance)
-    : tolerance_(tolerance) {
-  // A motion rounds world vertices, and a file may hold single precision.
-  const Box& box = part.body.box;
-  rounding_ = 0x1p-40 * largest_coordinate(box);  // far more than the tree's own
-  noise_ = std::min(tolerance, 0x1p-20 * norm(box.hi - box.lo) + 0x1p-48 * largest_coordinate(box));
+EdgeCuts::EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& ids, const CornerReach& reach)
+    : reach_(reach), rounding_(0x1p-40 * largest_coordinate(part.body.box)) {  // far more than the tree's own
   for (const std::uint32_t id : ids)
     for (const std::uint32_t v : part.body.placed.mesh->triangles[id])
       corners_.push_back({part.topology.position[v], part.body.world[v]});
@@ -48,8 +44,7 @@ EdgeCuts::EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& id
 
 std::vector<std::uint32_t> EdgeCuts::along(std::uint32_t from, std::uint32_t to) const {
   const Vec3 start = at(from), end = at(to);
-  constexpr double kLong = 16;
-  const double within = norm(end - start) > kLong * tolerance_ ? tolerance_ : noise_;
+  const double within = reach_.beside(norm(end - start));
   std::vector<std::uint32_t> found;
   find({0, static_cast<std::uint32_t>(order_.size())}, {from, to, {start, end}, within, start, end}, found);
   const int axis = longest_axis(end - start);

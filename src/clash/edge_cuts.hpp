@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clash/common_corners.hpp"
 #include "core/vec3.hpp"
 #include "solid/part.hpp"
 
@@ -15,9 +16,7 @@ namespace impinge::clash {
 /// that what runs along one line has whole edges in common however it was cut.
 class EdgeCuts {
  public:
-  /// With a tolerance, a corner so near to an edge is on it. To edges that are short beside the tolerance all around is
-  /// near: on them is what is so but for rounding.
-  EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& ids, double tolerance);
+  EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& ids, const CornerReach& reach);
 
   /// The positions at which the edge between two is cut, these among them: from the one to the other.
   [[nodiscard]] std::vector<std::uint32_t> along(std::uint32_t from, std::uint32_t to) const;
@@ -43,7 +42,8 @@ class EdgeCuts {
   void build(Range range);
   void find(Range range, const Piece& piece, std::vector<std::uint32_t>& found) const;
 
-  double tolerance_, noise_, rounding_;
+  CornerReach reach_;
+  double rounding_;
   std::vector<Corner> corners_;       ///< sorted
   std::vector<std::uint32_t> order_;  ///< places among the corners: a k-d tree, the middle of each range its root
   std::vector<std::uint8_t> axis_;    ///< of the root in each place

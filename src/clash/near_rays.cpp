@@ -18,8 +18,8 @@ namespace {
 
 /// In tolerances: what is no farther from a point than the first of these is there, and a ray is with another one if it
 /// ends no farther from it than the second. (A line may be one tolerance off what is near it, and so may what is near
-/// on its other side.) One that is no longer than the third would be with another one at whatever angle.
-constexpr double kThere = 3, kWith = 2, kShort = 4;
+/// on its other side.)
+constexpr double kThere = 3, kWith = 2;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -92,9 +92,9 @@ std::optional<NearStretch> NearGeometry::stretch(const NearLine& line, const Tri
   NearStretch stretch{nearby.lo, nearby.hi, 2 * near.lo - nearby.lo, 2 * near.hi - nearby.hi, false, number, triangle};
   if (!(near.length() > 0) || !(stretch.surely_hi > stretch.surely_lo)) {
     stretch.surely_lo = stretch.surely_hi = nearby.hi;
-    // What ends because the two part at an angle is as much shorter as the distance is, or by half of that if the line
+    // What ends because the two part at an angle is as much longer as the distance is, or by half of that if the line
     // begins beyond the triangle.
-    stretch.is_beside = clipped(2.75 * tolerance_).length() > (1 - 1.0 / 32) * nearby.length();
+    stretch.is_beside = clipped(3.25 * tolerance_).length() < (1 + 1.0 / 32) * nearby.length();
   }
   return stretch;
 }
@@ -111,7 +111,8 @@ std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double 
       const Vec3 way = (*found)[i] - point, back = (*found)[1 - i] - point;
       const double extent = norm(way);
       if (dot(way, back) > 0 && extent < norm(back)) continue;
-      if (!goes_on(point, (*found)[i], stretch->number % 2 == 0 ? b_ : a_)) continue;
+      if (extent <= tolerance_) continue;
+      if (!is_long(extent) && ends_on(point, (*found)[i], stretch->number % 2 == 0 ? b_ : a_)) return std::nullopt;
       const bool ahead_is_front = dot(normal(stretch->triangle), impinge::cross(line.along, way)) > 0;
       flaps.push_back({{stretch->number, (*found)[i], ahead_is_front}, *found, extent, 0});
     }
@@ -128,7 +129,7 @@ std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double 
   };
   for (std::size_t i = 0; flaps.size() > 1 && i < flaps.size(); ++i) {
     const NearFlap &flap = flaps[i], &next = flaps[(i + 1) % flaps.size()];
-    if (std::min(flap.extent, next.extent) <= kShort * tolerance_ && are_one(flap, next)) return std::nullopt;
+    if (!is_long(std::min(flap.extent, next.extent)) && are_one(flap, next)) return std::nullopt;
   }
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < flaps.size(); ++i) {
@@ -142,15 +143,13 @@ std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double 
   return rays;
 }
 
-/// Whether a flap goes on beyond the tolerance; a short one may end on what is the other part's too.
-bool NearGeometry::goes_on(const Vec3& from, const Vec3& to, const solid::Body& other) const {
-  const double extent = norm(to - from);
-  if (extent <= tolerance_ || is_long(extent)) return extent > tolerance_;
+/// Whether a flap ends on the other part, and lies on it half-way.
+bool NearGeometry::ends_on(const Vec3& from, const Vec3& to, const solid::Body& other) const {
   const double within = tolerance_ / frame_.unit;
-  const auto is_far = [&](const Vec3& point) {
-    return !measure::nearest_point(other.placed, frame_.to_world(point), within, within);
+  const auto is_near = [&](const Vec3& point) {
+    return measure::nearest_point(other.placed, frame_.to_world(point), within, within).has_value();
   };
-  return is_far(to) || is_far(0.5 * (from + to));
+  return is_near(to) && is_near(0.5 * (from + to));
 }
 
 bool NearGeometry::cross(const Triangle& a, const Triangle& b) const {

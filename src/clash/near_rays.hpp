@@ -47,8 +47,8 @@ class NearGeometry {
 
   /// Around a point of a line, of the triangles that are near it there: counterclockwise as seen against the line's
   /// direction. What lies within the tolerance of another, as far as the shorter one goes on, is in one ray with it.
-  /// Nothing where a triangle is too narrow to be told from a line, or an overhang too short to be told from what it
-  /// lies beside.
+  /// Nothing where a triangle is too narrow to be told from a line, or ends so near the line that what it lies beside
+  /// or ends on need not be where its surface goes.
   [[nodiscard]] std::optional<std::vector<Ray>> rays(const NearLine& line, double at,
                                                      const std::vector<const NearStretch*>& near) const;
 
@@ -65,7 +65,7 @@ class NearGeometry {
  private:
   static constexpr double kLong = 16;
 
-  [[nodiscard]] bool goes_on(const Vec3& from, const Vec3& to, const solid::Body& other) const;
+  [[nodiscard]] bool ends_on(const Vec3& from, const Vec3& to, const solid::Body& other) const;
   [[nodiscard]] bool is_narrow(const Triangle& triangle) const;
   [[nodiscard]] bool parts_a_little(const Triangle& a, const Triangle& b) const;
   [[nodiscard]] double width_within(const Triangle& a, const Triangle& b, double tolerance) const;

@@ -72,8 +72,8 @@ class Places {
         lain_a_(of_a_.ids.size()),
         lain_b_(of_b_.ids.size()),
         far_(a.part.body, b.part.body, tolerance),
-        ends_a_(a, of_a_, far_.frame()),
-        ends_b_(b, of_b_, far_.frame()) {}
+        ends_a_(a, of_a_, far_.frame(), tolerance),
+        ends_b_(b, of_b_, far_.frame(), tolerance) {}
 
   /// Those in which a triangle of a is open, or a pair is small.
   void ask(std::span<const std::uint32_t> open_a) {

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
+#include "clash/common_corners.hpp"
 #include "measure/triangle_distance.hpp"
 
 namespace impinge::clash {
@@ -39,16 +41,121 @@ bool is_end(const Sheets::End& end, const LinkedPart& linked) {
          is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, linked);
 }
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+Box united(const Box& p, const Box& q) { return {min(p.lo, q.lo), max(p.hi, q.hi)}; }
+
+Box widened(const Box& box, double by) {
+  const Vec3 margin{by, by, by};
+  return {box.lo - margin, box.hi + margin};
+}
+
+broad::BoxTree::Entry entry_of(const Box& box, std::size_t number) {
+  const auto& [lo, hi] = box;
+  return {{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, static_cast<std::uint32_t>(number)};
+}
+
+/// A part's open edges within a box. Where one runs along another the surface goes on, cut differently.
+class Borders {
+ public:
+  Borders(const LinkedPart& linked, const Box& box, const CornerReach& reach) : linked_(linked), reach_(reach) {
+    std::vector<broad::BoxTree::Entry> entries;
+    for (const auto& edge : linked.part.topology.open_edges)
+      each_use(edge, [&](const TriangleEdge& use) {
+        const Triangle t = linked.part.body.triangle(use.triangle);
+        const Segment at{t[use.corner], t[(use.corner + 1) % 3]};
+        if (!overlap(box_of(at), box)) return;
+        entries.push_back(entry_of(box_of(at), edges_.size()));
+        edges_.push_back({at, use});
+      });
+    tree_.build(entries);
+  }
+
+  /// The pieces of an end along which no other triangle goes on.
+  [[nodiscard]] std::vector<Segment> left_of(const Sheets::End& end) const {
+    const auto& [from, to] = end.piece;
+    const double length = norm(to - from), within = reach_.beside(length);
+    std::vector<std::array<double, 2>> covered;
+    const std::array<std::uint32_t, 1> asked{0};
+    const std::array<Box, 1> boxes{widened(box_of(end.piece), within)};
+    broad::BoxTree::Search search;
+    tree_.find(asked, boxes, search);
+    for (const std::uint64_t key : search.found) {
+      const auto& [at, use] = edges_[static_cast<std::uint32_t>(key)];
+      if (use.triangle != end.of.triangle && !go_one_way(linked_.part, end.of, use))
+        add_covered(end.piece, at, std::min(within, reach_.beside(norm(at[1] - at[0]))), covered);
+    }
+    std::sort(covered.begin(), covered.end());
+    std::vector<Segment> left;
+    double done = 0;
+    const auto add = [&](double lo, double hi) {
+      if (hi - lo > within || covered.empty())
+        left.push_back({from + (lo / length) * (to - from), from + (hi / length) * (to - from)});
+    };
+    for (const auto& [lo, hi] : covered) add(done, lo), done = std::max(done, hi);
+    add(done, length);
+    return left;
+  }
+
+ private:
+  struct Border {
+    Segment at;
+    TriangleEdge use;
+  };
+
+  /// Calls `take` with each of a part's triangles that use an edge.
+  template <class Take>
+  void each_use(const std::array<std::uint32_t, 2>& edge, const Take& take) const {
+    const auto& [offsets, triangles] = linked_.fans;
+    const auto size = [&](std::uint32_t position) { return offsets[position + 1] - offsets[position]; };
+    const std::uint32_t at = size(edge[0]) <= size(edge[1]) ? edge[0] : edge[1];
+    for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
+      if (!linked_.part.is_boundary(triangles[i])) continue;
+      const auto corners = corners_of(linked_.part, triangles[i]);
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (std::array{corners[k], corners[(k + 1) % 3]} == edge ||
+            std::array{corners[(k + 1) % 3], corners[k]} == edge)
+          take(TriangleEdge{triangles[i], k});
+    }
+  }
+
+  /// Where along a piece, in lengths from its beginning, an edge runs within a distance of it.
+  static void add_covered(const Segment& piece, const Segment& edge, double within,
+                          std::vector<std::array<double, 2>>& covered) {
+    const double length = norm(piece[1] - piece[0]);
+    const Vec3 along = (1 / length) * (piece[1] - piece[0]);
+    double a = dot(edge[0] - piece[0], along), b = dot(edge[1] - piece[0], along);
+    Segment at = edge;
+    if (a > b) std::swap(a, b), std::swap(at[0], at[1]);
+    const double lo = std::max(a, 0.0), hi = std::min(b, length);
+    if (!(hi > lo)) return;
+    for (const double place : {lo, hi}) {
+      const Vec3 point = at[0] + ((place - a) / (b - a)) * (at[1] - at[0]);
+      if (norm(point - piece[0] - place * along) > within) return;
+    }
+    covered.push_back({lo, hi});
+  }
+
+  const LinkedPart& linked_;
+  CornerReach reach_;
+  std::vector<Border> edges_;
+  broad::BoxTree tree_;  ///< over them
+};
+
 }  // namespace
 
-SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame) {
+SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance) {
+  std::vector<Sheets::End> open;
+  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (const Sheets::End& end : sheets.ends)
+    if (is_end(end, part)) open.push_back(end), box = united(box, box_of(end.piece));
+  const Borders borders(part, widened(box, tolerance), {part.part, tolerance});
   std::vector<broad::BoxTree::Entry> entries;
-  for (const Sheets::End& end : sheets.ends) {
-    if (!is_end(end, part)) continue;
-    ends_.push_back({frame.to_local(end.piece[0]), frame.to_local(end.piece[1])});
-    const auto [lo, hi] = box_of(ends_.back());
-    entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, static_cast<std::uint32_t>(entries.size())});
-  }
+  for (const Sheets::End& end : open)
+    for (const Segment& piece : borders.left_of(end)) {
+      ends_.push_back({frame.to_local(piece[0]), frame.to_local(piece[1])});
+      entries.push_back(entry_of(box_of(ends_.back()), entries.size()));
+    }
   tree_.build(entries);
 }
 

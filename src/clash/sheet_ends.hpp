@@ -11,10 +11,11 @@
 
 namespace impinge::clash {
 
-/// Where a part's surface ends, as far as some sheets of it go: edges from which all triangles go one way.
+/// Where a part's surface ends, as far as some sheets of it go: edges from which all triangles go one way, the part's
+/// others too.
 class SheetEnds {
  public:
-  SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame);
+  SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance);
 
   /// Whether the surface ends within a distance of a point; both local.
   [[nodiscard]] bool are_near(const Vec3& point, double distance) const;

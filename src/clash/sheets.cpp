@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "clash/sheets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -84,18 +85,40 @@ std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::u
   return uses;
 }
 
+CommonCorners common_corners(const std::vector<EdgeUse>& uses, const EdgeCuts& cuts, const CornerReach& reach) {
+  std::vector<CommonCorners::Edge> edges;
+  each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const auto [low, high] = std::pair(edge[0].low, edge[0].high);
+    edges.push_back({low, high, {cuts.at(low), cuts.at(high)}, edge.size() == 1});
+  });
+  return {edges, reach};
+}
+
+/// Edges between the corners that stand for theirs; none where these are one.
+void join_corners(std::vector<EdgeUse>& uses, const CommonCorners& common) {
+  for (EdgeUse& use : uses) {
+    const std::uint32_t from = common.of(use.way > 0 ? use.low : use.high);
+    const std::uint32_t to = common.of(use.way > 0 ? use.high : use.low);
+    use.low = std::min(from, to), use.high = std::max(from, to), use.way = from < to ? 1 : -1;
+  }
+  std::erase_if(uses, [](const EdgeUse& use) { return use.low == use.high; });
+  sort(uses);
+}
+
 /// The same of pieces of edges, cut where other corners lie on them. Of edges along one line that all overlap there
 /// would be as many pieces as their number squared: too many are left uncut.
 std::vector<EdgeUse> cut_up(const std::vector<EdgeUse>& uses, const solid::Part& part,
-                            const std::vector<std::uint32_t>& ids, const EdgeCuts& cuts) {
+                            const std::vector<std::uint32_t>& ids, const EdgeCuts& cuts, const CommonCorners& common) {
   constexpr std::size_t kMost = 8;
   std::vector<EdgeUse> pieces;
   each_edge(uses, [&](std::span<const EdgeUse> edge) {
     std::vector<std::uint32_t> along{edge[0].low, edge[0].high};
     if (pieces.size() < kMost * uses.size()) along = cuts.along(edge[0].low, edge[0].high);
+    for (std::uint32_t& position : along) position = common.of(position);
     // A triangle may be so narrow that its third corner is on the edge but for the tolerance.
     for (const EdgeUse& use : edge)
-      if (along.size() > 2) std::erase(along, corners_of(part, ids[use.triangle])[(use.corner + 2) % 3]);
+      if (along.size() > 2) std::erase(along, common.of(corners_of(part, ids[use.triangle])[(use.corner + 2) % 3]));
+    along.erase(std::unique(along.begin(), along.end()), along.end());
     for (EdgeUse use : edge) {
       const int way = use.way;
       for (std::size_t i = 1; i < along.size(); ++i) {
@@ -178,10 +201,11 @@ void find_ends(const std::vector<EdgeUse>& uses, const solid::Part& part, const 
   });
 }
 
-void find_clusters(const solid::Part& part, const std::vector<EdgeUse>& uses, Sheets& sheets) {
+void find_clusters(const solid::Part& part, const std::vector<EdgeUse>& uses, const CommonCorners& common,
+                   Sheets& sheets) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;
   for (std::uint32_t i = 0; i < sheets.ids.size(); ++i)
-    for (const std::uint32_t position : corners_of(part, sheets.ids[i])) corners.emplace_back(position, i);
+    for (const std::uint32_t position : corners_of(part, sheets.ids[i])) corners.emplace_back(common.of(position), i);
   for (const EdgeUse& use : uses)
     corners.emplace_back(use.low, use.triangle), corners.emplace_back(use.high, use.triangle);
   std::sort(corners.begin(), corners.end());
@@ -212,8 +236,12 @@ Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids, double
   ids.erase(std::remove_if(ids.begin(), ids.end(), is_degenerate), ids.end());
   Sheets sheets{.ids = std::move(ids), .cluster = {}, .piece = {}, .side = {}, .links = {}, .ends = {}};
   const std::vector<Stand> stands = stands_of(part, sheets.ids);
-  const EdgeCuts cuts(part, sheets.ids, tolerance);
-  const std::vector<EdgeUse> uses = cut_up(edge_uses(part, sheets.ids, stands), part, sheets.ids, cuts);
+  const CornerReach reach(part, tolerance);
+  const EdgeCuts cuts(part, sheets.ids, reach);
+  std::vector<EdgeUse> uses = edge_uses(part, sheets.ids, stands);
+  const CommonCorners common = common_corners(uses, cuts, reach);
+  join_corners(uses, common);
+  uses = cut_up(uses, part, sheets.ids, cuts, common);
   find_pieces(uses, part, sheets);
   for (std::uint32_t i = 0; i < sheets.ids.size(); ++i) {
     const auto [index, way] = stands[i];
@@ -221,7 +249,7 @@ Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids, double
   }
   find_links(uses, part, sheets);
   find_ends(uses, part, cuts, sheets);
-  find_clusters(part, uses, sheets);
+  find_clusters(part, uses, common, sheets);
   return sheets;
 }
 

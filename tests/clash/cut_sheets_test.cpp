@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -148,30 +150,42 @@ TEST(CutSheets, ASlitIsNoSheet) {
   expect_plain_verdicts(1000, 3, 4, 3);
 }
 
-/// A wall through a plate, each of two halves: the nearer the cuts are to the line, the less is told around it.
-TEST(CutSheets, AWallAndAPlateOfTwoHalves) {
-  const Rectangle plate{2, {0, 0, 2}, {4, 4, 2}}, wall{0, {2, 0, 0}, {2, 4, 4}};
-  ASSERT_TRUE(cross(plate, wall));
-  const auto halves = [](const Rectangle& whole, std::size_t across, double at) {
-    MeshData mesh;
-    const std::size_t along = 3 - whole.axis - across;
-    for (const double x : {0.0, 2 * kCell + at, 4 * kCell})
-      for (const double y : {0.0, 4 * kCell}) {
-        std::array<double, 3> p{};
-        p[whole.axis] = whole.lo[whole.axis] * kCell, p[across] = x, p[along] = y;
-        mesh.xyz.insert(mesh.xyz.end(), p.begin(), p.end());
-      }
-    mesh.triangles = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4};
-    return test::mesh_of(mesh);
-  };
-  for (double beside = -4; beside <= 4; beside += 0.25)
-    for (double above = -4; above <= 4; above += 0.25)
-      for (const double tolerance : {1.0, 0.25}) {
-        ClashOptions options;
-        options.tolerance = tolerance;
-        const Clash clash = judge(halves(plate, 0, beside), {}, halves(wall, 2, above), {}, options).value();
-        EXPECT_EQ(name(clash.verdict), "crossing") << beside << " beside, " << above << " above, " << tolerance;
-      }
+/// From a line along y, so far in a direction of x and z, in so many rows.
+void add_half(MeshData& mesh, const std::array<double, 2>& at, const std::array<double, 2>& way, int rows) {
+  constexpr double kWide = 2000 * kTolerance;
+  const auto base = static_cast<std::uint32_t>(mesh.xyz.size() / 3);
+  for (int row = 0; row <= rows; ++row)
+    for (const double far : {0.0, kWide})
+      mesh.xyz.insert(mesh.xyz.end(), {at[0] + far * way[0], kWide * (2.0 * row / rows - 1), at[1] + far * way[1]});
+  for (std::uint32_t i = base; i < base + 2 * static_cast<std::uint32_t>(rows); i += 2)
+    mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, i + 2, i + 1, i + 3, i + 2});
+}
+
+/// A wall through a plate at some angle, each of two halves, and not welded: their sides of a seam may have vertices of
+/// their own, and others in between. The nearer seams are to the line, the less is told around it.
+void expect_crossing(double degrees, double seam_of_plate, double seam_of_wall, double gap, int rows) {
+  const double angle = degrees * std::numbers::pi / 180;
+  const std::array<double, 2> along{std::cos(angle), std::sin(angle)}, back{-along[0], -along[1]};
+  MeshData plate, wall;
+  add_half(plate, {seam_of_plate, 0}, {-1, 0}, 1);
+  add_half(plate, {seam_of_plate + gap, 0}, {1, 0}, rows);
+  add_half(wall, {seam_of_wall * along[0], seam_of_wall * along[1]}, along, 1);
+  add_half(wall, {seam_of_wall * along[0], seam_of_wall * along[1]}, back, 1);
+  ClashOptions options;
+  options.tolerance = kTolerance;
+  const Clash clash = judge(test::mesh_of(plate), {}, test::mesh_of(wall), {}, options).value();
+  EXPECT_EQ(name(clash.verdict), "crossing") << degrees << " degrees, seams at " << seam_of_plate << " and "
+                                             << seam_of_wall << ", gap " << gap << ", rows " << rows;
+}
+
+TEST(CutSheets, AWallThroughAPlateOfTwoHalves) {
+  for (const double degrees : {90.0, 70.0, 50.0, 30.0, 20.0})
+    for (double of_plate = -3.9; of_plate < 4; of_plate += 0.6)
+      for (double of_wall = -3.9; of_wall < 4; of_wall += 0.6)
+        for (const int rows : {1, 2}) {
+          expect_crossing(degrees, of_plate, of_wall, 0, rows);
+          expect_crossing(degrees, of_plate, of_wall, 1e-9, rows);
+        }
 }
 
 }  // namespace
