@@ -31,16 +31,21 @@ Error cannot_write(std::string_view name, int error) {
 
 std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'{}'", path.native()); }
 
-/// Whether replacing this file loses nothing but an earlier document.
-bool is_empty_or_one(const std::filesystem::path& file, const DocumentKind& kind) {
+/// What somebody would lose with this file, if that is anything but an earlier document: "holds no JSON of impinge".
+std::string what_would_be_lost(const std::filesystem::path& file, const DocumentKind& kind) {
+  const std::string other = fmt::format("holds no {} of impinge", kind.noun);
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
+  if (descriptor < 0) return other;
   std::array<char, 512> head{};
   const ssize_t got = ::read(descriptor, head.data(), head.size());
   const std::string_view text(head.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  const bool is_one = kind.begins_one(text) && (kind.is_whole == nullptr || kind.is_whole(descriptor));
+  const bool begins_one = kind.begins_one(text),
+             is_whole = begins_one && (kind.is_whole == nullptr || kind.is_whole(descriptor));
   ::close(descriptor);
-  return got >= 0 && (text.find_first_not_of(" \t\r\n") == std::string_view::npos || is_one);
+  const bool is_empty = got >= 0 && text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  if (is_empty || is_whole) return {};
+  if (!begins_one) return other;
+  return fmt::format("is no {} as impinge wrote it: another program has changed or made it", kind.noun);
 }
 
 /// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
@@ -128,10 +133,11 @@ Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bo
                    fmt::format("{} is a directory; name a file for the {}", in_quotes(name), kind.noun)};
     target.direct_ = !S_ISREG(about.st_mode);
     if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
-    if (!target.direct_ && !is_one && !is_empty_or_one(target.place_, kind))
-      return Error{Code::bad_file, fmt::format("{} exists and holds no {} of impinge, so it is not replaced; the "
-                                               "word after {} is the file to write",
-                                               in_quotes(name), kind.noun, kind.option)};
+    const std::string lost = target.direct_ || is_one ? "" : what_would_be_lost(target.place_, kind);
+    if (!lost.empty())
+      return Error{Code::bad_file,
+                   fmt::format("{} exists and {}, so it is not replaced; the word after {} is the file to write",
+                               in_quotes(name), lost, kind.option)};
   }
   if (!target.direct_) {
     auto folder = target.place_.parent_path();

@@ -76,6 +76,12 @@ std::size_t character_columns(char32_t code) {
   return contains(kWide, code) ? 2 : 1;
 }
 
+/// Whether the text begins like a byte that is spelled out.
+bool spells_a_byte(std::string_view text) {
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  return text.size() >= 4 && text.starts_with("\\x") && is_digit(text[2]) && is_digit(text[3]);
+}
+
 char32_t folded(char32_t code) { return code >= 'A' && code <= 'Z' ? code + 32 : code; }
 
 std::vector<char32_t> characters(std::string_view text, std::size_t most) {
@@ -116,6 +122,20 @@ std::string valid_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const Character character = decode(text, at);
     result += character.valid ? text.substr(at, character.length) : kReplacementBytes;
+    at += character.length;
+  }
+  return result;
+}
+
+std::string distinct_utf8(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const Character character = decode(text, at);
+    if (character.valid && !spells_a_byte(text.substr(at)))
+      result += text.substr(at, character.length);
+    else
+      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
     at += character.length;
   }
   return result;

@@ -3,6 +3,7 @@
 #include "motion/motion.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,8 +43,14 @@ Result<io::Model> read_model(const MotionArguments& arguments, const std::stop_t
 /// The animation that is named or numbered; the first by default.
 Result<const io::Animation*> choose(const io::Model& model, const MotionArguments& arguments) {
   if (!arguments.animation) return &model.animations.front();
-  for (const io::Animation& animation : model.animations)
-    if (animation.name == *arguments.animation) return &animation;
+  std::vector<std::size_t> named;
+  for (std::size_t i = 0; i < model.animations.size(); ++i)
+    if (model.animations[i].name == *arguments.animation) named.push_back(i);
+  if (named.size() == 1) return &model.animations[named.front()];
+  if (named.size() > 1)
+    return Error{Code::bad_option,
+                 fmt::format("--animation {}: {} has {} animations of that name; choose one by its number: {}",
+                             *arguments.animation, arguments.files.front(), named.size(), fmt::join(named, ", "))};
   const auto number = parse_whole(*arguments.animation);
   if (number && *number < model.animations.size()) return &model.animations[*number];
   std::string names;

@@ -17,6 +17,8 @@
 #include <system_error>
 #include <utility>
 
+#include "text.hpp"
+
 namespace impinge::cli {
 namespace {
 
@@ -25,13 +27,14 @@ std::string joined(std::string_view a, std::string_view b) { return fmt::format(
 
 using Steps = std::vector<std::string>;
 
-/// The folders of a file from the root down, and its name: at least one, for a file that nothing is known of too.
+/// The folders of a file from the root down, and its name: at least one, for a file that nothing is known of too. As
+/// UTF-8, since the next run knows them from a JSON document, which holds nothing else.
 Steps steps_of(const std::string& file) {
   std::error_code unknown;
   std::filesystem::path path = std::filesystem::absolute(file, unknown);
   if (unknown) path = file;  // in a folder that is gone
   Steps steps;
-  for (const std::filesystem::path& step : path.lexically_normal()) steps.push_back(step.string());
+  for (const std::filesystem::path& step : path.lexically_normal()) steps.push_back(distinct_utf8(step.string()));
   if (steps.empty()) steps.emplace_back();
   return steps;
 }
@@ -124,12 +127,13 @@ std::vector<std::string> names_of_files(const std::vector<std::string>& files) {
 std::string path_in(std::string_view path, const std::string& file, std::string_view instead) {
   const std::string own = std::filesystem::path(file).stem().string();
   if (own.empty() || own == instead) return std::string(path);
+  const std::string other = std::string(instead) + '\0';  // no name of a part has that character
   std::string found;
   for (std::size_t from = 0; from <= path.size();) {
     const std::size_t to = std::min(path.find('/', from), path.size());
     const std::string_view step = path.substr(from, to - from);
     found += from > 0 ? "/" : "";
-    found += step == own ? instead : step;
+    found += step == own ? instead : step == instead ? std::string_view(other) : step;
     from = to + 1;
   }
   return found;

@@ -16,11 +16,12 @@ namespace impinge::cli {
 
 /// For each file a name that no other one has: that without folders; and of several that have the same, as many of the
 /// folders above each as tell it apart, none of them above the folder that all of these are in. So a project may be
-/// moved, and the order in which files are named means nothing. What is one file has one name.
+/// moved, and the order in which files are named means nothing. What is one file has one name. Names are UTF-8, with
+/// bytes that are part of no character spelled out (`distinct_utf8`).
 std::vector<std::string> names_of_files(const std::vector<std::string>& files);
 
 /// The path of a part, with another name for each of its steps that is only the file's own, without ending: so are
-/// parts called that have no name.
+/// parts called that have no name. A part that really has that other name gets one that no part has.
 std::string path_in(std::string_view path, const std::string& file, std::string_view instead);
 
 /// Shapes with their places as UUIDs: equal only where both are equal to the last bit. A mesh that many objects share

@@ -36,7 +36,7 @@ Group read_selected(std::string_view word, const JsonReader::Place& place) {
   const auto by = [&](std::vector<Word> Group::*list, std::string text) {
     Group group;
     group.place = place;
-    (group.*list).push_back({std::move(text), place});
+    (group.*list).push_back({std::move(text), place, std::string(word)});
     return group;
   };
   if (is_class(word)) return by(&Group::classes, std::string(word));
@@ -50,7 +50,7 @@ bool is_everything(std::string_view word) { return word == "IfcElement" || word 
 std::vector<Group> read_selector(JsonReader& reader, Word& selector) {
   selector.text = reader.string();
   selector.place = reader.place();
-  const auto& [text, place] = selector;
+  const std::string& text = selector.text;
   std::vector<Group> groups;
   std::string_view left = text;
   for (bool more = !trimmed(left).empty(); more && !reader.failed();) {
@@ -75,7 +75,7 @@ std::vector<Group> read_selector(JsonReader& reader, Word& selector) {
                       fit(printable(word), 80), nearest_ifc_class(word), fit(printable(word), 80)));
       return {};
     }
-    groups.push_back(read_selected(word, place));
+    groups.push_back(read_selected(word, selector.place));
   }
   return groups;
 }

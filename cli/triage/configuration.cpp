@@ -194,6 +194,8 @@ std::string no_configuration(std::string_view what) {
 
 void read_object(JsonReader& reader, Configuration& to) {
   bool has_tests = false;
+  if (is_gltf(reader.keys()))
+    return reader.fail(no_configuration("it is a glTF file; name it after the configuration, or among its \"files\""));
   reader.object([&](const std::string& key) {
     if (key == "$schema") return reader.string(), void();
     if (key == "version") return reader.fail(no_configuration("it is a report, as --json writes it"));

@@ -20,6 +20,8 @@ namespace impinge::cli {
 struct Word {
   std::string text;
   JsonReader::Place place;
+  std::string written{};  ///< how it stands in the file, if not as the text
+  [[nodiscard]] const std::string& shown() const { return written.empty() ? text : written; }
 };
 
 /// A set of parts: those that agree with every list that is not empty, each by one of its words, and with one of the

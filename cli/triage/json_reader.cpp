@@ -135,6 +135,16 @@ Kind JsonReader::kind() {
   return tokens_[next_].kind;
 }
 
+std::set<std::string> JsonReader::keys() {
+  std::set<std::string> keys;
+  if (kind() != Kind::object) return keys;
+  for (std::size_t at = next_ + 1; at < tokens_[next_].link;) {
+    keys.emplace(string_of(tokens_[at++]));
+    at = tokens_[at].kind == Kind::string ? at + 1 : tokens_[at].link;
+  }
+  return keys;
+}
+
 /// Null after a mistake.
 const JsonReader::Token* JsonReader::take(Kind wanted, std::string_view what) {
   const Kind found = kind();

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -27,6 +28,9 @@ class JsonReader {
 
   /// What stands here; null after a mistake.
   [[nodiscard]] Kind kind();
+
+  /// The keys of the object that stands here, which is not taken; none of anything else.
+  [[nodiscard]] std::set<std::string> keys();
 
   // Each takes the value that stands here, and it is a mistake if that is of another kind.
   std::string string();

@@ -20,4 +20,6 @@ std::string what_it_is_instead(std::string_view text) {
   return "it is no JSON object";
 }
 
+bool is_gltf(const std::set<std::string>& keys) { return keys.contains("asset"); }
+
 }  // namespace impinge::cli

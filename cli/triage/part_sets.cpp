@@ -62,7 +62,7 @@ std::string nearest_text(const std::vector<io::Object>& objects, const std::stri
 
 Error PartSets::nothing_named(const Word& word, std::string_view what, const std::string& nearest) const {
   return configuration_.error_at(
-      word.place, fmt::format("no {} is '{}'{}", what, fit(printable(word.text), 80),
+      word.place, fmt::format("no {} is '{}'{}", what, fit(printable(word.shown()), 80),
                               nearest.empty() ? "" : fmt::format("; the nearest is '{}'", printable(nearest))));
 }
 
@@ -162,7 +162,7 @@ std::string in_short(const Group& group) {
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
   const auto add_words = [&](const std::vector<Word>& words, const char* what) {
-    for (const Word& word : words) add(what + word.text);
+    for (const Word& word : words) add(what + word.shown());
   };
   add_words(group.names, "");
   add_words(group.paths, "path ");

@@ -212,6 +212,7 @@ NumberedPair read_pair(JsonReader& reader) {
 
 /// What a document with these keys is, if it is none of `impinge clash`.
 std::string_view what_has(const std::set<std::string>& keys) {
+  if (is_gltf(keys)) return "it is a glTF file";
   if (keys.contains("spans")) return "it is the JSON of impinge motion";
   if (keys.contains("truncated") && !keys.contains("counts")) return "it is the JSON of impinge check";
   if (!keys.contains("version") && keys.contains("tests")) return "it is a configuration, which --config takes";
@@ -229,9 +230,11 @@ class Document {
   explicit Document(JsonReader& reader) : reader_(reader) {}
 
   void read() {
-    std::set<std::string> keys;
+    const std::set<std::string> keys = reader_.keys();
+    const std::string_view other = what_has(keys);
+    // Without a version nothing of it is written as in a report. That of another version says so itself.
+    if (!other.empty() && !keys.contains("version")) return reader_.fail(no_report(other));
     reader_.object([&](const std::string& key) {
-      keys.insert(key);
       if (key == "version") {
         if (reader_.number() != 1)
           reader_.fail("this is a document of another version of impinge, which wrote version 1");
@@ -247,7 +250,7 @@ class Document {
         reader_.skip();
       }
     });
-    if (const std::string_view other = what_has(keys); !other.empty()) reader_.fail(no_report(other));
+    if (!other.empty()) reader_.fail(no_report(other));
   }
 
   Result<Previous> finish() {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -33,6 +34,13 @@ bool holds_remarks(const std::optional<std::string>& name) {
   while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get()))
     if (search.look({piece.data(), count})) return true;
   return false;
+}
+
+/// The character of a number in hexadecimal digits; one that is no letter if that is no ASCII.
+char ascii_of(const std::string& digits) {
+  unsigned code = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+  return error == std::errc() && code < 0x80 ? static_cast<char>(code) : '\\';
 }
 
 /// What was written about what: the id of a pair or region, status and comment.
@@ -74,8 +82,12 @@ bool RemarkSearch::look(std::string_view piece) {
   return false;
 }
 
-bool RemarkSearch::step(char c) {
+void RemarkSearch::add(char c) {
   constexpr std::size_t kEnough = 8;  // tells both keys from any other
+  if (text_.size() < kEnough) text_ += c;
+}
+
+bool RemarkSearch::step(char c) {
   switch (at_) {
     case At::outside:
       if (is_blank(c)) return false;
@@ -88,11 +100,19 @@ bool RemarkSearch::step(char c) {
         at_ = At::outside;
       } else {
         if (c == '\\') at_ = At::escape;
-        if (text_.size() < kEnough) text_ += c;
+        if (c != '\\') add(c);
       }
       return false;
     case At::escape:
+      at_ = c == 'u' ? At::code : At::text;
+      code_.clear();
+      if (c != 'u') add('\\');  // no letter is written so
+      return false;
+    case At::code:
+      code_ += c;
+      if (code_.size() < 4) return false;
       at_ = At::text;
+      add(ascii_of(code_));
       return false;
     case At::value:
       if (is_blank(c)) return false;

@@ -21,11 +21,13 @@ class RemarkSearch {
   bool look(std::string_view piece);
 
  private:
-  enum class At { outside, text, escape, value, remark };
+  enum class At { outside, text, escape, code, value, remark };
   bool step(char c);
+  void add(char c);
 
   At at_ = At::outside;
-  std::string text_;  ///< how the last text begins, as it is written
+  std::string text_;  ///< how the last text begins; what is no ASCII letter may stand as any other character
+  std::string code_;  ///< digits of the character that is written by its number
 };
 
 /// Whether such a document may go to this place. Errors: `bad_file`, where a report with remarks is.

@@ -23,7 +23,7 @@ struct Content {
 };
 using Contents = std::map<std::string, Content>;  // by the names of the files
 
-/// A part that has no name is called as its file is, which says nothing here.
+/// A part that has no name is called as its file is, which says nothing here. Texts are as they stand in a report.
 void add(Content& to, std::string_view own_path, const std::string& file, const std::string& placed) {
   for (std::size_t from = 0; from <= own_path.size();) {
     const std::size_t end = std::min(own_path.find('/', from), own_path.size());
@@ -123,11 +123,12 @@ class Renaming {
     take(same);
   }
 
-  /// Whether a part has the name of the other file: it would be known as one of those that have none.
+  /// Whether a part has the name of the other file: it would be known as one of those that have none, or one of those
+  /// as it.
   [[nodiscard]] bool is_mixed_up(const std::string& then, const std::string& now) const {
-    const std::string old_stem = stem_of(known_as_.at(then)), new_stem = stem_of(now);
-    return old_stem != new_stem &&
-           (earlier_.at(then).steps.contains(new_stem) || present_.at(now).steps.contains(old_stem));
+    const std::string known_stem = stem_of(known_as_.at(then)), new_stem = stem_of(now);
+    return (new_stem != stem_of(then) && earlier_.at(then).steps.contains(new_stem)) ||
+           (new_stem != known_stem && present_.at(now).steps.contains(known_stem));
   }
 
   /// Names that are in the one set and not in the other. A file that has only more or fewer folders in its name, as
@@ -145,14 +146,18 @@ class Renaming {
     for (const std::string& name : old_) earlier_[name];
     for (const std::string& name : now_) present_[name];
     std::map<std::string, const Previous::OldFile*> files;
-    for (const Previous::OldFile& file : previous_.files) files[file.file] = &file;
+    for (const Previous::OldFile& file : previous_.files) {
+      const auto [known, fresh] = files.try_emplace(file.file, &file);
+      // Bytes that are no UTF-8 made one text of two files: nobody knows of which a part is.
+      if (!fresh && known->second != nullptr && known->second->name != file.name) known->second = nullptr;
+    }
     for (const OldPart& part : previous_.parts)
-      if (const auto file = files.find(part.file); file != files.end())
+      if (const auto file = files.find(part.file); file != files.end() && file->second != nullptr)
         add(earlier_[file->second->name], part.path, part.file, part.placed);
     Shapes shapes;
     for (std::size_t i = 0; i < assembly_.objects.size(); ++i) {
       const std::uint32_t file = assembly_.file_of[i];
-      add(present_[names_[file]], assembly_.objects[i].path, assembly_.files[file],
+      add(present_[names_[file]], valid_utf8(assembly_.objects[i].path), valid_utf8(assembly_.files[file]),
           shapes.placed(assembly_.objects[i]));
     }
   }

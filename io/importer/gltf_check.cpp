@@ -30,6 +30,12 @@ constexpr std::size_t kMostVisits = 10'000'000;
 /// assimp counts in 32 bits.
 constexpr std::uint64_t kMostElements = 0xFFFFFFFF;
 
+/// The size of a component in bytes; 1, which asks nothing of its place, for a type that there is none of.
+std::int64_t size_of_component(std::int64_t type) {
+  if (type == kFloat || type == 5125) return 4;
+  return type == 5122 || type == 5123 ? 2 : 1;
+}
+
 class Checker {
  public:
   explicit Checker(const json& file) : file_(file) {}
@@ -92,7 +98,14 @@ class Checker {
         if (const json& list = member(node, name); !list.is_null() && !are_numbers(list, count))
           what = io::sentence("has a ", name, " that is not ", count, " numbers of single precision; export it again");
       const std::string called = text_of(member(node, "name"));
+      if (const json& turn = member(node, "rotation"); what.empty() && !turn.is_null() && are_zeros(turn))
+        what = "has a rotation of four zeros, which is no rotation; export it again";
+      if (const json& skin = member(node, "skin"); !skin.is_null() && element(member(file_, "skins"), skin).is_null())
+        what = io::sentence("has the skin ", skin.dump(), ", which is not in the file; export it again");
       if (is_morphed(node)) check_.morphed.add(called);
+      if (const json& seen = member(member(member(node, "extensions"), "KHR_node_visibility"), "visible");
+          seen.is_boolean() && !seen.get<bool>())
+        check_.hidden.add(called);
       if (what.empty()) continue;
       check_.problem = io::sentence("node ", key, called.empty() ? "" : " " + io::in_quotes(called), " ", what);
       return;
@@ -116,6 +129,36 @@ class Checker {
            });
   }
 
+  /// assimp reads single precision.
+  static bool are_zeros(const json& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [](const json& one) { return static_cast<float>(one.get<double>()) == 0; });
+  }
+
+  /// What is wrong with where the elements of an accessor are (glTF 2.0, sections 3.6.2.4 and 3.7.2.1): assimp reads
+  /// something else there. Empty if nothing is, or nothing is known.
+  [[nodiscard]] std::string misplaced(const json& accessor, const char* what, std::int64_t components) const {
+    const json& view = element(member(file_, "bufferViews"), member(accessor, "bufferView"));
+    if (view.is_null()) return {};  // all zeros, sparse or compressed
+    const std::int64_t component = size_of_component(integer_of(member(accessor, "componentType"), 0));
+    const std::int64_t size = components * component, offset = integer_of(member(accessor, "byteOffset"), 0),
+                       start = integer_of(member(view, "byteOffset"), 0);
+    // Each is checked, so that their sum does not overflow.
+    if (start % component != 0 || offset % component != 0)
+      return io::sentence("its ", what, " begin at byte ", offset, " of a view that begins at byte ", start,
+                          ", and both must be multiples of ", component,
+                          ", the size of their numbers; export it again");
+    const bool is_first_version = member(file_, "accessors").is_object();
+    const json& stride_of = member(is_first_version ? accessor : view, "byteStride");
+    const std::int64_t stride = integer_of(stride_of, stride_of.is_null() ? 0 : -1);
+    if (stride == 0 || stride == size) return {};  // one directly after the other
+    const bool is_vertex = components > 1;
+    if (is_vertex && stride > size && stride <= 252 && stride % 4 == 0) return {};
+    return io::sentence("its ", what, " are ", stride_of.dump(), " bytes apart, which must be ",
+                        is_vertex ? "a multiple of 4 from " : "", size, is_vertex ? " to 252" : ", the size of one",
+                        "; export it again");
+  }
+
   /// How many triangles a primitive has, with a problem if that is not to be told.
   std::uint64_t triangles_of(const json& primitive) {
     const std::int64_t mode = integer_of(member(primitive, "mode"), 4);
@@ -131,6 +174,9 @@ class Checker {
     }
     const json& indices = member(primitive, "indices");
     const json& count_of = indices.is_null() ? positions : element(accessors, indices);
+    check_.problem = misplaced(positions, "positions", 3);
+    if (check_.problem.empty() && !indices.is_null()) check_.problem = misplaced(count_of, "indices", 1);
+    if (!check_.problem.empty()) return 0;
     const json& count = member(count_of, "count");
     if (!count.is_number_unsigned() || count.get<std::uint64_t>() > kMostElements) {
       check_.problem = "a primitive does not say how many corners it has; export it again";
@@ -188,11 +234,11 @@ std::optional<GltfCheck> check_gltf(const char* file) {
   if (!is_gltf_name(file)) return std::nullopt;
   std::string problem;
   const std::string text = json_text(file, problem);
-  if (!problem.empty()) return GltfCheck{problem, 0, {}};
+  if (!problem.empty()) return GltfCheck{problem, 0, {}, {}};
   try {
     return Checker(json::parse(text)).check();
   } catch (const json::exception& error) {
-    return GltfCheck{io::sentence("its JSON cannot be read: ", error.what()), 0, {}};
+    return GltfCheck{io::sentence("its JSON cannot be read: ", error.what()), 0, {}, {}};
   }
 }
 

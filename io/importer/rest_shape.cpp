@@ -82,16 +82,27 @@ class Rest {
   std::map<unsigned, Corners> corners_;              ///< by mesh
 };
 
+/// "1 part, 'arm', is", "2 parts (the first is 'arm') are".
+std::string subject(const SomeParts& parts, std::string_view noun) {
+  const bool is_one = parts.count == 1;
+  std::string called = parts.first.empty() ? "" : io::in_quotes(parts.first);
+  if (!called.empty()) called = is_one ? ", " + called + "," : " (the first is " + called + ")";
+  return io::sentence(parts.count, " ", noun, is_one ? "" : "s", called, is_one ? " is" : " are");
+}
+
 }  // namespace
 
 SomeParts bent_parts(const aiScene& scene) { return Rest(scene).bent_parts(); }
 
+std::string hidden_sentence(const SomeParts& nodes) {
+  return io::sentence(subject(nodes, "node"),
+                      " hidden by KHR_node_visibility, which is not followed: what that hides is checked as if it were "
+                      "visible.");
+}
+
 std::string reshaped_sentence(const SomeParts& parts, std::string_view by_what, std::string_view mend) {
-  const bool is_one = parts.count == 1;
-  std::string called = parts.first.empty() ? "" : io::in_quotes(parts.first);
-  if (!called.empty()) called = is_one ? ", " + called + "," : " (the first is " + called + ")";
-  return io::sentence(parts.count, is_one ? " part" : " parts", called, is_one ? " is" : " are", " reshaped by ",
-                      by_what, ", which is not read: what is checked is the shape before that. ", mend,
+  return io::sentence(subject(parts, "part"), " reshaped by ", by_what,
+                      ", which is not read: what is checked is the shape before that. ", mend,
                       " where the file is made.");
 }
 

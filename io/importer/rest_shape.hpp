@@ -24,6 +24,9 @@ struct SomeParts {
 /// Those that bones bend which are not where they were bound.
 SomeParts bent_parts(const aiScene& scene);
 
+/// Of nodes that their file hides.
+std::string hidden_sentence(const SomeParts& nodes);
+
 std::string reshaped_sentence(const SomeParts& parts, std::string_view by_what, std::string_view mend);
 
 }  // namespace impinge::importer

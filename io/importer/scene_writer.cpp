@@ -190,6 +190,7 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (const SomeParts bent = bent_parts(*scene); bent.count > 0)
     writer.missing(reshaped_sentence(bent, "bones", "Apply the skin"));
   if (gltf && gltf->morphed.count > 0) writer.missing(reshaped_sentence(gltf->morphed, "morph targets", "Apply them"));
+  if (gltf && gltf->hidden.count > 0) writer.warning(hidden_sentence(gltf->hidden));
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
   const Movement movement = read_movement(file, *scene);
   for (const io::ImportedNode& node : movement.nodes) writer.node(node);

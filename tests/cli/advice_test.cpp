@@ -148,6 +148,9 @@ TEST_F(Advice, WhatIsNoEarlierReportIsCalledWhatItIs) {
   EXPECT_EQ(told(kPageHead + "<title>t</title>"), no_report + "it is a page, as --html writes it\n");
   EXPECT_EQ(told("rank,verdict,fails\r\n"), no_report + "it is a table of clashes, as --csv writes it\n");
   EXPECT_EQ(told(R"({"tests":[{"name":"t","a":"*"}]})"), no_report + "it is a configuration, which --config takes\n");
+  EXPECT_EQ(told(R"({"files":["pipe1.off"],"tests":[{"name":"t","a":"*"}]})"),
+            no_report + "it is a configuration, which --config takes\n");
+  EXPECT_EQ(told(gltf({{"pipe", {0, 0, 0}}})), no_report + "it is a glTF file\n");
   // Documents of the other commands, as they are written.
   const auto ends = [](const std::string& text, const std::string& part) { return text.ends_with(part + "\n"); };
   EXPECT_TRUE(ends(told(impinge(folder, {"info", "pipe1.off", "--json", "-"}).out), "it is the JSON of impinge info"));
@@ -183,6 +186,8 @@ TEST_F(Advice, WhatIsNoConfigurationIsCalledWhatItIs) {
   EXPECT_EQ(told("tests: all\n"), none + "it is no JSON object\n");
   EXPECT_EQ(told("true"), none + "it is no JSON object\n");
   EXPECT_EQ(told(kPageHead), none + "it is a page, as --html writes it\n");
+  EXPECT_EQ(told(gltf({{"pipe", {0, 0, 0}}})),
+            none + "it is a glTF file; name it after the configuration, or among its \"files\"\n");
   const std::string report = told(clash({"--json", "-"}).out);
   EXPECT_EQ(report, "impinge: c.json:1: /version: " + none.substr(none.find("this is")) +
                         "it is a report, as --json writes it\n");

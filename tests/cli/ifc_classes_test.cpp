@@ -37,6 +37,15 @@ Names taken(const std::string& selector, const Assembly& assembly) {
   return names;
 }
 
+TEST(IfcClasses, GlobalIdsAreShownAsTheyAreWritten) {
+  const Assembly house = one_of_each({"IfcStair"});
+  EXPECT_EQ(taken("#1srAI$R4T8ihLXSNHmUSET", house), Names{"IfcStair"});
+  const Names none = taken("#2O2Fr$t4X7Zf8NOew3FNr2", house);
+  EXPECT_TRUE(
+      none.at(0).starts_with("sets.json:1: /0/a/0/selector: no part's IFC product is '#2O2Fr$t4X7Zf8NOew3FNr2'; "))
+      << none.at(0);
+}
+
 TEST(IfcClasses, TakeWhatIsDerivedFromThemAndNotWhatBeginsSo) {
   const Assembly house =
       one_of_each({"IfcStair", "IfcStairFlight", "IfcWall", "IfcWallStandardCase", "IfcSlab", "IfcBuildingElementProxy",

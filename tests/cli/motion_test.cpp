@@ -227,6 +227,17 @@ TEST_F(Motion, OneOfSeveralAnimationsIsChosen) {
   const Ended none = run({"--animation", "3"});
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("has no such animation, but 0 'pass', 1 'stay away', 2 '2'"), std::string::npos) << none.err;
+  // As long as before, since a GLB says how long its JSON is.
+  std::string file = folder.read("case.glb");
+  const std::string name = R"("stay away")";
+  ASSERT_NE(file.find(name), std::string::npos);
+  folder.write("case.glb", file.replace(file.find(name), name.size(), R"("pass"     )"));
+  const Ended both = run({"--animation", "pass"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_EQ(both.err,
+            "impinge: --animation pass: case.glb has 2 animations of that name; choose one by its number: 0, 1\n");
+  EXPECT_EQ(report({"--animation", "1"}).at("spans").size(), 0U);
+  EXPECT_EQ(report({"--animation", "0"}).at("spans").size(), 1U);
 }
 
 TEST_F(Motion, WrongWordsAreErrors) {

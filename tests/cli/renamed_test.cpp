@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 struct Block {
-  std::string name;
+  std::string name;  ///< empty: it has none, and is called as its file is; only the first may
   std::array<int, 3> lo;
   int size = 2;
 };
@@ -26,7 +26,7 @@ std::string blocks(const std::vector<Block>& all) {
   std::string text;
   int corners = 0;
   for (const auto& [name, lo, size] : all) {
-    text += "o " + name + "\n";
+    if (!name.empty()) text += "o " + name + "\n";
     const Solid solid = box(lo, {lo[0] + size, lo[1] + size, lo[2] + size});
     for (const auto& [x, y, z] : solid.vertices)
       text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
@@ -222,6 +222,77 @@ TEST_F(Renamed, IsNoneThatHasTheNameOfAPart) {
     run({"pin.obj"});
     expect({}, stays ? std::set<std::string>{"pin/plate", "bolt/plate"} : std::set<std::string>{"pin/plate"});
     EXPECT_EQ(report.at("resolved").size(), 2U);
+  }
+}
+
+TEST_F(Renamed, WhatHasItsFirstNameLaterIsNotThePartThatHasNone) {
+  const Block nameless{"", {0, 0, 0}, 4}, pin{"pin", {3, 3, 3}}, named{"x_1", {4, 4, 4}};
+  for (const bool stays : {true, false}) {
+    SCOPED_TRACE(stays);
+    report = json();
+    folder.write("x_1.obj", blocks({nameless, pin}));
+    run({"x_1.obj"});
+    approve();
+    const std::set<std::string> first = ids();
+    folder.write("x_2.obj", blocks({nameless, pin}));
+    run({"x_2.obj"});
+    EXPECT_EQ(known_as(), (Known{{"x_2.obj", "x_1.obj"}}));
+    EXPECT_EQ(ids(), first);
+    folder.write("x_2.obj", blocks(stays ? std::vector<Block>{nameless, pin, named} : std::vector<Block>{pin, named}));
+    run({"x_2.obj"});
+    std::size_t kept = 0;
+    for (const json& pair : report.at("pairs")) {
+      const bool is_of_nameless = parts_of(report, pair) == "pin/x_2";
+      EXPECT_EQ(pair.at("status"), is_of_nameless ? json("pin/x_1") : json(nullptr)) << parts_of(report, pair);
+      EXPECT_EQ(first.contains(pair.at("id").get<std::string>()), is_of_nameless);
+      kept += is_of_nameless ? 1 : 0;
+    }
+    EXPECT_EQ(kept, stays ? 1U : 0U);
+    EXPECT_EQ(report.at("resolved").size(), stays ? 0U : 1U);
+    // With the first name it would be taken for the other.
+    std::filesystem::rename(folder.path() / "x_2.obj", folder.path() / "x_1.obj");
+    run({"x_1.obj"});
+    EXPECT_EQ(known_as(), (Known{{"x_1.obj", "x_1.obj (2)"}}));
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), json(nullptr));
+  }
+}
+
+TEST_F(Renamed, PartsOfWhichTheNamesAreNoUtf8) {
+  const std::vector<Block> latin_1{{"T\xfcr", {0, 0, 0}, 4}, {"St\xfctze", {3, 3, 3}}, {"W\xe4nd", {-1, -1, -1}}};
+  folder.write("t\xfcren_1.obj", blocks(latin_1)), folder.write("t\xfcren_2.obj", blocks(latin_1));
+  folder.write("pin.obj", blocks({{"pin", {3, -1, -1}}}));
+  for (const bool alone : {true, false}) {
+    SCOPED_TRACE(alone);
+    report = json();
+    std::vector<std::string> files{"t\xfcren_1.obj"};
+    if (!alone) files.emplace_back("pin.obj");
+    run(files);
+    approve();
+    const std::set<std::string> first = ids();
+    files[0] = "t\xfcren_2.obj";
+    run(files);
+    EXPECT_NE(said.find(" of last.json, renamed: its parts are known by the same names as then"), std::string::npos)
+        << said;
+    EXPECT_EQ(ids(), first);
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), json(parts_of(report, pair)));
+  }
+}
+
+TEST_F(Renamed, FilesOfWhichTheNamesAreNoUtf8AreNotRenamed) {
+  folder.write("\xff.off", off(box({0, 0, 0}, {4, 4, 4})));
+  folder.write("\xfe.off", off(box({3, 3, 3}, {6, 6, 6})));
+  folder.write("plate.off", off(box({-1, -1, 1}, {5, 5, 5})));
+  run({"\xff.off", "\xfe.off", "plate.off"});
+  ASSERT_EQ(report.at("pairs").size(), 3U);
+  const std::set<std::string> first = ids();
+  EXPECT_EQ(first.size(), 3U);
+  for (json& pair : report.at("pairs")) pair["status"] = pair.at("id");
+  for (int again = 0; again < 2; ++again) {
+    run({"\xfe.off", "plate.off", "\xff.off"});
+    EXPECT_EQ(said, "");
+    EXPECT_EQ(known_as(), (Known{{"\\xff.off", "\\xff.off"}, {"\\xfe.off", "\\xfe.off"}, {"plate.off", "plate.off"}}));
+    EXPECT_EQ(ids(), first);
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), pair.at("id"));
   }
 }
 

@@ -150,7 +150,14 @@ TEST(RemarkSearch, FindsThemInAnyPieces) {
       {R"({"\"status":"a","x\\status":"b"})", false},
       {R"({"list":["status","a","comment"],"":"","status":null,"z":"a"})", false},
       {R"({"b":"\\","status":"a"})", true},
-      {R"({"b":"","status":null,"comment":"a"})", true}};
+      {R"({"b":"","status":null,"comment":"a"})", true},
+      {R"({"\u0063omment":"a"})", true},
+      {R"({"\u0073\u0074\u0061\u0074\u0075\u0073":"a"})", true},
+      {R"({"c\u006F\u006dment":"a"})", true},
+      {R"({"comment":"\u0061"})", true},
+      {R"({"\u0063omment":""})", false},
+      {R"({"\u0043omment":"a","\\u0063omment":"a","\u0022status":"a","status\u0000":"a"})", false},
+      {R"({"\u0163omment":"a","\ud83d\udd29":"a","status\u0020":"a"})", false}};
   for (const auto& [text, expected] : texts)
     for (std::size_t size = 1; size <= text.size(); ++size) EXPECT_EQ(has_remark(text, size), expected) << text << size;
 }

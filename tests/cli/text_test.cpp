@@ -21,6 +21,14 @@ TEST(Text, InvalidUtf8IsReplacedByteByByte) {
   EXPECT_EQ(valid_utf8("\xf0\x9f\x94"), r + r + r);
 }
 
+TEST(Text, DistinctUtf8KeepsDifferentTextsDifferent) {
+  EXPECT_EQ(distinct_utf8("a\xc3\xa4 \\x5 \\xfg \\"), "a\xc3\xa4 \\x5 \\xfg \\");
+  EXPECT_EQ(distinct_utf8("T\xfcr\x80"), "T\\xfcr\\x80");
+  EXPECT_EQ(distinct_utf8("\xc3"), "\\xc3");
+  EXPECT_EQ(distinct_utf8("\\xff"), "\\x5cxff") << "it is not the byte";
+  EXPECT_EQ(distinct_utf8("\\\xff"), "\\\\xff");
+}
+
 TEST(Text, PrintableSpellsOutWhatSteersATerminal) {
   EXPECT_EQ(printable("plain \xc3\xa4"), "plain \xc3\xa4");
   EXPECT_EQ(printable(std::string_view("\0\x1b[1m\n\t\r\x7f", 9)), "\\x00\\x1b[1m\\n\\t\\r\\x7f");

@@ -200,6 +200,8 @@ TEST(Import, GltfNodesThatAssimpWouldPutElsewhereAreRefused) {
       {"rotation", "[0,0,1]"},
       {"scale", "[1,null,1]"},
   };
+  EXPECT_THAT(error_of(with(R"("rotation":[0,0,0,-0.0])")), HasSubstr("node 0 'arm' has a rotation of four zeros"));
+  EXPECT_THAT(error_of(with(R"("skin":7)")), HasSubstr("node 0 'arm' has the skin 7, which is not in the file"));
   for (const auto& [name, value] : kBad)
     EXPECT_THAT(error_of(with('"' + std::string(name) + "\":" + value)),
                 HasSubstr(std::string("node 0 'arm' has a ") + name + " that is not "))
@@ -208,6 +210,58 @@ TEST(Import, GltfNodesThatAssimpWouldPutElsewhereAreRefused) {
   EXPECT_TRUE(with(R"("matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,0,0,1],"extensions":{"KHR_node":{}})").has_value());
   EXPECT_THAT(error_of(with(R"("extensions":{"EXT_mesh_gpu_instancing":{}})")),
               HasSubstr("node 0 'arm' is shown many times by EXT_mesh_gpu_instancing"));
+}
+
+TEST(Import, GltfElementsThatAreNotWhereTheyMayBeAreRefused) {
+  const TemporaryFolder folder;
+  const auto with = [&](std::string_view what, std::string_view more) {
+    std::string text = indexed_gltf({0, 1, 2});
+    replace(text, what, std::string(what) + std::string(more));
+    return read(folder.write("case.gltf", text));
+  };
+  const char *const positions = R"("bufferViews":[{"buffer":0)", *const indices = R"("byteOffset":48)",
+                    *const first = R"("accessors":[{"bufferView":0)", *const second = R"({"bufferView":1)";
+  for (const char* const stride : {"1", "4", "8", "11", "14", "256", "-12", "12.5", "\"12\""})
+    EXPECT_THAT(error_of(with(positions, std::string(",\"byteStride\":") + stride)),
+                HasSubstr(std::string("mesh 0: its positions are ") + stride +
+                          " bytes apart, which must be a multiple of 4 from 12 to 252; export it again"));
+  for (const char* const stride : {"1", "4"})
+    EXPECT_THAT(
+        error_of(with(indices, std::string(",\"byteStride\":") + stride)),
+        HasSubstr(std::string("its indices are ") + stride + " bytes apart, which must be 2, the size of one;"));
+  EXPECT_THAT(
+      error_of(with(first, R"(,"byteOffset":2)")),
+      HasSubstr("its positions begin at byte 2 of a view that begins at byte 0, and both must be multiples of 4"));
+  EXPECT_THAT(error_of(with(positions, R"(,"byteOffset":2)")), HasSubstr("of a view that begins at byte 2, "));
+  EXPECT_THAT(error_of(with(second, R"(,"byteOffset":1)")), HasSubstr("its indices begin at byte 1 of a view that "));
+  for (const char* const good : {R"(,"byteStride":12)", R"(,"byteStride":0)"}) {
+    const Model model = model_of(with(positions, good));
+    EXPECT_EQ(points_of(model.objects.at(0)), (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})) << good;
+  }
+  EXPECT_TRUE(with(indices, R"(,"byteStride":2)").has_value());
+  // Every second corner.
+  std::string text = indexed_gltf({0, 1, 0});
+  replace(text, positions, std::string(positions) + R"(,"byteStride":24)");
+  replace(text, R"("count":4)", R"("count":2)");
+  EXPECT_EQ(points_of(model_of(read(folder.write("wide.gltf", text))).objects.at(0)), (Points{{0, 0, 0}, {0, 1, 0}}));
+}
+
+TEST(Import, GltfNodesThatAreHiddenAreThereAndSaidToBe) {
+  const TemporaryFolder folder;
+  const auto warnings = [&](bool both) {
+    const auto hidden = [](bool visible) {
+      return std::string(R"("extensions":{"KHR_node_visibility":{"visible":)") + (visible ? "true}}" : "false}}");
+    };
+    const Model model = model_of(read(
+        folder.write("case.gltf", gltf(R"({"children":[1,2]},{"mesh":1,"name":"lid",)" + hidden(false) +
+                                       R"(},{"mesh":1,"name":"arm","translation":[9,0,0],)" + hidden(!both) + "}"))));
+    EXPECT_EQ(model.objects.size(), 2u);
+    return model.warnings;
+  };
+  const std::string end =
+      " hidden by KHR_node_visibility, which is not followed: what that hides is checked as if it were visible.";
+  EXPECT_THAT(warnings(false), testing::ElementsAre(HasSubstr("1 node, 'lid', is" + end)));
+  EXPECT_THAT(warnings(true), testing::ElementsAre(HasSubstr("2 nodes (the first is 'lid') are" + end)));
 }
 
 TEST(Import, GlbWhoseChunkIsLongerThanTheFileIsRefused) {

@@ -101,7 +101,12 @@ TEST_F(Files, ABcfThatAnotherToolHasWrittenToIsNotReplaced) {
     SCOPED_TRACE(way);
     const std::string theirs = folder.read("out.bcf");
     EXPECT_NE(theirs, ours);
-    EXPECT_EQ(clash({"--bcf", "out.bcf"}).code, 2);
+    const Ended ended = clash({"--bcf", "out.bcf"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("'out.bcf' exists and is no BCF as impinge wrote it: another program has changed or made "
+                             "it, so it is not replaced; the word after --bcf is the file to write"),
+              std::string::npos)
+        << ended.err;
     EXPECT_TRUE(folder.read("out.bcf") == theirs);
     folder.write("out.bcf", ours);
   };

@@ -40,6 +40,12 @@ TEST(NamesOfFiles, OfOneFileAreOne) {
   EXPECT_EQ(names_of_files({"p/x", "q/x", "./p/x"}), (Names{"p/x", "q/x", "p/x"}));
 }
 
+TEST(NamesOfFiles, AreUtf8AndStillUnlike) {
+  EXPECT_EQ(names_of_files({"\xff.off", "\xfe.off", "\\xff.off"}), (Names{"\\xff.off", "\\xfe.off", "\\x5cxff.off"}));
+  EXPECT_EQ(names_of_files({"p\xff/x", "p\xfe/x"}), (Names{"p\\xff/x", "p\\xfe/x"}));
+  EXPECT_EQ(names_of_files({"\xc3\xa4.off"}), (Names{"\xc3\xa4.off"}));
+}
+
 TEST(NamesOfFiles, AreUnlikeWhateverTheTreeAndTheOrderAre) {
   const auto seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
