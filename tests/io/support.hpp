@@ -101,4 +101,10 @@ void append_bytes(std::string& out, T value, bool big_endian = false) {
   out.append(bytes.data(), bytes.size());
 }
 
+/// Of a file with this text.
+inline Model read_text(const std::string& text, const std::string& name = "case.gltf") {
+  const TemporaryFolder folder;
+  return model_of(read(folder.write(name, text)));
+}
+
 }  // namespace impinge::io
