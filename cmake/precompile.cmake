@@ -1,0 +1,17 @@
+# Headers of others, and of the standard library, that most files of a target include: parsed once instead of once a file,
+# which halves the time to build. Every file still includes what it uses: the release and native builds, which compile without
+# this, would tell of one that does not.
+option(IMPINGE_PRECOMPILE "Precompile the headers that most files include" OFF)
+
+set(IMPINGE_STANDARD_HEADERS <algorithm> <array> <atomic> <bit> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits>
+  <map> <memory> <mutex> <numeric> <optional> <random> <set> <span> <sstream> <stop_token> <string> <string_view> <thread>
+  <tuple> <unordered_map> <utility> <vector>)
+
+# impinge_precompile(TARGET header...): the standard headers and these.
+function(impinge_precompile target)
+  if(IMPINGE_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${IMPINGE_STANDARD_HEADERS} ${ARGN})
+    # g++ 12 no longer knows then which lines are the standard library's own, and warns of std::string without cause.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds)
+  endif()
+endfunction()
