@@ -12,6 +12,6 @@ function(impinge_precompile target)
   if(IMPINGE_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE ${IMPINGE_STANDARD_HEADERS} ${ARGN})
     # g++ 12 no longer knows then which lines are the standard library's own, and warns of std::string without cause.
-    target_compile_options(${target} PRIVATE -Wno-array-bounds)
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()

@@ -15,6 +15,7 @@
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 #include "tests/pipeline/crowd.hpp"
 
 namespace impinge {
@@ -162,7 +163,7 @@ std::uint32_t pick(scenes::Random& random, std::uint32_t n) {
 }
 
 TEST(ClashMemory, ChangesNoAnswerWhateverMoves) {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (std::uint64_t seed = 1; seed <= test::trials(2u); ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     Stage stage(parts(seed));

@@ -34,7 +34,7 @@ Clash judged(const MeshData& a, const MeshData& b, const Pose& pose, std::option
 
 void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b,
                     std::optional<double> tolerance = std::nullopt, std::optional<Note> note = std::nullopt) {
-  for (std::uint64_t seed = 0; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 0; seed <= test::trials(4u); ++seed) {
     test::Seeded seeded(seed);
     const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 10);
     for (const bool swap : {false, true}) {
@@ -215,7 +215,7 @@ TEST(Noise, APartThatCrossesItselfIsNoSolidFarOut) {
 /// What examining a part says, whether it is moved by its pose or its vertices are, near and far.
 void expect_solid(bool solid, const MeshData& mesh, const std::string& what, double reach = 10,
                   std::optional<double> tolerance = std::nullopt) {
-  for (std::uint64_t seed = 0; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 0; seed <= test::trials(6u); ++seed) {
     test::Seeded seeded(seed);
     const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, reach);
     const auto posed = examine(test::mesh_of(mesh), pose, {.tolerance = tolerance});

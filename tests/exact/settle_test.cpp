@@ -77,7 +77,7 @@ std::vector<Contact> settled(const Known& known) {
 class PairFamilies : public testing::TestWithParam<test::PairFamily> {
  protected:
   static constexpr std::uint64_t kSeed = 20240501;
-  static constexpr int kRounds = 850, kVariants = test::trials(50);
+  static constexpr int kRounds = test::trials(850), kVariants = test::trials(50);
 
   Random random_{kSeed};
   testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(kSeed)};

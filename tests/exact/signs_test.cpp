@@ -81,7 +81,7 @@ bool are_integers_of(const PairBlock& block, std::size_t lane, std::size_t axis)
 class See : public testing::TestWithParam<test::PairFamily> {
  protected:
   static constexpr std::uint64_t kSeed = 77;
-  static constexpr int kBlocks = 250;
+  static constexpr int kBlocks = test::trials(250);
 
   void expect_true(const PairBlock& block, std::size_t lane, const Truth& truth, const Pair& pair) {
     const PairSigns signs = block.signs[lane];
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, See, testing::ValuesIn(test::pair_families()), n
 /// CONTRACT 1, bit for bit. The order of its sums shows in the last bits, and so does a product that is not rounded.
 TEST(Place, IsWorldVertex) {
   Random random(9);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < test::trials(300); ++round) {
     const double size = std::ldexp(1.0, random.integer(-300, 250));
     std::array<std::vector<Vec3>, 2> meshes;
     std::array<Pose, 2> poses;
@@ -168,7 +168,7 @@ TEST(Place, IsWorldVertex) {
 /// Lattices small enough need nothing but floating point, whatever scales their axes have; diagonal planes too.
 TEST(See, KnowsAllSidesOnSmallLattices) {
   Random random(5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::trials(2000); ++i) {
     const auto source = points::integers(-1000, 1000);
     const Point o = source(random), u = source(random), v = source(random);
     Pair pair;
@@ -189,7 +189,7 @@ TEST(See, KnowsAllSidesOnSmallLattices) {
 TEST(See, TellsTheNoiseOfAMotion) {
   Random random(6);
   int open = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::trials(1000); ++i) {
     const Pose pose = scenes::random_motion(random, 10);
     PairBlock block;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {

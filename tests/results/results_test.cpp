@@ -16,6 +16,7 @@
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
+#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -306,7 +307,7 @@ std::vector<Found> unpacked(const results::Collector& collector) {
 /// Small limits, so that the collector cuts again and again. One collector for all, as a worker keeps it.
 TEST(Collector, KeepsTheFirstInBoundedMemory) {
   results::Collector collector;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::trials(20u); ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const auto limit = static_cast<std::uint64_t>(random.integer(0, 3000));
