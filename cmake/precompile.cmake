@@ -1,6 +1,6 @@
 # Headers of others, and of the standard library, that most files of a target include: parsed once instead of once a file,
-# which halves the time to build. Every file still includes what it uses: the release and native builds, which compile without
-# this, would tell of one that does not.
+# which halves the time to build. Every file still includes what it uses: release builds and clang-tidy, which go without this,
+# would tell of one that does not.
 option(IMPINGE_PRECOMPILE "Precompile the headers that most files include" OFF)
 
 set(IMPINGE_STANDARD_HEADERS <algorithm> <array> <atomic> <bit> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits>
