@@ -67,8 +67,7 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, std::vecto
     if (scene.meshes[i] == nullptr || is_empty(boxes[i])) continue;
     boxes[i] = {boxes[i].lo - Vec3{half, half, half}, boxes[i].hi + Vec3{half, half, half}};
     groups[i] = scene.objects[i].group;
-    const auto& [lo, hi] = boxes[i];
-    entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
+    entries.emplace_back(boxes[i], i);
   }
   broad::BoxTree tree;
   tree.build(entries);

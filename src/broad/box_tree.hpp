@@ -42,6 +42,9 @@ class BoxTree {
  public:
   /// An object's box with its upper borders negated, so that a union takes the least of each.
   struct Entry {
+    Entry(const Box& box, std::uint32_t of)
+        : least{box.lo.x, box.lo.y, box.lo.z, -box.hi.x, -box.hi.y, -box.hi.z}, object(of) {}
+
     std::array<double, 6> least;
     std::uint32_t object;
   };

@@ -104,11 +104,8 @@ void NearPairs::build() {
 
 void NearPairs::build_tree() {
   entries_.clear();
-  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-    if (is_here_[i] == 0) continue;
-    const auto& [lo, hi] = roomy_[i];
-    entries_.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
-  }
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    if (is_here_[i] != 0) entries_.emplace_back(roomy_[i], i);
   tree_.build(entries_);
 }
 

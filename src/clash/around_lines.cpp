@@ -68,10 +68,7 @@ std::vector<std::uint32_t> AlongEdge::find_all(const Box& box) {
   if (!tree_) {
     std::vector<broad::BoxTree::Entry> entries;
     entries.reserve(boxes_.size());
-    for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
-      const auto& [lo, hi] = boxes_[t];
-      entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, t});
-    }
+    for (std::uint32_t t = 0; t < boxes_.size(); ++t) entries.emplace_back(boxes_[t], t);
     tree_.emplace().build(entries);
   }
   const std::array<std::uint32_t, 1> asked{0};

@@ -50,11 +50,6 @@ Box widened(const Box& box, double by) {
   return {box.lo - margin, box.hi + margin};
 }
 
-broad::BoxTree::Entry entry_of(const Box& box, std::size_t number) {
-  const auto& [lo, hi] = box;
-  return {{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, static_cast<std::uint32_t>(number)};
-}
-
 /// A part's open edges within a box. Where one runs along another the surface goes on, cut differently.
 class Borders {
  public:
@@ -65,7 +60,7 @@ class Borders {
         const Triangle t = linked.part.body.triangle(use.triangle);
         const Segment at{t[use.corner], t[(use.corner + 1) % 3]};
         if (!overlap(box_of(at), box)) return;
-        entries.push_back(entry_of(box_of(at), edges_.size()));
+        entries.emplace_back(box_of(at), static_cast<std::uint32_t>(edges_.size()));
         edges_.push_back({at, use});
       });
     tree_.build(entries);
@@ -154,7 +149,7 @@ SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFr
   for (const Sheets::End& end : open)
     for (const Segment& piece : borders.left_of(end)) {
       ends_.push_back({frame.to_local(piece[0]), frame.to_local(piece[1])});
-      entries.push_back(entry_of(box_of(ends_.back()), entries.size()));
+      entries.emplace_back(box_of(ends_.back()), static_cast<std::uint32_t>(entries.size()));
     }
   tree_.build(entries);
 }

@@ -44,10 +44,8 @@ struct Model {
   }
   void build() {
     std::vector<BoxTree::Entry> entries;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      const auto& [lo, hi] = boxes[i];
-      if (is_here[i]) entries.push_back({{lo.x, lo.y, lo.z, -hi.x, -hi.y, -hi.z}, i});
-    }
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      if (is_here[i]) entries.emplace_back(boxes[i], i);
     tree.build(entries);
   }
 

@@ -62,7 +62,7 @@ TEST(LargeTolerance, FinelyCutBoxesOverlapByALittleLessOrMore) {
   for (const int n : kCells)
     for (const int m : {12, 1})
       for (const double part : {0.0, 0.9, 0.999, 1.001, 1.1}) {
-        if (test::kSanitized && (part == 0.9 || part == 1.1)) continue;
+        if (test::kSanitized && (part == 0.9 || part == 1.1 || (n > 1 && m > 1))) continue;
         SCOPED_TRACE(std::to_string(n) + " and " + std::to_string(m) + " cells, overlap " + std::to_string(part));
         const double depth = part * kTolerance;
         expect_verdict(part < 1 ? Verdict::touching : Verdict::penetrating, box({0, 0, 0}, {10, 10, 10}, n),
@@ -158,8 +158,8 @@ TEST(LargeTolerance, ThroughAPlate) {
   const MeshData plate = box({-20, -20, 0}, {20, 20, 4}),
                  fine = scaled(box({-0.5, -0.5, 0}, {0.5, 0.5, 1}, 24), 4, 4, 4);
   for (const MeshData& bar : {fine, box({-2, -2, 0}, {2, 2, 4})}) {
-    for (const double low : {2.0, 3.65, -0.35})
-      expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, low), 0.3);
+    if (!test::kSanitized) expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, 2), 0.3);
+    for (const double low : {3.65, -0.35}) expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, low), 0.3);
     for (const double low : {3.75, 4.25}) expect_verdict(Verdict::touching, plate, shifted(bar, 1, 1, low), 0.3);
     for (const double low : {-0.25, 0.0, 0.1}) expect_verdict(Verdict::inside, plate, shifted(bar, 1, 1, low), 0.3);
   }
@@ -194,7 +194,7 @@ double sampled_depth(const std::vector<Triangle>& own, const std::vector<Triangl
 /// What is certainly deeper than the tolerance is no mere touch, and what does not overlap at all no penetration.
 TEST(LargeTolerance, RandomBodiesAgainstSamples) {
   int deep = 0, clear = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 3 : 12); ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const Mesh a = test::mesh_of(scaled(scenes::torus_knot_of(968), 4, 4, 4));
@@ -216,8 +216,8 @@ TEST(LargeTolerance, RandomBodiesAgainstSamples) {
       deep += int{is_deep}, clear += int{is_clear};
     }
   }
-  EXPECT_GT(deep, 10);
-  EXPECT_GT(clear, 5);
+  EXPECT_GE(deep, test::trials(10));
+  EXPECT_GE(clear, test::trials(5));
 }
 
 }  // namespace

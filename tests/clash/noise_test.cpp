@@ -169,7 +169,7 @@ TEST(Noise, WhatIsMovedByLessThanTheToleranceIsADuplicate) {
 
 /// Below the triangles in a strip along an edge the part is nowhere deep.
 TEST(Noise, EqualPartsWithStripsNarrowerThanTheToleranceAreDuplicates) {
-  for (int strips = 1; strips <= 4; ++strips) {
+  for (int strips = 1; strips <= test::trials(4); ++strips) {
     std::vector<double> one_side{0}, both{0};
     for (int i = 1; i <= strips; ++i) one_side.push_back(0.9 * i / strips), both.push_back(0.9 * i / strips);
     one_side.push_back(100);
