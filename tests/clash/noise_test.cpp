@@ -38,6 +38,7 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b,
     test::Seeded seeded(seed);
     const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 10);
     for (const bool swap : {false, true}) {
+      if (test::kSanitized && swap != (seed == 1)) continue;
       const Clash clash = swap ? judged(b, a, pose, tolerance) : judged(a, b, pose, tolerance);
       EXPECT_EQ(name(clash.verdict), name(verdict)) << "seed " << seed << ", " << sentence(clash.note);
       if (note) {

@@ -79,7 +79,7 @@ std::string_view verdict(const MeshData& a, const MeshData& b, const Pose& pose,
 void expect_verdict(Verdict expected, const MeshData& a, const MeshData& b, const char* what) {
   EXPECT_EQ(verdict(a, b, {}, 0), name(expected)) << what << ", exactly";
   for (const std::optional<double> tolerance : {std::optional<double>(), {1e-3}})
-    for (std::uint64_t seed = 0; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 0; seed <= test::trials(4u); ++seed) {
       test::Seeded seeded(seed);
       const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 10);
       const MeshData baked_a = scenes::baked(a, pose), baked_b = scenes::baked(b, pose);
