@@ -54,7 +54,7 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b, doubl
 }
 
 /// Of a box of 10: five eighths of the tolerance each, as much as it, and 25 times that. Under sanitizers not the
-/// first, which are more than half of all work.
+/// first, which have the most triangles.
 constexpr std::array kAllCells{40, 25, 1};
 constexpr std::span kCells = std::span(kAllCells).subspan(test::kSanitized ? 1 : 0);
 constexpr double kTolerance = 0.4;
