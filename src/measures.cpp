@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/measures.hpp"
 
-#include <limits>
 #include <string>
 
 #include "core/guarded.hpp"
@@ -18,7 +17,7 @@ namespace impinge {
 namespace {
 
 /// What a measure is asked about.
-struct Placed {
+struct PlacedMesh {
   const Mesh& mesh;
   const Pose& pose;
   const char* name;  ///< for whoever reads what is wrong with it
@@ -30,7 +29,7 @@ struct Placed {
   }
 };
 
-Result<void> validate(const Placed& placed) {
+Result<void> validate(const PlacedMesh& placed) {
   if (auto valid = scene::validate(placed.pose); !valid)
     return Error{valid.error().code, placed.title() + ": " + valid.error().message};
   if (placed.mesh.triangle_count() == 0)
@@ -39,11 +38,11 @@ Result<void> validate(const Placed& placed) {
   return {};
 }
 
-Result<void> validate(const Placed& a, const Placed& b, const MeasureOptions& options) {
+Result<void> validate(const PlacedMesh& a, const PlacedMesh& b, const MeasureOptions& options) {
   if (options.threads < 0)
     return Error{Code::bad_option,
                  "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
-  for (const Placed* const placed : {&a, &b})
+  for (const PlacedMesh* const placed : {&a, &b})
     if (auto valid = validate(*placed); !valid) return valid;
   return {};
 }
@@ -53,7 +52,7 @@ struct Reach {
   double within, enough;
 };
 
-Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Placed& b, const Reach& reach,
+Result<std::optional<measure::NearestPair>> nearest(const PlacedMesh& a, const PlacedMesh& b, const Reach& reach,
                                                     const MeasureOptions& options, Workspace* workspace) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
   const QueryMemory memory(workspace);
@@ -68,9 +67,8 @@ Result<std::optional<measure::NearestPair>> nearest(const Placed& a, const Place
 Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                          const MeasureOptions& options, Workspace* workspace) {
   return guarded([&]() -> Result<Nearest> {
-    constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
     const auto found =
-        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {kAnyDistance, 0}, options, workspace);
+        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {kInfinity, 0}, options, workspace);
     if (!found) return found.error();
     const measure::NearestPair& pair = **found;
     return Nearest{pair.distance, pair.error, pair.a, pair.b, pair.triangle_a, pair.triangle_b};

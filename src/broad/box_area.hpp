@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
 #include "core/shapes.hpp"
 
 namespace impinge::broad {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Box kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
 inline Box united(const Box& a, const Box& b) { return {min(a.lo, b.lo), max(a.hi, b.hi)}; }

@@ -3,7 +3,6 @@
 #include "clash/deep_points.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -20,8 +19,8 @@ struct Shell {
 };
 
 std::vector<Shell> shells_of(const solid::Part& part) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<Shell> shells(part.topology.shells, {{}, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}});
+  std::vector<Shell> shells(part.topology.shells,
+                            {{}, {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}}});
   for (std::uint32_t t = 0; t < part.body.size(); ++t) {
     if (!part.is_boundary(t)) continue;
     Shell& shell = shells[part.topology.shell[t]];

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <vector>
@@ -21,10 +20,8 @@
 namespace impinge::clash {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
 /// A part of a triangle, and the most that any of its points is deep.
-struct Piece {
+struct TrianglePiece {
   Polygon polygon;
   double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
   std::vector<std::uint32_t> near;  ///< the other body's triangles that may come near; none: it is all on one side
@@ -32,7 +29,7 @@ struct Piece {
   bool is_inside = false;           ///< the middle; not looked up where it does not matter
   double most = 0, radius = 0;
   std::uint32_t nearest = 0;  ///< the other body's triangle that is nearest to the middle
-  friend bool operator<(const Piece& p, const Piece& q) { return p.most < q.most; }
+  friend bool operator<(const TrianglePiece& p, const TrianglePiece& q) { return p.most < q.most; }
 };
 
 Vec3 unit(const Vec3& v) {
@@ -65,7 +62,7 @@ std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle
   std::optional<HalfSpace> best;
   double most_over = 1.125 * margin;
   const auto offer = [&](const Vec3& point, const Vec3& outward) {
-    double least = kFar, most = -kFar;
+    double least = kInfinity, most = -kInfinity;
     for (const Vec3& vertex : polygon) {
       const double over = dot(outward, vertex - point);
       least = std::min(least, over), most = std::max(most, over);
@@ -111,13 +108,13 @@ class Search {
     std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
     auto pair = near.begin();
     for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t) {
-      Piece piece{Polygon(inner_.triangle(t)), 0, {}, t};
+      TrianglePiece piece{Polygon(inner_.triangle(t)), 0, {}, t};
       for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
       if (overlap(box_of(inner_.triangle(t)), common)) look_at(std::move(piece));
     }
     const std::uint64_t last = effort_ + goal_.most_points + 4 * near.size();
     while (!open_.empty() && !is_good(open_.top().most) && effort_ < last && !goal_.stop.stop_requested()) {
-      Piece piece = open_.top();
+      TrianglePiece piece = open_.top();
       open_.pop();
       divide(piece);
     }
@@ -130,7 +127,7 @@ class Search {
   // Depth is 0 outside, and no two points' depths differ by more than their distance: with the middle in the depth d,
   // no point of a piece of radius r is deeper than d + r, and with it farther than r outside none is inside at all. Nor
   // is any farther from the boundary than the farthest vertex is from any one triangle of it, which is convex.
-  void look_at(Piece piece) {
+  void look_at(TrianglePiece piece) {
     ++effort_;
     const Vec3 middle = piece.polygon.middle();
     const auto find_side = [&] { return solid::winding_number(outer_.placed, middle).value_or(0) != 0; };
@@ -143,7 +140,7 @@ class Search {
       piece.is_inside = find_side();
       if (!piece.is_inside) return;
     }
-    const auto nearest = measure::nearest_point(outer_.placed, middle, kFar);
+    const auto nearest = measure::nearest_point(outer_.placed, middle, kInfinity);
     if (!nearest) return;
     const double slack = piece.drift + floor_;
     piece.nearest = nearest->triangle;
@@ -164,7 +161,7 @@ class Search {
     }
   }
 
-  bool lies_flat(const Piece& piece) {
+  bool lies_flat(const TrianglePiece& piece) {
     effort_ += piece.near.size() / kEdgesAPoint;
     return piece.drift <= most_drift_ &&
            is_covered({inner_.triangle(piece.whole), piece.polygon, outer_, piece.near, most_drift_});
@@ -173,13 +170,13 @@ class Search {
   static double farthest_from(const Triangle& triangle, const Polygon& polygon) {
     double farthest = 0;
     for (const Vec3& vertex : polygon) {
-      const auto found = measure::point_distance(vertex, triangle, kFar);
+      const auto found = measure::point_distance(vertex, triangle, kInfinity);
       farthest = std::max(farthest, found.distance + found.margin);
     }
     return farthest;
   }
 
-  void divide(Piece& piece) {
+  void divide(TrianglePiece& piece) {
     while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
       piece.near.pop_back();
     const bool is_clear = piece.near.empty();
@@ -208,7 +205,7 @@ class Search {
 
   /// Along the border of the triangle that is nearest, where the piece reaches over it: what lies over one triangle is
   /// as far from it as its vertices are. Or out of a triangle that it comes near. Where these are small, in halves.
-  [[nodiscard]] Cut part(const Piece& piece) const {
+  [[nodiscard]] Cut part(const TrianglePiece& piece) const {
     if (piece.polygon.is_full()) return halve(piece.polygon);
     const bool is_clear = piece.near.empty();
     for (const std::uint32_t t : {piece.nearest, is_clear ? piece.nearest : piece.near.back()}) {
@@ -232,7 +229,7 @@ class Search {
   double floor_ = 0x1p-48 * largest_;  ///< what rounding leaves of a length
   double least_ = 0;                   ///< some point is so deep
   double laid_aside_ = 0;              ///< none of the pieces that were laid aside is deeper
-  std::priority_queue<Piece> open_;
+  std::priority_queue<TrianglePiece> open_;
   std::uint64_t effort_ = 0;  ///< in points looked at
 };
 

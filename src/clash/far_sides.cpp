@@ -3,7 +3,6 @@
 #include "clash/far_sides.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "measure/nearest.hpp"
@@ -13,7 +12,6 @@ namespace impinge::clash {
 namespace {
 
 constexpr std::uint8_t kBoth = kAbove | kBelow;
-constexpr double kFarthest = std::numeric_limits<double>::infinity();
 
 Polygon along(const Polygon& piece, const Slab& slab) { return cut(cut(piece, slab.top).within, slab.bottom).within; }
 
@@ -153,11 +151,11 @@ bool FarSides::is_seen(const Vec3& point, const PartTriangle& triangle) const {
 
 /// Whether of the triangle it is where the surface ends, within the tolerance, that is nearest to a point.
 bool FarSides::is_at_end(const Vec3& point, const PartTriangle& triangle) const {
-  return triangle.ends.are_near(measure::point_distance(point, triangle.local, kFarthest).b, frame_.unit * tolerance_);
+  return triangle.ends.are_near(measure::point_distance(point, triangle.local, kInfinity).b, frame_.unit * tolerance_);
 }
 
 double FarSides::distance(const Vec3& point, const Triangle& t) const {
-  return measure::point_distance(point, t, kFarthest).distance / frame_.unit;
+  return measure::point_distance(point, t, kInfinity).distance / frame_.unit;
 }
 
 /// On which pieces of the other part a point lies, to within the tolerance.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -21,8 +20,6 @@ namespace {
 /// on its other side.)
 constexpr double kThere = 3, kWith = 2;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
 struct Span {
   double lo, hi;
   [[nodiscard]] double length() const { return hi - lo; }
@@ -33,7 +30,7 @@ Span clip(const Span& span, const Vec3& from, const Vec3& along, const HalfSpace
   const double slope = dot(half_space.normal, along), room = half_space.offset - dot(half_space.normal, from);
   if (slope > 0) return {span.lo, std::min(span.hi, room / slope)};
   if (slope < 0) return {std::max(span.lo, room / slope), span.hi};
-  return room >= 0 ? span : Span{kFar, -kFar};
+  return room >= 0 ? span : Span{kInfinity, -kInfinity};
 }
 
 /// What a triangle has of a plane across a line.
@@ -160,7 +157,7 @@ bool NearGeometry::cross(const Triangle& a, const Triangle& b) const {
   // The point of both planes that is nearest to a corner of a.
   const Vec3 down = impinge::cross(along, of_a);
   const Vec3 from = a[0] + (dot(of_b, b[0] - a[0]) / dot(of_b, down)) * down;
-  Span span{-kFar, kFar};
+  Span span{-kInfinity, kInfinity};
   for (const auto& [t, up] : {std::pair(&a, &of_a), {&b, &of_b}})
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 outward = impinge::cross((*t)[(i + 1) % 3] - (*t)[i], *up);
@@ -171,7 +168,7 @@ bool NearGeometry::cross(const Triangle& a, const Triangle& b) const {
   const auto goes_on = [&](const Triangle& one, const Triangle& other) {
     const auto found = section(one, middle, along);
     return found && std::all_of(found->begin(), found->end(), [&](const Vec3& end) {
-             return measure::point_distance(end, other, kFar).distance > tolerance_;
+             return measure::point_distance(end, other, kInfinity).distance > tolerance_;
            });
   };
   return goes_on(a, b) && goes_on(b, a);
@@ -211,7 +208,7 @@ double NearGeometry::width_within(const Triangle& a, const Triangle& b, double t
   const auto slab = make_slab(b, tolerance, frame_.scale);
   if (!slab || !slab->has_plane) return 0;
   const Polygon piece = cut(cut(between(Polygon(a), *slab), slab->top).within, slab->bottom).within;
-  double width = kFar;
+  double width = kInfinity;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Vec3 &from = piece[i], way = piece[(i + 1) % piece.size()] - from;
     if (!(norm(way) > tolerance_ / 16)) continue;  // too short to have a direction
@@ -219,7 +216,7 @@ double NearGeometry::width_within(const Triangle& a, const Triangle& b, double t
     for (const Vec3& point : piece) height = std::max(height, norm(impinge::cross(way, point - from)) / norm(way));
     width = std::min(width, height);
   }
-  return width < kFar ? width : 0;
+  return width < kInfinity ? width : 0;
 }
 
 }  // namespace impinge::clash

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 #include "measure/triangle_distance.hpp"
@@ -17,7 +16,6 @@ using solid::kInside;
 using solid::kNear;
 using solid::kOutside;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
 /// In tolerances: pieces of at most this radius are halved until they are small, rather than cut by a great many slabs.
 constexpr double kHalved = 32;
 /// Of the tolerance: a triangle so near leaves room for the piece itself; where none is, the nearest is the best.
@@ -206,7 +204,7 @@ bool NearTriangle::is_told(const Polygon& piece, const Vec3& middle, double size
 // The farthest that the piece's points are from a triangle: at its vertices, for the triangle is convex.
 bool NearTriangle::is_near(const Polygon& piece, const Triangle& triangle) const {
   return std::all_of(piece.begin(), piece.end(), [&](const Vec3& p) {
-    const auto found = measure::point_distance(p, triangle, kFar);
+    const auto found = measure::point_distance(p, triangle, kInfinity);
     return found.distance + found.margin <= most_;
   });
 }

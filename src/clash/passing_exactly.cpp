@@ -19,9 +19,9 @@
 namespace impinge::clash {
 namespace {
 
-class Passing {
+class ExactPassing {
  public:
-  Passing(const std::array<MetSide, 2>& sides, const std::array<std::vector<bool>, 2>& flat)
+  ExactPassing(const std::array<MetSide, 2>& sides, const std::array<std::vector<bool>, 2>& flat)
       : a_(sides[0]),
         b_(sides[1]),
         flat_a_(flat[0]),
@@ -123,7 +123,7 @@ bool pass_exactly(const solid::Part& a, const solid::Part& b, std::span<const ex
   for (const exact::Contact& contact : contacts)
     if (contact.kind != Kind::coplanar && a.is_boundary(contact.a) && b.is_boundary(contact.b))
       flat[0][sides[0].sheets.index(contact.a)] = flat[1][sides[1].sheets.index(contact.b)] = false;
-  return Passing(sides, flat).find();
+  return ExactPassing(sides, flat).find();
 }
 
 }  // namespace impinge::clash

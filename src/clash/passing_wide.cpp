@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,9 +20,7 @@ namespace {
 /// Where two sheets are near each other.
 struct Place {
   SidesSeen a_at_b, b_at_a;
-  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};  ///< of what is near
-
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};  ///< of what is near
 };
 
 /// So many near triangles are held at most; where there are more, nothing is seen along branches.

@@ -3,7 +3,6 @@
 #include "clash/region_measures.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "clash/lines.hpp"
 #include "clash/split.hpp"
@@ -101,8 +100,7 @@ class Measures {
   }
 
   void find_box() {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Vec3 lo{kFar, kFar, kFar}, hi{-kFar, -kFar, -kFar};
+    Vec3 lo{kInfinity, kInfinity, kInfinity}, hi{-kInfinity, -kInfinity, -kInfinity};
     for (const std::uint32_t i : members_)
       for (const Corner& corner : parts_[i]) lo = min(lo, corner.point), hi = max(hi, corner.point);
     region_.box = {lo, hi};

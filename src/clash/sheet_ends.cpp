@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -40,8 +39,6 @@ bool is_end(const Sheets::End& end, const LinkedPart& linked) {
   return is_end(end.positions, end.of, linked) &&
          is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, linked);
 }
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Box united(const Box& p, const Box& q) { return {min(p.lo, q.lo), max(p.hi, q.hi)}; }
 
@@ -141,7 +138,7 @@ class Borders {
 
 SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance) {
   std::vector<Sheets::End> open;
-  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (const Sheets::End& end : sheets.ends)
     if (is_end(end, part)) open.push_back(end), box = united(box, box_of(end.piece));
   const Borders borders(part, widened(box, tolerance), {part.part, tolerance});

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/strict_arithmetic.hpp"
 #include "impinge/mesh.hpp"
 
 namespace impinge {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Vec3 = Point;
 
@@ -24,6 +27,7 @@ inline Vec3 abs(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(
 inline Vec3 min(const Vec3& a, const Vec3& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 inline Vec3 max(const Vec3& a, const Vec3& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 inline double max_component(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+inline double sum(const Vec3& v) { return v.x + v.y + v.z; }
 inline double norm(const Vec3& v) { return std::sqrt(dot(v, v)); }
 inline double component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 

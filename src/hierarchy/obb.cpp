@@ -3,7 +3,6 @@
 #include "hierarchy/obb.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <limits>
 
 #include "core/number.hpp"
 
@@ -66,7 +65,6 @@ Obb fit_obb(const MeshData& mesh, std::span<const std::uint32_t> triangles) {
   box.axes = orthonormal_axes(covariance(mesh, triangles, mean));
 
   // Equation 4.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 hi{-kInfinity, -kInfinity, -kInfinity}, lo{kInfinity, kInfinity, kInfinity};
   for_each_vertex(mesh, triangles, [&](const Vec3& v) {
     const Vec3 projected = box.axes * (v - mean);

@@ -7,12 +7,6 @@
 #include "core/pose.hpp"
 
 namespace impinge::hierarchy {
-namespace {
-
-double sum(const Vec3& v) { return v.x + v.y + v.z; }
-
-}  // namespace
-
 // A shared point is R_A x + t_A + e = R_B y + t_B + f with x and y on the two meshes and e, f the rounding of world
 // vertices (CONTRACT 1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53, S the sum of
 // both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations, at most

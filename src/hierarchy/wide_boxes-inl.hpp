@@ -54,8 +54,6 @@ struct BoxSide {
   int size;
 };
 
-HWY_INLINE const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
-
 /// The boxes of a node, or of a leaf as a node of one box. `own` is memory for what is not there to be pointed to.
 HWY_INLINE void open(const TreeRef& ref, float scale, Boxes& own, BoxSide& side) {
   if (!ref.is_leaf()) {

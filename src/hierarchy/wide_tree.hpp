@@ -57,6 +57,8 @@ struct alignas(64) WideNode {
   Vec3 base;  ///< of the soup triangles below
 };
 
+inline const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
+
 /// Top-down, by binned cuts of least surface. A node's children are made when a walk first reaches them, and stay; many
 /// walks may do so at once, and the tree is the same in whatever order they do. Needs the mesh to outlive it.
 class WideTree {

@@ -12,8 +12,6 @@ using hierarchy::Frame;
 using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 
-const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
-
 void turn(const Frame& frame, const Pose& pose, const Vec3& direction, double* n) {
   const Vec3 v = transpose(to_mat3(pose.R)) * direction;
   for (int i = 0; i < 3; ++i)

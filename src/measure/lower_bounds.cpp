@@ -54,7 +54,6 @@ HWY_INLINE V gap(D d, V distance, V reach) {
 
 HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees, float limit,
                           BoxBounds& bounds) {
-  using hierarchy::HWY_NAMESPACE::frame_of;
   const FrameRelation relation = hierarchy::HWY_NAMESPACE::relate_frames(frame_of(ref_a), frame_of(ref_b), trees);
   BoxSide a, b;
   Boxes own_a, own_b;

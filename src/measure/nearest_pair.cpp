@@ -13,9 +13,9 @@
 namespace impinge::measure {
 namespace {
 
-class Search {
+class PairSearch {
  public:
-  Search(const PairWalk& walk, double within, double enough, PairMemory& memory)
+  PairSearch(const PairWalk& walk, double within, double enough, PairMemory& memory)
       : walk_(walk),
         memory_(memory),
         enough_(enough),
@@ -119,7 +119,7 @@ std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hi
   const PairWalk walk(a, b, means.for_each);
   std::optional<PairMemory> own;
   PairMemory& memory = means.memory != nullptr ? *means.memory : own.emplace();
-  std::optional<NearestPair> found = Search(walk, within, enough, memory).run(means.stop);
+  std::optional<NearestPair> found = PairSearch(walk, within, enough, memory).run(means.stop);
   if (found && walk.is_swapped()) std::swap(found->a, found->b), std::swap(found->triangle_a, found->triangle_b);
   return found;
 }

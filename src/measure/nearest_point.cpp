@@ -80,9 +80,9 @@ void bound_triangles(const WideLeaf& leaf, const LocalPoint& p, float* lower) {
   }
 }
 
-class Search {
+class PointSearch {
  public:
-  Search(const PlacedTree& body, const Vec3& point, double within, double enough)
+  PointSearch(const PlacedTree& body, const Vec3& point, double within, double enough)
       : body_(body), point_(point), local_(body, point), enough_(enough), limit_(within) {}
 
   std::optional<NearestPoint> run(const std::stop_token& stop) {
@@ -149,7 +149,7 @@ class Search {
 std::optional<NearestPoint> nearest_point(const PlacedTree& body, const Vec3& point, double within, double enough,
                                           const std::stop_token& stop) {
   if (body.mesh->triangles.empty()) return std::nullopt;
-  return Search(body, point, within, enough).run(stop);
+  return PointSearch(body, point, within, enough).run(stop);
 }
 
 }  // namespace impinge::measure

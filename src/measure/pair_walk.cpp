@@ -20,8 +20,6 @@ using hierarchy::PlacedTree;
 using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 
-const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
-
 TreeRef root_of(const PlacedTree& body, const ForEach& for_each) {
   std::uint64_t nodes_made = 0;
   return body.tree->root(nodes_made, for_each);

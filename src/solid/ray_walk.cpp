@@ -16,8 +16,6 @@ using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 using hierarchy::WideNode;
 
-double sum(const Vec3& v) { return v.x + v.y + v.z; }
-
 /// A ray in the tree's unit, in the mesh's frame or in a node's. `slack`: the triangles that it meets are no farther
 /// from it than this, in every coordinate.
 struct Ray {
