@@ -12,7 +12,7 @@ namespace impinge::scenes {
 namespace {
 
 /// Twice the area, positive counterclockwise. Exact for snapped numbers below 2^14.
-double turn_of(const Flat& a, const Flat& b, const Flat& c) {
+[[maybe_unused]] double turn_of(const Flat& a, const Flat& b, const Flat& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 

@@ -18,7 +18,6 @@
 #include "scenes/motion.hpp"
 #include "scenes/random.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -141,14 +140,14 @@ void expect_plain_verdicts(int trials, int most, double beside, double slit) {
   EXPECT_GT(met[false], trials / 2);
 }
 
-TEST(CutSheets, SingleRectangles) { expect_plain_verdicts(test::trials(2000), 1, 4, 0); }
+TEST(CutSheets, SingleRectangles) { expect_plain_verdicts(2000, 1, 4, 0); }
 TEST(CutSheets, SeveralRectangles) {
-  expect_plain_verdicts(test::trials(1000), 3, 4, 0);
-  expect_plain_verdicts(test::trials(1000), 3, 2, 0);
+  expect_plain_verdicts(1000, 3, 4, 0);
+  expect_plain_verdicts(1000, 3, 2, 0);
 }
 TEST(CutSheets, ASlitIsNoSheet) {
-  expect_plain_verdicts(test::trials(1000), 3, 4, 0.2);
-  expect_plain_verdicts(test::trials(1000), 3, 4, 3);
+  expect_plain_verdicts(1000, 3, 4, 0.2);
+  expect_plain_verdicts(1000, 3, 4, 3);
 }
 
 /// From a line along y, so far in a direction of x and z, in so many rows.

@@ -21,7 +21,6 @@
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -45,7 +44,6 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b, doubl
     test::Seeded seeded(seed);
     const Pose pose = seed == 0 ? Pose{} : scenes::random_motion(seeded.random, 100);
     for (const bool swap : {false, true}) {
-      if (test::kSanitized && swap != (seed == 1)) continue;
       const Clash clash = swap ? judged(b, a, pose, tolerance) : judged(a, b, pose, tolerance);
       EXPECT_EQ(name(clash.verdict), name(verdict)) << "tolerance " << tolerance;
       EXPECT_NE(clash.note, Note::tolerance_not_applied);
@@ -53,17 +51,14 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b, doubl
   }
 }
 
-/// Of a box of 10: five eighths of the tolerance each, as much as it, and 25 times that. Under sanitizers not the
-/// first, which have the most triangles.
-constexpr std::array kAllCells{40, 25, 1};
-constexpr std::span kCells = std::span(kAllCells).subspan(test::kSanitized ? 1 : 0);
+/// Of a box of 10: five eighths of the tolerance each, as much as it, and 25 times that.
+constexpr std::array kCells{40, 25, 1};
 constexpr double kTolerance = 0.4;
 
 TEST(LargeTolerance, FinelyCutBoxesOverlapByALittleLessOrMore) {
   for (const int n : kCells)
     for (const int m : {12, 1})
       for (const double part : {0.0, 0.9, 0.999, 1.001, 1.1}) {
-        if (test::kSanitized && (part == 0.9 || part == 1.1 || (n > 1 && m > 1))) continue;
         SCOPED_TRACE(std::to_string(n) + " and " + std::to_string(m) + " cells, overlap " + std::to_string(part));
         const double depth = part * kTolerance;
         expect_verdict(part < 1 ? Verdict::touching : Verdict::penetrating, box({0, 0, 0}, {10, 10, 10}, n),
@@ -159,7 +154,7 @@ TEST(LargeTolerance, ThroughAPlate) {
   const MeshData plate = box({-20, -20, 0}, {20, 20, 4}),
                  fine = scaled(box({-0.5, -0.5, 0}, {0.5, 0.5, 1}, 24), 4, 4, 4);
   for (const MeshData& bar : {fine, box({-2, -2, 0}, {2, 2, 4})}) {
-    if (!test::kSanitized) expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, 2), 0.3);
+    expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, 2), 0.3);
     for (const double low : {3.65, -0.35}) expect_verdict(Verdict::penetrating, plate, shifted(bar, 1, 1, low), 0.3);
     for (const double low : {3.75, 4.25}) expect_verdict(Verdict::touching, plate, shifted(bar, 1, 1, low), 0.3);
     for (const double low : {-0.25, 0.0, 0.1}) expect_verdict(Verdict::inside, plate, shifted(bar, 1, 1, low), 0.3);
@@ -195,7 +190,7 @@ double sampled_depth(const std::vector<Triangle>& own, const std::vector<Triangl
 /// What is certainly deeper than the tolerance is no mere touch, and what does not overlap at all no penetration.
 TEST(LargeTolerance, RandomBodiesAgainstSamples) {
   int deep = 0, clear = 0;
-  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 3 : 12); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const Mesh a = test::mesh_of(scaled(scenes::torus_knot_of(968), 4, 4, 4));
@@ -217,8 +212,8 @@ TEST(LargeTolerance, RandomBodiesAgainstSamples) {
       deep += int{is_deep}, clear += int{is_clear};
     }
   }
-  EXPECT_GE(deep, test::trials(10));
-  EXPECT_GE(clear, test::trials(5));
+  EXPECT_GE(deep, 10);
+  EXPECT_GE(clear, 5);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "region_scenes.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
-#include "tests/core/trials.hpp"
 
 /// What holds of the regions between any two meshes.
 namespace impinge {
@@ -204,10 +203,9 @@ TEST(Regions, OfAHundredThousandPairs) {
     std::cout << name << ": " << pairs << " pairs, " << regions.size() << " regions, " << took.count() << " s\n";
     expect_sound(regions, pairs);
   };
-  const int n = test::kSanitized ? 4 : 1;
-  timed("flush", scenes::box({0, 0, 0}, {1, 1, 1}, 110 / n), scenes::box({0.1, 0.2, 1}, {1.1, 1.2, 2}, 130 / n), {});
-  timed("crossing", scenes::uv_sphere(20000 / n, 12), scenes::uv_sphere(17001 / n, 12), {.t = {0, 0, 1}});
-  timed("bumps", scenes::bumpy_grid(150 / n, 150 / n, 0.01), scenes::bumpy_grid(150 / n, 150 / n, 0.0101),
+  timed("flush", scenes::box({0, 0, 0}, {1, 1, 1}, 110), scenes::box({0.1, 0.2, 1}, {1.1, 1.2, 2}, 130), {});
+  timed("crossing", scenes::uv_sphere(20000, 12), scenes::uv_sphere(17001, 12), {.t = {0, 0, 1}});
+  timed("bumps", scenes::bumpy_grid(150, 150, 0.01), scenes::bumpy_grid(150, 150, 0.0101),
         {.t = {0.003, 0.001, 0.0005}});
 }
 

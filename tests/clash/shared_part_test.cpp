@@ -11,7 +11,6 @@
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/exact/pairs.hpp"
 
 /// What two triangles share, against the oracle's cuts by half-spaces in rationals.
@@ -103,7 +102,7 @@ TEST(SharedPart, IsThatOfRationalsForEveryFamilyOfHardPairs) {
   test::Seeded seeded(11);
   for (const test::PairFamily& family : test::pair_families()) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < test::trials(150); ++i) {
+    for (int i = 0; i < 150; ++i) {
       const test::Pair pair = family.make(seeded.random);
       expect_right(pair);
       expect_right(test::varied(pair, seeded.random));
@@ -161,7 +160,7 @@ TEST(SharedPart, OfCoplanarTrianglesIsAPolygonInOrder) {
 TEST(CommonVertex, IsAllThatIsShared) {
   test::Seeded seeded(15);
   std::size_t found = 0, only_points = 0;
-  for (int i = 0; i < test::trials(60000); ++i) {
+  for (int i = 0; i < 60000; ++i) {
     const int kind = i % 5;
     const double size = kind == 4 ? 0x1p-300 : 1;
     const auto coordinate = [&] { return size * seeded.random.integer(-4, 4); };

@@ -11,7 +11,6 @@
 #include <random>
 
 #include "schema.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -72,7 +71,7 @@ TEST(Configuration, AgreesWithItsSchema) {
                            json::parse(R"({"file":"f"})"),
                            json::parse(R"({"a":1})")};
   std::size_t valid = 0;
-  for (int i = 0; i < test::trials(5000) && !HasFailure(); ++i) {
+  for (int i = 0; i < 1000 && !HasFailure(); ++i) {
     json document = sample();
     for (auto edits = 1 + random() % 2; edits > 0; --edits) {
       std::vector<json*> all;
@@ -93,7 +92,7 @@ TEST(Configuration, AgreesWithItsSchema) {
     valid += test::is_valid(document, schema(), schema()) ? 1U : 0U;
     compare(document);
   }
-  EXPECT_GT(valid, test::trials(125U));
+  EXPECT_GT(valid, 25U);
 }
 
 TEST(Configuration, KnowsTheKeysOfTheSchema) {

@@ -12,7 +12,6 @@
 
 #include "meshes.hpp"
 #include "program.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge::test {
 namespace {
@@ -192,7 +191,7 @@ TEST_F(JsonDocument, ReplacesBytesThatAreNotUtf8AndEscapesTheRest) {
 }
 
 TEST_F(JsonDocument, StreamsAMillionPairs) {
-  const int triangles = kSanitized ? 300 : 1000;
+  const int triangles = 1000;
   folder.write("p.off", off_fan(triangles, 0));
   folder.write("q.off", off_fan(triangles, 0.5));
   const Ended run = impinge(folder, {"check", "p.off", "q.off", "--json", "out.json", "--triangles", "--quiet"});

@@ -14,7 +14,6 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
-#include "tests/core/trials.hpp"
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>
@@ -191,14 +190,7 @@ std::vector<NamedScene> hard_scenes(scenes::Random& random, int triangles) {
     all.push_back({rest.name + ", tiny", scaled(moved, 0x1p-70)});
     all.push_back({rest.name + ", huge", scaled(moved, 0x1p60)});
   }
-  if (!kSanitized) return all;
-  // Two of the six for each, at random.
-  std::vector<NamedScene> some;
-  for (std::size_t first = 0; first < all.size(); first += 6) {
-    const auto one = static_cast<std::size_t>(random.integer(0, 2));
-    for (const std::size_t i : {first + one, first + one + 3}) some.push_back(std::move(all[i]));
-  }
-  return some;
+  return all;
 }
 
 }  // namespace impinge::test

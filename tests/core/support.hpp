@@ -65,8 +65,7 @@ struct NamedScene {
   scenes::PlacedScene scene;
 };
 /// Two objects each, all touching or nearly: flush, coplanar, degenerate, slivers, duplicates, general; at rest, under
-/// a common motion, 1e6 away, 2^-70 small, 2^60 large, and with matrices off a rotation by 9e-7. Under sanitizers a
-/// third of them.
+/// a common motion, 1e6 away, 2^-70 small, 2^60 large, and with matrices off a rotation by 9e-7.
 std::vector<NamedScene> hard_scenes(scenes::Random& random, int triangles = 60);
 
 }  // namespace impinge::test

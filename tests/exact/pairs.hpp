@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cctype>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,6 +24,12 @@ struct PairFamily {
 };
 
 std::vector<PairFamily> pair_families();
+/// Of a test on a family: its number and its letters.
+inline constexpr auto family_name = [](const auto& info) {
+  std::string name = std::to_string(info.index);
+  for (const char c : info.param.name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+};
 
 /// By rationals.
 std::optional<Kind> kind_of(const Pair& pair);

@@ -10,7 +10,6 @@
 #include "impinge/predicates.hpp"
 #include "pairs.hpp"
 #include "scenes/motion.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -77,7 +76,7 @@ std::vector<Contact> settled(const Known& known) {
 class PairFamilies : public testing::TestWithParam<test::PairFamily> {
  protected:
   static constexpr std::uint64_t kSeed = 20240501;
-  static constexpr int kRounds = test::trials(850), kVariants = test::trials(50);
+  static constexpr int kRounds = 850, kVariants = 50;
 
   Random random_{kSeed};
   testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(kSeed)};
@@ -140,12 +139,7 @@ TEST_P(PairFamilies, AreDecidedAlikeByIntegersAndExpansions) {
   std::cout << fitting << " of " << kRounds << " pairs fit into integers\n";
 }
 
-std::string name_of(const testing::TestParamInfo<test::PairFamily>& info) {
-  std::string name = std::to_string(info.index);
-  for (const char c : info.param.name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Pairs, PairFamilies, testing::ValuesIn(test::pair_families()), name_of);
+INSTANTIATE_TEST_SUITE_P(Pairs, PairFamilies, testing::ValuesIn(test::pair_families()), test::family_name);
 
 /// In any order, many times the same; coplanar but for rounding.
 TEST(Settle, TakesPairsOfPlacedMeshes) {

@@ -11,7 +11,6 @@
 #include "exact/pair_block.hpp"
 #include "pairs.hpp"
 #include "scenes/motion.hpp"
-#include "tests/core/trials.hpp"
 
 /// What each form of arithmetic says by itself: it may be silent, never wrong.
 namespace impinge {
@@ -81,7 +80,7 @@ bool are_integers_of(const PairBlock& block, std::size_t lane, std::size_t axis)
 class See : public testing::TestWithParam<test::PairFamily> {
  protected:
   static constexpr std::uint64_t kSeed = 77;
-  static constexpr int kBlocks = test::trials(250);
+  static constexpr int kBlocks = 250;
 
   void expect_true(const PairBlock& block, std::size_t lane, const Truth& truth, const Pair& pair) {
     const PairSigns signs = block.signs[lane];
@@ -122,17 +121,12 @@ TEST_P(See, SaysNothingThatIsNotTrue) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<test::PairFamily>& info) {
-  std::string name = std::to_string(info.index);
-  for (const char c : info.param.name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Pairs, See, testing::ValuesIn(test::pair_families()), name_of);
+INSTANTIATE_TEST_SUITE_P(Pairs, See, testing::ValuesIn(test::pair_families()), test::family_name);
 
 /// CONTRACT 1, bit for bit. The order of its sums shows in the last bits, and so does a product that is not rounded.
 TEST(Place, IsWorldVertex) {
   Random random(9);
-  for (int round = 0; round < test::trials(300); ++round) {
+  for (int round = 0; round < 300; ++round) {
     const double size = std::ldexp(1.0, random.integer(-300, 250));
     std::array<std::vector<Vec3>, 2> meshes;
     std::array<Pose, 2> poses;
@@ -168,7 +162,7 @@ TEST(Place, IsWorldVertex) {
 /// Lattices small enough need nothing but floating point, whatever scales their axes have; diagonal planes too.
 TEST(See, KnowsAllSidesOnSmallLattices) {
   Random random(5);
-  for (int i = 0; i < test::trials(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const auto source = points::integers(-1000, 1000);
     const Point o = source(random), u = source(random), v = source(random);
     Pair pair;
@@ -189,7 +183,7 @@ TEST(See, KnowsAllSidesOnSmallLattices) {
 TEST(See, TellsTheNoiseOfAMotion) {
   Random random(6);
   int open = 0;
-  for (int i = 0; i < test::trials(1000); ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Pose pose = scenes::random_motion(random, 10);
     PairBlock block;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -217,7 +211,7 @@ TEST(Integers, HaveTheSignsOfRationals) {
   using oracle::operator-;
   Random random(8);
   std::array<int, 3> seen{};
-  for (int i = 0; i < test::trials(200000); ++i) {
+  for (int i = 0; i < 200000; ++i) {
     const auto number = [&]() -> std::int64_t {
       const std::int64_t small = random.integer(-2, 2);
       switch (random.integer(0, 5)) {
@@ -250,7 +244,7 @@ TEST(Integers, HaveTheSignsOfRationals) {
                            (exactly(a)[1] - exactly(c)[1]) * (exactly(b)[0] - exactly(c)[0]);
     ASSERT_EQ(exact::orient2d(a.x, a.y, b.x, b.y, c.x, c.y), sgn(flat));
   }
-  for (const int n : seen) EXPECT_GT(n, test::trials(10000));
+  for (const int n : seen) EXPECT_GT(n, 10000);
 }
 
 /// 60 bits fit and 61 do not, on each axis by itself.

@@ -148,7 +148,7 @@ TEST_P(OnDevice, ManyPosesAreAnsweredAtOnce) {
 }
 
 io::Model model_of(const fs::path& file) {
-  auto model = io::read(file, {.importer = IMPINGE_IMPORTER});
+  auto model = io::read(file);
   EXPECT_TRUE(model) << model.error().message;
   return model ? *std::move(model) : io::Model{};
 }
@@ -186,6 +186,23 @@ TEST_P(OnDevice, AssembliesAreAnsweredAsByTheReference) {
     EXPECT_GT(expected.objects.size(), 50u);
     expect_same(expected, scene.collide(options()));
     if (test::is_smaller_set()) break;
+  }
+}
+
+/// Flush patches of cells of 2.5e-7, each in a mesh with one triangle far away: the origins of the trees are far apart
+/// beside the patches, so that what rounding leaves of one in the other's frame is large.
+TEST_P(OnDevice, SmallFlushPatchesFarFromTheirTreesOriginsAreAnsweredAsByTheReference) {
+  const int cells = is_plain() ? 8 : 40;
+  const auto patch = [&](double beside, double far) {
+    scenes::MeshData data = scenes::shifted(scenes::flat_grid(cells, cells, 1e-5 / cells), beside, 0, 0.1);
+    data.add_triangle({0.9 * far, 0.1, 0.77 * far, far, 0.2, 0.8 * far, 0.93 * far, 0.3, 0.71 * far});
+    return test::mesh_of(data);
+  };
+  const Mesh a = patch(0, -1), b = patch(3.137e-6, 1);
+  for (const Pose& pose : {Pose{}, Pose{.R = {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1}}}) {
+    const Contacts expected = collide(a, pose, b, pose, {.backend = "scalar"}).value();
+    EXPECT_GT(expected.triangles.size(), 100u);
+    expect_same(expected, collide(a, pose, b, pose, options()));
   }
 }
 

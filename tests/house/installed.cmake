@@ -31,7 +31,7 @@ if(SHARED)
   set(BUILD ${SCRATCH}/shared)
   run("configuring shared libraries" ${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja -D CMAKE_CXX_COMPILER=${COMPILER}
     ${launcher} -D BUILD_SHARED_LIBS=ON -D IMPINGE_BUILD_TOOLS=OFF
-    -D CMAKE_INSTALL_LIBDIR=${LIBDIR} -D CMAKE_CXX_FLAGS=-O0 -D IMPINGE_PRECOMPILE=ON)
+    -D CMAKE_INSTALL_LIBDIR=${LIBDIR} -D CMAKE_CXX_FLAGS=-O0 -D IMPINGE_UNITY=ON)
   run("building shared libraries" ${CMAKE_COMMAND} --build ${BUILD})
 endif()
 run("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})

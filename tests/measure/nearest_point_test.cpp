@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "measure/nearest.hpp"
 #include "mesh_state.hpp"
@@ -16,13 +15,11 @@
 namespace impinge {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
 void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triangle>& world, const Vec3& p) {
   oracle::Least least;
   for (const Triangle& t : world) least.offer(oracle::square_distance({p, p, p}, t));
   const hierarchy::PlacedTree placed{&mesh.state().data, &mesh.state().wide_tree, pose};
-  const auto found = measure::nearest_point(placed, p, kFar);
+  const auto found = measure::nearest_point(placed, p, kInfinity);
   ASSERT_TRUE(found);
   EXPECT_TRUE(oracle::is_within(least.value(), found->distance, found->error))
       << found->distance << " +- " << found->error << ", not " << std::sqrt(least.value().get_d());
@@ -40,7 +37,7 @@ void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triang
   if (found->distance > 4 * found->error) {
     EXPECT_FALSE(measure::nearest_point(placed, p, found->distance - 2 * found->error));
   }
-  const auto quick = measure::nearest_point(placed, p, kFar, 2 * found->distance);
+  const auto quick = measure::nearest_point(placed, p, kInfinity, 2 * found->distance);
   ASSERT_TRUE(quick);
   EXPECT_LE(quick->distance, 2 * found->distance);
 }
@@ -86,13 +83,13 @@ TEST(NearestPoint, OfAStoppedSearchIsNone) {
   const Mesh mesh = test::mesh_of(scenes::cube());
   std::stop_source source;
   source.request_stop();
-  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kFar, 0,
+  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kInfinity, 0,
                                       source.get_token()));
 }
 
 TEST(NearestPoint, OfNoTriangleIsNone) {
   const Mesh mesh = test::mesh_of({});
-  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kFar));
+  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kInfinity));
 }
 
 }  // namespace

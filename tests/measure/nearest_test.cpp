@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mesh_state.hpp"
 #include "scenes/hard.hpp"
@@ -14,14 +13,12 @@
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/measure/exact_distance.hpp"
 
 namespace impinge {
 namespace {
 
 using hierarchy::PlacedTree;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Two bodies and the exact square of every triangle pair's distance.
 class Bodies {
@@ -62,7 +59,7 @@ double extent(const Bodies& bodies) {
 }
 
 void expect_nearest(const Bodies& bodies, double error_limit) {
-  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar);
+  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kInfinity);
   ASSERT_TRUE(found);
   const mpq_class& exact = bodies.least();
   EXPECT_TRUE(oracle::is_within(exact, found->distance, found->error))
@@ -102,14 +99,14 @@ void expect_near_pairs(const Bodies& bodies, double within) {
 }
 
 void expect_limits_are_kept(const Bodies& bodies) {
-  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar);
+  const auto found = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kInfinity);
   const double d = found->distance;
   const auto ask = [&](double within) { return measure::nearest_pair(bodies.placed(0), bodies.placed(1), within); };
   EXPECT_TRUE(ask(d + 2 * found->error));
   if (d > 4 * found->error) {
     EXPECT_FALSE(ask(d - 2 * found->error));
   }
-  const auto quick = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kFar, 2 * d + 1e-3);
+  const auto quick = measure::nearest_pair(bodies.placed(0), bodies.placed(1), kInfinity, 2 * d + 1e-3);
   ASSERT_TRUE(quick);
   EXPECT_LT(quick->distance, 2 * d + 1e-3);
 }
@@ -170,7 +167,7 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
 
 TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
-  for (int i = 0; i < test::trials(300); ++i) {
+  for (int i = 0; i < 300; ++i) {
     const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
     const scenes::PlacedScene scene = apart(
         scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),

@@ -5,17 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/measure/exact_distance.hpp"
 
 namespace impinge {
 namespace {
 
 using measure::TriangleDistance;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Vec3 random_point(scenes::Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
@@ -80,12 +77,12 @@ Triangle moved(const Triangle& t, const Vec3& by, double scale) {
 TEST(TriangleDistance, HoldsTheExactOne) {
   test::Seeded seeded(20250311);
   double worst = 0;
-  for (int i = 0; i < test::trials(12'000); ++i) {
+  for (int i = 0; i < 12'000; ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const Vec3 away = random_point(seeded.random, i % 7 == 0 ? 1e6 : i % 5 == 0 ? 30 : 0);
     const double scale = i % 11 == 0 ? 0x1p-340 : i % 13 == 0 ? 0x1p270 : 1;
     const Triangle p = moved(a, i % 3 == 0 ? away : Vec3{0, 0, 0}, scale), q = moved(b, away, scale);
-    worst = std::max(worst, expect_holds(p, q, measure::triangle_distance(p, q, kFar)));
+    worst = std::max(worst, expect_holds(p, q, measure::triangle_distance(p, q, kInfinity)));
     ASSERT_FALSE(HasFailure()) << "case " << i;
   }
   // Where nothing is in the way, the gap between the bounds is a matter of roundings.
@@ -94,9 +91,9 @@ TEST(TriangleDistance, HoldsTheExactOne) {
 
 TEST(TriangleDistance, IsFoundAtPointsOfTheTriangles) {
   test::Seeded seeded(7);
-  for (int i = 0; i < test::trials(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
-    const TriangleDistance d = measure::triangle_distance(a, b, kFar);
+    const TriangleDistance d = measure::triangle_distance(a, b, kInfinity);
     const double slack = 16 * d.margin + 1e-15;
     EXPECT_TRUE(oracle::is_within(oracle::square_distance({d.a, d.a, d.a}, a), 0, slack));
     EXPECT_TRUE(oracle::is_within(oracle::square_distance({d.b, d.b, d.b}, b), 0, slack));
@@ -107,7 +104,7 @@ TEST(TriangleDistance, IsFoundAtPointsOfTheTriangles) {
 
 TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
   test::Seeded seeded(8);
-  for (int i = 0; i < test::trials(3000); ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const double limit = seeded.random.uniform(0, 1);
     const TriangleDistance d = measure::triangle_distance(a, b, limit, random_point(seeded.random, 1));
@@ -122,7 +119,7 @@ TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
 TEST(PointDistance, HoldsTheExactOne) {
   test::Seeded seeded(9);
   double worst = 0;
-  for (int i = 0; i < test::trials(6000); ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Triangle t = random_triangle(seeded.random, i);
     Vec3 p = random_point(seeded.random, 1);
     if (i % 4 == 0) p = 0.25 * t[0] + 0.25 * t[1] + 0.5 * t[2];
@@ -130,7 +127,7 @@ TEST(PointDistance, HoldsTheExactOne) {
     const double scale = i % 11 == 0 ? 0x1p-300 : 1;
     const Triangle u = moved(t, {0, 0, 0}, scale);
     p = scale * p;
-    const TriangleDistance d = measure::point_distance(p, u, kFar);
+    const TriangleDistance d = measure::point_distance(p, u, kInfinity);
     worst = std::max(worst, expect_holds({p, p, p}, u, d));
     EXPECT_EQ(d.a, p);
     ASSERT_FALSE(HasFailure()) << "case " << i;
@@ -141,7 +138,7 @@ TEST(PointDistance, HoldsTheExactOne) {
 TEST(CommonPoint, IsOnBoth) {
   test::Seeded seeded(10);
   int meeting = 0;
-  for (int i = 0; i < test::trials(6000); ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Triangle a = random_triangle(seeded.random, i % 2 * 5), b = random_triangle(seeded.random, i / 2 % 2 * 5);
     if (oracle::square_distance(a, b) != 0) continue;
     ++meeting;
@@ -151,7 +148,7 @@ TEST(CommonPoint, IsOnBoth) {
     EXPECT_TRUE(oracle::is_within(oracle::square_distance({q, q, q}, b), 0, 1e-14));
     ASSERT_FALSE(HasFailure()) << "case " << i;
   }
-  EXPECT_GT(meeting, test::trials(100));
+  EXPECT_GT(meeting, 100);
 }
 
 }  // namespace

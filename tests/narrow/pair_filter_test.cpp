@@ -93,7 +93,7 @@ TEST(PairFilter, IsRightAtItsBorder) {
   for (const double scale : {0x1p-10, 1.0 / 3, 0x1p8})
     ASSERT_NO_FATAL_FAILURE(attack(scale, 0, border_pair, 6000, counts));
   std::cout << counts.of[0] << " no, " << counts.of[1] << " unsure, " << counts.of[2] << " crossing\n";
-  for (const int n : counts.of) EXPECT_GT(n, test::trials(20000));
+  for (const int n : counts.of) EXPECT_GT(n, 20000);
 }
 
 /// Where products vanish, vertices are denormal, and the tiny of the bounds is all that is left.
@@ -101,7 +101,7 @@ TEST(PairFilter, IsRightOfTinyTriangles) {
   Counts counts;
   for (const int exponent : {-30, -45, -50, -60, -100, -140, -150, -155})
     ASSERT_NO_FATAL_FAILURE(attack(std::ldexp(1.0, exponent), 0, border_pair, 1500, counts));
-  EXPECT_GT(counts.of[1], test::trials(20000));
+  EXPECT_GT(counts.of[1], 20000);
 }
 
 /// One triangle tiny beside the other.
@@ -112,7 +112,7 @@ TEST(PairFilter, IsRightOfTrianglesOfDifferentSizes) {
     const AnyPair pair = border_pair_of_sizes(small);
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 20000, counts));
     ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 6000, counts, small));
-    EXPECT_GT(counts.of[1], test::trials(10000));
+    EXPECT_GT(counts.of[1], 10000);
   }
 }
 
@@ -125,7 +125,7 @@ TEST(PairFilter, IsRightOfTrianglesFarApart) {
     return std::pair{a, b};
   };
   ASSERT_NO_FATAL_FAILURE(attack(1, 0, far, 3000, counts));
-  EXPECT_GT(counts.of[0], test::trials(10000));
+  EXPECT_GT(counts.of[0], 10000);
 }
 
 /// Long thin triangles that pass each other closely: the determinants cancel most.
@@ -145,7 +145,7 @@ TEST(PairFilter, IsRightOfSlivers) {
   };
   ASSERT_NO_FATAL_FAILURE(attack(1, 0, pair, 20000, counts));
   ASSERT_NO_FATAL_FAILURE(attack(1.0 / 3, 0, pair, 3000, counts));
-  for (const int n : counts.of) EXPECT_GT(n, test::trials(100));
+  for (const int n : counts.of) EXPECT_GT(n, 100);
 }
 
 // --- use

@@ -25,7 +25,7 @@ using scenes::PlacedScene;
 using scenes::Random;
 
 io::Model model_of(const fs::path& file) {
-  auto model = io::read(file, {.importer = IMPINGE_IMPORTER});
+  auto model = io::read(file);
   EXPECT_TRUE(model) << (model ? "" : model.error().message);
   return model ? *std::move(model) : io::Model{};
 }
@@ -157,7 +157,7 @@ TEST_P(RealAssembly, EveryTrianglePair) {
     const auto id = scene.add(object.mesh, object.pose);
     ASSERT_TRUE(id) << id.error().message;
   }
-  const expected::Set set = expected::of_model(file);
+  const expected::Set set = expected::of_model(file, scene);
   EXPECT_FALSE(set.empty());
   for (const char* backend : {"simd", "scalar"}) {
     SCOPED_TRACE(backend);

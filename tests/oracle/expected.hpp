@@ -11,6 +11,7 @@
 
 #include "impinge/contacts.hpp"
 #include "impinge/options.hpp"
+#include "impinge/scene.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/solid_pairs.hpp"
 #include "tests/core/ways.hpp"
@@ -20,8 +21,9 @@ namespace impinge::scenes {
 void PrintTo(const Judgement& judgement, std::ostream* out);
 }  // namespace impinge::scenes
 
-/// Expected sets, computed by the oracle's own programs and kept in IMPINGE_ORACLE_DIR under the scene's hash, so that
-/// each is computed once for all presets. What goes wrong fails the running test with a sentence.
+/// Expected answers, by the oracle's own programs where this build has them (IMPINGE_BUILD_ORACLE). Elsewhere they are
+/// those that impinge finds in the plainest way, held to the hash and the counts that the oracle's have in answers.txt.
+/// What goes wrong fails the running test with a sentence.
 namespace impinge::expected {
 
 /// Object a, object b, triangle a, triangle b, kind; a whole answer is sorted.
@@ -30,12 +32,15 @@ using Set = std::vector<Contact>;
 
 /// What the oracle finds by boxes, CGAL's exact predicates and rationals.
 Set by_oracle(const scenes::PlacedScene& scene);
-/// What it finds by rationals alone, every triangle against every other.
+/// Its verdict on two solids.
+scenes::Judgement judgement(const scenes::SolidPair& pair);
+/// What it finds in a model file that it loads itself; `scene`: the same by our reader.
+Set of_model(const std::filesystem::path& model, const Scene& scene);
+
+// Of builds with the oracle alone: what it finds by rationals alone, every triangle against every other, and its
+// verdict on the same solids put together in another way.
 Set by_rationals(const scenes::PlacedScene& scene);
-/// Its verdict on two solids; `by_tetrahedra`: on the same solids, put together in another way.
-scenes::Judgement judgement(const scenes::SolidPair& pair, bool by_tetrahedra = false);
-/// What it finds in a model file that it loads itself.
-Set of_model(const std::filesystem::path& model);
+scenes::Judgement judgement_by_tetrahedra(const scenes::SolidPair& pair);
 
 /// An answer as a set. Fails the test where its arrays do not fit together.
 Set listed(const Contacts& contacts);

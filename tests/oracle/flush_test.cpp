@@ -13,7 +13,6 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -21,7 +20,7 @@ namespace {
 using scenes::PlacedScene;
 using scenes::Random;
 
-constexpr std::uint64_t kMotions = test::trials(20);
+constexpr std::uint64_t kMotions = 20;
 
 /// A cube and a cube whose shift is in its vertices: under a common motion the shared corners stay equal bit for bit.
 PlacedScene cubes_sharing_numbers(const std::array<double, 3>& shift) {

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "points.hpp"
-#include "tests/core/trials.hpp"
 
 namespace impinge {
 namespace {
@@ -72,7 +71,7 @@ points::Source dusty_integers() {
 class Predicates : public testing::TestWithParam<Input> {
  protected:
   static constexpr std::uint64_t kSeed = 20240117;
-  static constexpr int kRounds = test::trials(4000);
+  static constexpr int kRounds = 4000;
 
   Point point() { return GetParam().source(random_); }
   Segment segment() {

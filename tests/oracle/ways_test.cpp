@@ -23,7 +23,7 @@ namespace {
 using scenes::PlacedScene;
 using scenes::Random;
 
-std::vector<std::pair<std::string, PlacedScene>> families() {
+std::vector<std::pair<std::string, PlacedScene>> small_scenes() {
   Random random(1);
   const auto moved = [&](const PlacedScene& scene, double reach) {
     return scenes::moved(scene, scenes::random_motion(random, reach));
@@ -54,7 +54,7 @@ class Family : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Family, HasOneAnswerInEveryWay) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
-  const auto [name, scene] = families()[GetParam()];
+  const auto [name, scene] = small_scenes()[GetParam()];
   SCOPED_TRACE(name);
   const expected::Set set = expected::expect_exact(scene);
   EXPECT_FALSE(set.empty());
@@ -66,7 +66,7 @@ TEST_P(Family, HasOneAnswerInEveryWay) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Family, testing::Range<std::size_t>(0, families().size()));
+INSTANTIATE_TEST_SUITE_P(Families, Family, testing::Range<std::size_t>(0, small_scenes().size()));
 
 }  // namespace
 }  // namespace impinge

@@ -15,7 +15,6 @@
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/hierarchy/exact_frames.hpp"
 #include "tests/hierarchy/tree_pair.hpp"
 
@@ -103,7 +102,7 @@ TEST(Sweep, StreamsEveryPairThatTouchesOnce) {
 
 /// Leaves of every number of triangles, as roots of their trees; far more pairs than a stream holds.
 TEST(Sweep, StreamsLeavesOfEverySizeWhole) {
-  for (int n = 1; n <= 256; n += test::kSanitized ? 5 : 1) {
+  for (int n = 1; n <= 256; ++n) {
     test::Seeded seeded(static_cast<std::uint64_t>(n));
     const int m = n % 3 == 0 ? 257 - n : seeded.random.integer(1, 256);
     const auto soup = [&](int count) { return scenes::integer_soup(seeded.random, count, 6); };
@@ -239,7 +238,7 @@ TEST(Sweep, CoordinatesAreWithinTheirErrorOnHardScenes) {
 /// smaller than what single precision tells apart in the other.
 TEST(Sweep, CoordinatesAreWithinTheirErrorFarAwayAndOfAnySize) {
   double greatest = 0;
-  for (std::uint64_t seed = 1; seed <= 120; seed += test::kSanitized ? 11 : 1) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     const double reach = std::array{0.0, 1.0, 1e6, 1e15}[seed % 4], off = std::array{0.0, 1e6, 1e15}[seed / 4 % 3];
@@ -263,7 +262,7 @@ TEST(Sweep, CoordinatesAreWithinTheirErrorFarAwayAndOfAnySize) {
 /// A tiny mesh in the middle of a large leaf, where none of its own errors count: the leaf's own must.
 TEST(Sweep, CoordinatesAreWithinTheirErrorInTheMiddleOfALargeLeaf) {
   double greatest = 0;
-  for (std::uint64_t seed = 1; seed <= test::trials(40u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40u; ++seed) {
     test::Seeded seeded(seed);
     scenes::MeshData large = scenes::shifted(scenes::triangle_soup(seeded.random, 8, 1), -0.5, -0.5, -0.5);
     const scenes::MeshData mirrored = scenes::scaled(large, -1, -1, -1);

@@ -15,21 +15,20 @@
 #include "scenes/shapes.hpp"
 #include "schedule/parallel.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/pipeline/crowd.hpp"
 
 namespace impinge {
 namespace {
 
 /// A question, and its answer without a workspace of one's own.
-struct Question {
+struct WorkspaceQuestion {
   std::function<Result<Contacts>(Workspace*)> ask;
   std::optional<Contacts> answer;  ///< none: an error
   Code code{};
 };
 
-Question question(std::function<Result<Contacts>(Workspace*)> ask) {
-  Question q{std::move(ask), std::nullopt, {}};
+WorkspaceQuestion question(std::function<Result<Contacts>(Workspace*)> ask) {
+  WorkspaceQuestion q{std::move(ask), std::nullopt, {}};
   std::thread([&] {  // with memory that nothing else has used
     auto result = q.ask(nullptr);
     if (result) {
@@ -42,7 +41,7 @@ Question question(std::function<Result<Contacts>(Workspace*)> ask) {
   return q;
 }
 
-void expect_answer(const Question& q, Workspace* workspace) {
+void expect_answer(const WorkspaceQuestion& q, Workspace* workspace) {
   const auto found = q.ask(workspace);
   ASSERT_EQ(found.has_value(), q.answer.has_value());
   if (found) {
@@ -53,8 +52,8 @@ void expect_answer(const Question& q, Workspace* workspace) {
 }
 
 /// Large and small, of every backend and kind, with answers, without, and with errors.
-std::vector<Question> all_questions() {
-  std::vector<Question> questions;
+std::vector<WorkspaceQuestion> all_questions() {
+  std::vector<WorkspaceQuestion> questions;
   scenes::Random random(1);
   const auto scene = std::make_shared<Scene>(test::scene_of(test::crowd(1)));
   const auto few = std::make_shared<Scene>(test::scene_of(scenes::flush_boxes(2, 2, 1)));
@@ -94,8 +93,8 @@ std::vector<Question> all_questions() {
 }
 
 TEST(Workspace, ServesAnySeriesOfQuestions) {
-  const std::vector<Question> questions = all_questions();
-  for (std::uint64_t seed = 1; seed <= test::trials(3u); ++seed) {
+  const std::vector<WorkspaceQuestion> questions = all_questions();
+  for (std::uint64_t seed = 1; seed <= 3u; ++seed) {
     test::Seeded seeded(seed);
     std::array<Workspace, 2> workspaces;
     for (int i = 0; i < 300; ++i) {
@@ -149,7 +148,7 @@ TEST(Workspace, LeavesItsAnswersToThemselves) {
 TEST(Workspace, RemembersNoMesh) {
   Workspace workspace;
   test::Seeded seeded(4);
-  for (int i = 0; i < test::trials(200); ++i) {
+  for (int i = 0; i < 200; ++i) {
     const auto soup = [&] { return scenes::integer_soup(seeded.random, 12, 2); };
     const scenes::PlacedScene scene = scenes::pair_scene(soup(), soup());
     const Options options{.threads = 1, .backend = i % 3 == 0 ? "scalar" : "simd"};

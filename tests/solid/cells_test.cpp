@@ -282,7 +282,7 @@ std::uint8_t bits_at_samples(const Polycube& own, const Polycube& other) {
 
 TEST(Cells, OfLatticeSolidsAreWhatLiesBesidePointsOfTheirFaces) {
   std::set<std::string> seen;
-  for (std::uint64_t seed = 1; seed <= test::trials(150u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 150u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Polycube a = polycube(random, random.integer(1, 12));
@@ -297,7 +297,7 @@ TEST(Cells, OfLatticeSolidsAreWhatLiesBesidePointsOfTheirFaces) {
     ASSERT_EQ(letters(cells_of(shape_a, shape_b)), letters(expected));
     seen.insert(letters(expected));
   }
-  EXPECT_GE(seen.size(), test::trials(10u));
+  EXPECT_GE(seen.size(), 10u);
 }
 
 oracle::Triangles exact_triangles(const MeshData& mesh) {
@@ -348,7 +348,7 @@ void expect_as_samples(const MeshData& a, const MeshData& b, Random& random) {
 
 TEST(Cells, OfTetrahedraAreWhatLiesBesideRandomPointsOfThem) {
   std::set<std::string> seen;
-  for (std::uint64_t seed = 1; seed <= test::trials(25u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 25u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const auto proper = [&](const points::Source& corner) {
@@ -368,12 +368,12 @@ TEST(Cells, OfTetrahedraAreWhatLiesBesideRandomPointsOfThem) {
     ASSERT_NO_FATAL_FAILURE(expect_as_samples(a, b, random));
     seen.insert(letters(cells_of({a}, {b})));
   }
-  EXPECT_GE(seen.size(), test::trials(5u));
+  EXPECT_GE(seen.size(), 5u);
 }
 
 /// A vertex inside and one outside of each other after any motion, however far and however off.
 TEST(Cells, OfPlacedMeshes) {
-  for (std::uint64_t seed = 1; seed <= test::trials(20u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     Pose pose = scenes::random_motion(random, seed % 2 == 0 ? 1e6 : 1);
@@ -389,7 +389,7 @@ TEST(Cells, OfPlacedMeshes) {
 
 /// Against themselves moved by an ulp: whatever is said, it is said of both, and nothing fails.
 TEST(Cells, TakeAnyInput) {
-  for (std::uint64_t seed = 1; seed <= test::trials(30u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Shape soup{scenes::integer_soup(random, 20, 2), false}, other{scenes::integer_soup(random, 20, 2), false};

@@ -8,7 +8,6 @@
 #include "impinge/predicates.hpp"
 #include "scenes/motion.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 #include "tests/oracle/points.hpp"
 
 namespace impinge {
@@ -101,7 +100,7 @@ std::vector<Triangle> cutting(const Triangle& t, const points::Source& point, in
 }
 
 TEST(CutTriangle, PiecesMeetNothingAndAreAllThatIsLeft) {
-  for (std::uint64_t seed = 1; seed <= test::trials(120u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const auto point = seed % 3 == 0 ? points::nearly_degenerate() : points::integers(-2, 2);
@@ -112,7 +111,7 @@ TEST(CutTriangle, PiecesMeetNothingAndAreAllThatIsLeft) {
 
 /// More than are held against a piece at once, and in a plane of any slope.
 TEST(CutTriangle, TakesOutWhatManyShareWithIt) {
-  for (std::uint64_t seed = 1; seed <= test::trials(40u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Point e = points::integers(-3, 3)(random), f = points::integers(-3, 3)(random);
@@ -140,7 +139,7 @@ TEST(CutTriangle, TakesOutWhatManyShareWithIt) {
 
 /// Cuts an ulp apart leave slivers that hold no point of few digits.
 TEST(CutTriangle, FindsPointsInSlivers) {
-  for (std::uint64_t seed = 1; seed <= test::trials(40u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Pose pose = scenes::random_motion(random, seed % 2 == 0 ? 1 : 1e6);
@@ -159,7 +158,7 @@ TEST(CutTriangle, FindsPointsInSlivers) {
 }
 
 TEST(CutTriangle, WorksAtTheEndsOfTheDomain) {
-  for (std::uint64_t seed = 1; seed <= test::trials(40u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const auto point = seed % 2 == 0 ? points::whole_domain() : points::stretched_integers(0x1p298, 0x1p-358, 1);

@@ -87,7 +87,7 @@ std::vector<Point> near_triangle(const Triangle& t, Random& random) {
 }
 
 TEST(WindingNumber, OfLatticePointsIsWhatRaysInGeneralDirectionsCount) {
-  for (std::uint64_t seed = 1; seed <= test::trials(30u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const int side = random.integer(1, 3);
@@ -100,7 +100,7 @@ TEST(WindingNumber, OfLatticePointsIsWhatRaysInGeneralDirectionsCount) {
 }
 
 TEST(WindingNumber, OfRationalPointsIsWhatRaysInGeneralDirectionsCount) {
-  for (std::uint64_t seed = 1; seed <= test::trials(30u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Placed body(tetrahedra(random, random.integer(1, 8), 2), poses(random)[seed % 5], seed % 2 == 0 ? 1 : 0);
@@ -162,7 +162,7 @@ TEST(WindingNumber, OfShellsInShells) {
 }
 
 TEST(WindingNumber, DegenerateTrianglesHoldPointsAndCountNothing) {
-  for (std::uint64_t seed = 1; seed <= test::trials(20u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Placed body(test::joined({scenes::box({0, 0, 0}, {3, 3, 3}, 1), scenes::degenerate_soup(random, 20, 4)}), {},
@@ -182,7 +182,7 @@ TEST(WindingNumber, ReachesTheEndsOfTheDomain) {
 /// p + (e³, e, e²), with an e that is small enough for small integers.
 TEST(Around, IsTheWindingNumberBesideThePointAndWhatHoldsIt) {
   const mpq_class e(1, mpz_class(1) << 100);
-  for (std::uint64_t seed = 1; seed <= test::trials(30u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const Placed body(tetrahedra(random, random.integer(1, 6), 2), {}, 0);
@@ -202,7 +202,7 @@ TEST(Around, IsTheWindingNumberBesideThePointAndWhatHoldsIt) {
 }
 
 TEST(Rational, IsWhatItWasMadeOfAndRoundsNearby) {
-  for (std::uint64_t seed = 1; seed <= test::trials(2000u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2000u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
     const double x = points::anywhere(random), y = points::anywhere(random);

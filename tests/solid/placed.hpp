@@ -8,7 +8,6 @@
 #include "mesh_state.hpp"
 #include "solid/body.hpp"
 #include "tests/core/support.hpp"
-#include "tests/core/trials.hpp"
 
 /// Bodies for the tests of `solid/`.
 namespace impinge::test {

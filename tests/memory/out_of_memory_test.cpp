@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "scenes/shapes.hpp"
-#include "tests/core/own_allocator.hpp"
 #include "tests/core/support.hpp"
+#include "tests/memory/own_allocator.hpp"
 
 namespace impinge {
 namespace {

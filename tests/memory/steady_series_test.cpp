@@ -7,8 +7,8 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
-#include "tests/core/own_allocator.hpp"
 #include "tests/core/support.hpp"
+#include "tests/memory/own_allocator.hpp"
 
 namespace impinge {
 namespace {
