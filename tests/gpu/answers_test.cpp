@@ -189,16 +189,22 @@ TEST_P(OnDevice, AssembliesAreAnsweredAsByTheReference) {
   }
 }
 
-/// Flush patches of cells of 2.5e-7, each in a mesh with one triangle far away: the origins of the trees are far apart
-/// beside the patches, so that what rounding leaves of one in the other's frame is large.
+/// Two patches of cells of 2.5e-7 in each mesh, and one triangle far away: the origins of the trees are far apart
+/// beside the patches that lie on each other, so that what rounding leaves of one in the other's frame is large.
 TEST_P(OnDevice, SmallFlushPatchesFarFromTheirTreesOriginsAreAnsweredAsByTheReference) {
   const int cells = is_plain() ? 8 : 40;
-  const auto patch = [&](double beside, double far) {
-    scenes::MeshData data = scenes::shifted(scenes::flat_grid(cells, cells, 1e-5 / cells), beside, 0, 0.1);
+  const auto patches = [&](double beside, double low, double high, double far) {
+    scenes::MeshData data;
+    for (const double z : {low, high}) {
+      const scenes::MeshData patch = scenes::shifted(scenes::flat_grid(cells, cells, 1e-5 / cells), beside, 0, z);
+      const auto first = static_cast<std::uint32_t>(data.xyz.size() / 3);
+      data.xyz.insert(data.xyz.end(), patch.xyz.begin(), patch.xyz.end());
+      for (const std::uint32_t vertex : patch.triangles) data.triangles.push_back(first + vertex);
+    }
     data.add_triangle({0.9 * far, 0.1, 0.77 * far, far, 0.2, 0.8 * far, 0.93 * far, 0.3, 0.71 * far});
     return test::mesh_of(data);
   };
-  const Mesh a = patch(0, -1), b = patch(3.137e-6, 1);
+  const Mesh a = patches(0, -0.2371, 0.1, -1), b = patches(3.137e-6, 0.1, 0.5913, 1);
   for (const Pose& pose : {Pose{}, Pose{.R = {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1}}}) {
     const Contacts expected = collide(a, pose, b, pose, {.backend = "scalar"}).value();
     EXPECT_GT(expected.triangles.size(), 100u);
