@@ -18,17 +18,14 @@ if(IMPINGE_WARNINGS_AS_ERRORS)
   target_compile_options(impinge_options INTERFACE -Werror)
 endif()
 
-# The library and the readers alone are compiled with a sanitizer, which costs two to three times the compiler's time;
-# tests are not. Undefined behaviour traps: its messages would double the code.
-set(IMPINGE_SANITIZE "" CACHE STRING "Compile the library and the file readers with a sanitizer: address or thread")
+# The library and the readers alone are compiled with these sanitizers, which cost two to three times the compiler's time; tests
+# are not. Undefined behaviour traps: its messages would double the code. Without the checks of each pointer, a quarter of the
+# compiler's time: null pointers fault anyway. And without the frames on the heap that catch uses of a stack after its return:
+# with them, tests took three times as long.
+option(IMPINGE_SANITIZE "Compile the library and the file readers with the address and undefined-behaviour sanitizers" OFF)
 add_library(impinge_sanitized INTERFACE)
 if(IMPINGE_SANITIZE)
-  target_compile_options(impinge_sanitized INTERFACE -g1 -fno-omit-frame-pointer -fsanitize=${IMPINGE_SANITIZE})
-  target_link_options(impinge_sanitized INTERFACE -fsanitize=${IMPINGE_SANITIZE})
-endif()
-if(IMPINGE_SANITIZE STREQUAL "address")
-  # Without the frames on the heap that catch uses of a stack after its return: with them, tests took three times as long. And
-  # without the checks of each pointer, a quarter of the compiler's time: null pointers fault anyway.
-  target_compile_options(impinge_sanitized INTERFACE -fsanitize=undefined -fsanitize-undefined-trap-on-error
-    -fno-sanitize=null,alignment --param asan-use-after-return=0)
+  target_compile_options(impinge_sanitized INTERFACE -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
+    -fsanitize-undefined-trap-on-error -fno-sanitize=null,alignment --param asan-use-after-return=0)
+  target_link_options(impinge_sanitized INTERFACE -fsanitize=address)
 endif()
