@@ -7,8 +7,8 @@ All of them are built into one program, and IMPINGE_MUTANT chooses the one at wo
 that git can restore:
 
   tests/mutants/mutants.py check           whether each expression stands in its file just once
-  tests/mutants/mutants.py apply           writes the mutants into the sources; then build: ./dev test no.test
-  tests/mutants/mutants.py run [ID...]     runs the tests on some of them, or on all
+  tests/mutants/mutants.py apply           writes the mutants into the sources
+  tests/mutants/mutants.py run [ID...]     builds them (after ./dev test), and runs the tests on some of them, or on all
   git checkout src io cli                  the sources as they were
 
 The tests that are known to see a mutant run first, and if none of these fails the rest, but for those that read the
@@ -102,6 +102,8 @@ class Runner:
 def main():
     verb, *ids = sys.argv[1:] or [""]
     if verb == "run":
+        for build in BUILDS:
+            subprocess.run(["cmake", "--build", build, "--target", "impinge_tests"], check=True)
         runner = Runner()
         for m in table():
             if not ids or str(m.id) in ids:

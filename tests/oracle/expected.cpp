@@ -18,6 +18,7 @@
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "impinge/collide.hpp"
@@ -46,15 +47,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where its sets and programs are, if this build has it.
-#ifdef IMPINGE_ORACLE_FOLDER
-constexpr bool kHasOracle = true;
-#else
-constexpr bool kHasOracle = false;
-#define IMPINGE_ORACLE_FOLDER ""
-#define IMPINGE_ORACLE_SETS ""
-#endif
-constexpr const char* kRedo = "; ./dev test --all, which has the oracle, tells the pairs";
+/// Whether this build has it (CMakeLists.txt).
+constexpr bool kHasOracle = !std::string_view(IMPINGE_ORACLE_FOLDER).empty();
 
 /// Raise it when the oracle's answers change: those kept under older names are then computed anew.
 constexpr const char* kOracleVersion = "1";
@@ -167,7 +161,7 @@ Set held_to_kept(const std::string& key, Set found) {
   const std::string kept = kept_answer(key);
   if (!kept.empty() && kept != summary(found)) {
     ADD_FAILURE() << "What the plainest way finds is not the oracle's answer: " << summary(found) << " instead of "
-                  << kept << kRedo;
+                  << kept << "; ./dev test --all, which has the oracle, tells the pairs";
     return {};
   }
   return found;

@@ -17,7 +17,7 @@ std::map<std::string, std::string> read_kept() {
   std::ifstream in(IMPINGE_KEPT_ANSWERS);
   for (std::string line; std::getline(in, line);) {
     const std::size_t key_end = line.find(' '), name = line.find(" # ");
-    if (line.front() != '#' && name != std::string::npos)
+    if (!line.empty() && line.front() != '#' && name != std::string::npos)
       kept[line.substr(0, key_end)] = line.substr(key_end + 1, name - key_end - 1);
   }
   return kept;
