@@ -8,9 +8,9 @@
 
 #include "bench/micro.hpp"
 #include "bench/support.hpp"
-#include "hierarchy/obb.hpp"
-#include "hierarchy/obb_overlap.hpp"
-#include "mesh_state.hpp"
+#include "paper/obb.hpp"
+#include "paper/obb_overlap.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 

@@ -14,8 +14,8 @@
 #include "help.hpp"
 #include "impinge/version.hpp"
 #include "option_values.hpp"
-#include "sink.hpp"
-#include "text.hpp"
+#include "report/sink.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

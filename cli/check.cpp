@@ -8,17 +8,17 @@
 #include <optional>
 #include <utility>
 
-#include "assembly.hpp"
 #include "calibration_cache.hpp"
 #include "documents.hpp"
-#include "json_writer.hpp"
 #include "progress.hpp"
+#include "report/assembly.hpp"
+#include "report/comparison/remarks.hpp"
+#include "report/json_writer.hpp"
+#include "report/sink.hpp"
+#include "report/text.hpp"
 #include "scene_command.hpp"
-#include "sink.hpp"
 #include "stats.hpp"
 #include "table.hpp"
-#include "text.hpp"
-#include "triage/remarks.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "clash_json.hpp"
 #include "clash_table.hpp"
+#include "configured_clash.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
+#include "report/clash_json.hpp"
+#include "report/comparison/remarks.hpp"
 #include "report/exports.hpp"
 #include "report/page.hpp"
-#include "review.hpp"
+#include "report/review.hpp"
+#include "report/text.hpp"
 #include "scene_command.hpp"
-#include "text.hpp"
-#include "triage/configured_clash.hpp"
-#include "triage/remarks.hpp"
-#include "triage/triage_table.hpp"
+#include "triage_table.hpp"
 
 namespace impinge::cli {
 namespace {

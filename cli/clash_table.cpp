@@ -10,9 +10,9 @@
 #include <functional>
 #include <limits>
 
+#include "report/text.hpp"
 #include "table.hpp"
-#include "text.hpp"
-#include "triage/triage_table.hpp"
+#include "triage_table.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <stop_token>
 #include <string>
 
-#include "review.hpp"
-#include "sink.hpp"
+#include "report/review.hpp"
+#include "report/sink.hpp"
 
 namespace impinge::cli {
 

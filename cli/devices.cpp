@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "impinge/devices.hpp"
-#include "sink.hpp"
+#include "report/sink.hpp"
+#include "report/text.hpp"
 #include "table.hpp"
-#include "text.hpp"
 
 namespace impinge::cli {
 namespace {

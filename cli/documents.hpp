@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sink.hpp"
+#include "report/sink.hpp"
 
 namespace impinge::cli {
 

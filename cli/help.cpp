@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

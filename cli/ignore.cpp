@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "assembly.hpp"
 #include "impinge/scene.hpp"
+#include "report/assembly.hpp"
 
 namespace impinge::cli {
 

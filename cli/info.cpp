@@ -9,17 +9,17 @@
 #include <utility>
 #include <vector>
 
-#include "assembly.hpp"
 #include "documents.hpp"
 #include "impinge/clash.hpp"
 #include "impinge/io.hpp"
-#include "json_writer.hpp"
-#include "part.hpp"
 #include "progress.hpp"
-#include "sink.hpp"
+#include "report/assembly.hpp"
+#include "report/comparison/remarks.hpp"
+#include "report/json_writer.hpp"
+#include "report/part.hpp"
+#include "report/sink.hpp"
+#include "report/text.hpp"
 #include "table.hpp"
-#include "text.hpp"
-#include "triage/remarks.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "devices.hpp"
 #include "info.hpp"
 #include "interrupt.hpp"
-#include "motion/motion.hpp"
-#include "sink.hpp"
+#include "motion.hpp"
+#include "report/sink.hpp"
 #include "view.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "sink.hpp"
-#include "text.hpp"
+#include "report/sink.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ignore.hpp"
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 

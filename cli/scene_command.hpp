@@ -8,11 +8,11 @@
 #include <span>
 
 #include "arguments.hpp"
-#include "assembly.hpp"
 #include "impinge/options.hpp"
 #include "impinge/scene.hpp"
 #include "pace.hpp"
-#include "sink.hpp"
+#include "report/assembly.hpp"
+#include "report/sink.hpp"
 
 /// What `check` and `clash` do alike.
 namespace impinge::cli {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "report/text.hpp"
 #include "table.hpp"
-#include "text.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "impinge/contacts.hpp"
-#include "sink.hpp"
+#include "report/sink.hpp"
 
 namespace impinge::cli {
 

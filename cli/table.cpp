@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sink.hpp"
+#include "report/sink.hpp"
 
 namespace impinge::cli {
 

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "assembly.hpp"
-#include "clash_json.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
+#include "report/assembly.hpp"
+#include "report/clash_json.hpp"
 #include "report/page.hpp"
+#include "report/text.hpp"
 #include "scene_command.hpp"
-#include "text.hpp"
 
 namespace impinge::cli {
 

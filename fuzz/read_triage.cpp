@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "triage/configuration.hpp"
-#include "triage/previous.hpp"
+#include "report/comparison/previous.hpp"
+#include "report/named_tests/configuration.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "clash/lines.hpp"
+#include "clash/regions/lines.hpp"
 
 namespace impinge::clash {
 namespace {

@@ -40,9 +40,9 @@ class Marks {
   std::vector<bool> marks_;
 };
 
-class Search {
+class ContactSearch {
  public:
-  Search(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) : a_(a), b_(b), goal_(goal) {}
+  ContactSearch(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) : a_(a), b_(b), goal_(goal) {}
 
   Encounter run() {
     const auto take = [&](const TrianglePair& pair) { return look_at(pair), true; };
@@ -122,7 +122,7 @@ bool LeftOut::meet(std::uint32_t triangle, std::uint8_t corner, std::size_t tria
 }
 
 Encounter find_encounter(const solid::Body& a, const solid::Body& b, const EncounterGoal& goal) {
-  return Search(a, b, goal).run();
+  return ContactSearch(a, b, goal).run();
 }
 
 }  // namespace impinge::clash

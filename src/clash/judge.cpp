@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clash/local_frame.hpp"
-#include "clash/passing.hpp"
+#include "clash/sheets/passing.hpp"
 #include "clash/verdict.hpp"
 #include "exact/orientation.hpp"
 #include "exact/segment.hpp"

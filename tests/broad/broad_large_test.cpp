@@ -5,8 +5,8 @@
 #include <functional>
 #include <thread>
 
-#include "broad/sweep_and_prune.hpp"
 #include "impinge/scene.hpp"
+#include "paper/sweep_and_prune.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/random.hpp"
 #include "tests/broad/bodies.hpp"

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "broad/all_pairs.hpp"
 #include "broad/may_touch.hpp"
 #include "broad/near_pairs.hpp"
-#include "broad/sweep_and_prune.hpp"
+#include "paper/all_pairs.hpp"
+#include "paper/sweep_and_prune.hpp"
 #include "tests/broad/bodies.hpp"
 #include "tests/core/support.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "broad/all_pairs.hpp"
+#include "paper/all_pairs.hpp"
 #include "scenes/random.hpp"
 #include "tests/broad/bodies.hpp"
 #include "tests/core/support.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash/around_lines.hpp"
+#include "clash/sheets/around_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"

@@ -14,7 +14,7 @@
 #include "clash/encounter.hpp"
 #include "impinge/clash.hpp"
 #include "measure/nearest.hpp"
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 #include "tests/pipeline/crowd.hpp"

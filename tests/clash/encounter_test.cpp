@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "clash/pinch.hpp"
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"

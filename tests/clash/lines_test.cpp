@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash/lines.hpp"
+#include "clash/regions/lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "clash/split.hpp"
+#include "clash/regions/split.hpp"
 #include "scenes/random.hpp"
 #include "tests/core/support.hpp"
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "clash/shared_part.hpp"
+#include "clash/regions/shared_part.hpp"
 #include "impinge/collide.hpp"
 #include "region_scenes.hpp"
 #include "scenes/hard.hpp"

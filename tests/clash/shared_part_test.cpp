@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash/shared_part.hpp"
+#include "clash/regions/shared_part.hpp"
 
 #include <gtest/gtest.h>
 

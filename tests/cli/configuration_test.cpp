@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // The reader of configurations, held against their schema; and what it says of mistakes.
-#include "triage/configuration.hpp"
+#include "report/named_tests/configuration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // What the classes in clash sets take. Which class is derived from which, the schemas of IFC say.
-#include "triage/ifc_classes.hpp"
+#include "report/named_tests/ifc_classes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "triage/part_sets.hpp"
+#include "report/named_tests/part_sets.hpp"
 
 namespace impinge::cli {
 namespace {

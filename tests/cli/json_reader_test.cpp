@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // The reader of JSON texts, held against the values of nlohmann-json's own.
-#include "triage/json_reader.hpp"
+#include "report/json_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "json_writer.hpp"
-#include "text.hpp"
+#include "report/json_writer.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

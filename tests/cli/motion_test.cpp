@@ -16,8 +16,8 @@
 
 #include "flat_overlaps.hpp"
 #include "impinge/clash.hpp"
-#include "motion/mover.hpp"
 #include "motion_fixture.hpp"
+#include "report/motion/mover.hpp"
 #include "scenes/mechanism.hpp"
 #include "tests/io/animated_gltf.hpp"
 

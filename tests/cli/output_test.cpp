@@ -11,7 +11,7 @@
 
 #include "meshes.hpp"
 #include "program.hpp"
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "part.hpp"
+#include "report/part.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>

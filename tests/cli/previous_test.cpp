@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // The reader of an earlier run's JSON on whatever a file may hold, and how regions are matched.
-#include "triage/previous.hpp"
+#include "report/comparison/previous.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "triage/configuration.hpp"
-#include "triage/grouping.hpp"
-#include "triage/matching.hpp"
+#include "report/comparison/matching.hpp"
+#include "report/named_tests/configuration.hpp"
+#include "report/named_tests/grouping.hpp"
 
 namespace impinge::cli {
 namespace {

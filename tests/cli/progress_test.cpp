@@ -17,7 +17,7 @@
 #include <thread>
 #include <utility>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

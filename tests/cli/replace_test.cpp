@@ -12,7 +12,7 @@
 
 #include "meshes.hpp"
 #include "program.hpp"
-#include "triage/remarks.hpp"
+#include "report/comparison/remarks.hpp"
 
 namespace impinge::test {
 namespace {

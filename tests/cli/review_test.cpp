@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // What `clash` makes of the library's verdicts: their order, and which of them fail.
-#include "review.hpp"
+#include "report/review.hpp"
 
 #include <gtest/gtest.h>
 

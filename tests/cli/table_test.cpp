@@ -8,7 +8,7 @@
 
 #include <sstream>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

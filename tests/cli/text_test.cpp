@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "text.hpp"
+#include "report/text.hpp"
 
 #include <gtest/gtest.h>
 

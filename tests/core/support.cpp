@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"

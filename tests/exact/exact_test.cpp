@@ -8,11 +8,11 @@
 
 #include "core/hash.hpp"
 #include "core/number.hpp"
-#include "exact/decide.hpp"
 #include "exact/expansion.hpp"
 #include "exact/orientation.hpp"
 #include "exact/triangle_pair.hpp"
 #include "impinge/predicates.hpp"
+#include "paper/decide.hpp"
 
 namespace impinge {
 namespace {

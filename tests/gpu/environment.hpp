@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "gpu/opened.hpp"
+#include "pipeline/opened.hpp"
 
 /// Programs that link this run on one software driver, with the validation layer on and silent.
 namespace impinge::test {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <iostream>
 
-#include "gpu/opened.hpp"
 #include "impinge/predicates.hpp"
+#include "pipeline/opened.hpp"
 #include "tests/core/support.hpp"
 #include "tests/gpu/environment.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "hierarchy/obb.hpp"
+#include "paper/obb.hpp"
 
 #include <gmpxx.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/pose.hpp"
-#include "hierarchy/obb_overlap.hpp"
+#include "paper/obb_overlap.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"

@@ -6,7 +6,7 @@
 
 #include <bit>
 
-#include "hierarchy/obb_tree.hpp"
+#include "paper/obb_tree.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge::test {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "broad/all_pairs.hpp"
 #include "broad/may_touch.hpp"
-#include "hierarchy/dual_walk.hpp"
+#include "paper/all_pairs.hpp"
+#include "paper/dual_walk.hpp"
 #include "scene/scene_view.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"

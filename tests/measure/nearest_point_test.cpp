@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "measure/nearest.hpp"
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "broad/all_pairs.hpp"
 #include "impinge/scene.hpp"
+#include "paper/all_pairs.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/broad/bodies.hpp"

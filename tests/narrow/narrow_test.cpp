@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "exact/decide.hpp"
-#include "narrow/backend.hpp"
+#include "paper/backend.hpp"
+#include "paper/decide.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "tests/partition/batches.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "partition/partition.hpp"
+#include "paper/partition.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge::test {

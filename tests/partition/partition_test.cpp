@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "partition/partition.hpp"
+#include "paper/partition.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Texts of BCF.
-#include "report/bcf_xml.hpp"
+#include "report/bcf/bcf_xml.hpp"
 
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
 
-#include "text.hpp"
+#include "report/text.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "impinge/mesh.hpp"
 #include "read_back.hpp"
-#include "report/png.hpp"
-#include "report/snapshot.hpp"
-#include "report/zip.hpp"
+#include "report/bcf/png.hpp"
+#include "report/bcf/snapshot.hpp"
+#include "report/bcf/zip.hpp"
 #include "tests/cli/program.hpp"
 
 namespace impinge::cli {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh_state.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "solid/body.hpp"
 #include "tests/core/support.hpp"
 

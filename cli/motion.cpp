@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "motion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "documents.hpp"
+#include "motion_table.hpp"
+#include "numbers.hpp"
+#include "progress.hpp"
+#include "report/clash_json.hpp"
+#include "report/comparison/remarks.hpp"
+#include "report/motion/motion_report.hpp"
+#include "report/motion/timeline.hpp"
+#include "report/page.hpp"
+#include "report/text.hpp"
+#include "scene_command.hpp"
+
+namespace impinge::cli {
+namespace {
+
+Result<io::Model> read_model(const MotionArguments& arguments, const std::stop_token& stop) {
+  io::ReadOptions options;
+  options.max_file_bytes = arguments.max_file_bytes;
+  options.stop = stop;
+  Result<io::Model> model = io::read(arguments.files.front(), options);
+  if (stop.stop_requested()) return interrupted();
+  if (model && model->animations.empty())
+    return Error{
+        Code::bad_file,
+        fmt::format(
+            "{}: nothing moves in it: it has no animation of its nodes that lasts; impinge clash finds what clashes "
+            "where its parts stand",
+            arguments.files.front())};
+  return model;
+}
+
+/// The animation that is named or numbered; the first by default.
+Result<const io::Animation*> choose(const io::Model& model, const MotionArguments& arguments) {
+  if (!arguments.animation) return &model.animations.front();
+  std::vector<std::size_t> named;
+  for (std::size_t i = 0; i < model.animations.size(); ++i)
+    if (model.animations[i].name == *arguments.animation) named.push_back(i);
+  if (named.size() == 1) return &model.animations[named.front()];
+  if (named.size() > 1)
+    return Error{Code::bad_option,
+                 fmt::format("--animation {}: {} has {} animations of that name; choose one by its number: {}",
+                             *arguments.animation, arguments.files.front(), named.size(), fmt::join(named, ", "))};
+  const auto number = parse_whole(*arguments.animation);
+  if (number && *number < model.animations.size()) return &model.animations[*number];
+  std::string names;
+  for (std::size_t i = 0; i < model.animations.size(); ++i)
+    names += fmt::format(
+        "{}{} {}", i > 0 ? ", " : "", i,
+        model.animations[i].name.empty() ? "without a name" : "'" + printable(model.animations[i].name) + "'");
+  return Error{Code::bad_option, fmt::format("--animation {}: {} has no such animation, but {}", *arguments.animation,
+                                             arguments.files.front(), names)};
+}
+
+Assembly assembly_of(const io::Model& model, const std::string& file) {
+  Assembly assembly;
+  assembly.files = {file};
+  assembly.objects = model.objects;
+  assembly.groups = model.groups;
+  assembly.file_of.assign(model.objects.size(), 0);
+  for (const io::Object& object : model.objects) assembly.triangles += object.mesh.triangle_count();
+  assembly.warnings = model.warnings;
+  for (const std::string& sentence : model.missing) assembly.missing.push_back(file + ": " + sentence);
+  assembly.labels = labels_of(assembly);
+  return assembly;
+}
+
+Result<Timeline> run(const MotionArguments& arguments, const Assembly& assembly, const Mover& mover, ProgressLine& line,
+                     const std::stop_token& stop) {
+  Progress progress;
+  TimelineOptions options;
+  options.frames = arguments.frames;
+  options.tolerance = arguments.tolerance;
+  options.depth = arguments.depth;
+  options.fail_on = arguments.fail_on;
+  options.threads = arguments.threads;
+  options.progress = &progress;
+  options.stop = stop;
+  line.phase(
+      fmt::format("moving {}", counted(assembly.objects.size(), "part")), [&progress] { return work_of(progress); },
+      "frames");
+  const std::vector<std::uint32_t> groups = products_of(assembly);
+  Assembly placed = assembly;
+  const auto make_scene = [&](const std::vector<Posed>& posed) {
+    for (std::size_t i = 0; i < posed.size(); ++i)
+      placed.objects[i].mesh = posed[i].mesh, placed.objects[i].pose = posed[i].pose;
+    return scene_of(placed, arguments, groups);
+  };
+  Result<Timeline> timeline = find_timeline(mover, make_scene, options);
+  line.end();  // it looks at `progress`
+  if (stop.stop_requested()) return interrupted();
+  return timeline;
+}
+
+Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std::string& page,
+                               const MotionArguments& arguments, const std::stop_token& stop) {
+  const Result<DrawnScene> scene = draw(report.assembly, arguments.page_triangles, stop);
+  if (!scene) return scene.error();
+  if (!arguments.quiet) mention_simplified(*scene);
+  const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene, arguments); };
+  return write_page(
+      sink, page, head_of(arguments.files, arguments), *scene,
+      [&](Sink& to) { return write_view_json(to, report.assembly); }, stop, blocks);
+}
+
+}  // namespace
+
+Result<bool> motion(const MotionArguments& arguments, const std::stop_token& stop) {
+  Documents documents(arguments.files);
+  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
+  if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
+  const Result<std::string> page = arguments.html ? read_page_template() : std::string();
+  if (!page) return page.error();
+
+  ProgressLine line(STDERR_FILENO, !arguments.quiet);
+  line.phase("reading " + printable(arguments.files.front()));
+  const Result<io::Model> model = read_model(arguments, stop);
+  if (!model) return model.error();
+  const Result<const io::Animation*> animation = choose(*model, arguments);
+  if (!animation) return animation.error();
+  const Mover mover(*model, **animation);
+  MotionReport report{
+      assembly_of(*model, arguments.files.front()), **animation, model->animations.size(), mover, {}, {}};
+  Result<LeftOut> left = left_out(*model, **animation, report.assembly);
+  if (!left) return left.error();
+  report.left_out = std::move(*left);
+  Result<Timeline> timeline = run(arguments, report.assembly, mover, line, stop);
+  if (!timeline) return timeline.error();
+  report.timeline = std::move(*timeline);
+  mention_missing(report.assembly);
+  mention(report.left_out, arguments.quiet);
+  if (!arguments.quiet) mention_warnings(report.assembly);
+
+  const auto write_json = [&](Sink& sink) { return write_motion_json(sink, report, arguments); };
+  if (auto written = documents.write(kJson, write_json); !written) return written.error();
+  const auto write_html = [&](Sink& sink) { return write_motion_page(sink, report, *page, arguments, stop); };
+  if (auto written = documents.write(kPage, write_html); !written) return written.error();
+  if (auto put = documents.put(); !put) return put.error();
+  if (!arguments.quiet && !documents.on_standard_output()) {
+    Sink out(STDOUT_FILENO, "standard output");
+    print_motion(report, arguments, out, width_of(STDOUT_FILENO), stop);
+    if (stop.stop_requested()) return interrupted();
+    if (auto flushed = out.flush(); !flushed) return flushed.error();
+  }
+  return !report.timeline.spans.empty();
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "triage_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/text.hpp"
+#include "table.hpp"
+
+namespace impinge::cli {
+namespace {
+
+bool has_new_region(const Standing& standing) {
+  return std::any_of(standing.regions.begin(), standing.regions.end(),
+                     [](const RegionStanding& region) { return region.change == Change::fresh; });
+}
+
+/// Verdicts come with the worst first.
+bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
+
+/// "3 penetrating, 2 nearer".
+std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64_t& failing) {
+  std::array<std::uint64_t, 6> counts{};
+  for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
+    const Clash& pair = review.clashes.pairs[i];
+    if (pair.test != test) continue;
+    ++counts[static_cast<std::size_t>(pair.verdict)];
+    failing += review.standings[i].fails ? 1 : 0;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const auto verdict = static_cast<Verdict>(i);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(counts[i]),
+                        verdict == Verdict::apart ? "nearer" : name(verdict));
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string summary_of_test(const Review& review, std::uint32_t test) {
+  const PlannedTest& planned = review.plan.tests()[test];
+  std::uint64_t failing = 0;
+  const std::string counts = counts_of_test(review, test, failing);
+  return fmt::format("{}: {}{} of {} {}, tolerance {}: {}; {}.\n", printable(planned.name), name(planned.mode),
+                     planned.clearance > 0 ? fmt::format(" {}", planned.clearance) : "",
+                     counted(planned.parts_a, "part"),
+                     planned.b.empty() ? "against each other" : "against " + counted(planned.parts_b, "part"),
+                     planned.tolerance ? fmt::format("{}", *planned.tolerance) : "auto", counts,
+                     failing == 0   ? "none fails"
+                     : failing == 1 ? "1 fails"
+                                    : grouped(failing) + " fail");
+}
+
+std::string summary_of_changes(const Review& review, const std::string& previous) {
+  std::uint64_t fresh = 0, changed = 0, persisting = 0, worse = 0, resolved = 0;
+  for (std::size_t i = 0; i < review.standings.size(); ++i) {
+    const Standing& standing = review.standings[i];
+    ++(standing.change == Change::fresh ? fresh : has_new_region(standing) ? changed : persisting);
+    worse += standing.change != Change::fresh && is_worse(review.clashes.pairs[i], standing) ? 1 : 0;
+  }
+  for (const Resolved& one : review.resolved) resolved += one.is_ambiguous ? 0 : 1;
+  return fmt::format("Since {}: {} new, {} with a new region, {} persisting, {} resolved{}.\n", printable(previous),
+                     grouped(fresh), grouped(changed), grouped(persisting), grouped(resolved),
+                     worse > 0 ? fmt::format("; {} worse than before", grouped(worse)) : "");
+}
+
+void mention_withheld(const Review& review, bool is_elsewhere, std::string_view why) {
+  std::uint64_t count = 0;
+  const Resolved* first = nullptr;
+  for (const Resolved& resolved : review.resolved) {
+    if (!resolved.is_ambiguous || (resolved.remark.is_empty() && resolved.regions.empty())) continue;
+    if (resolved.is_elsewhere == is_elsewhere && count++ == 0) first = &resolved;
+  }
+  if (count == 0) return;
+  complain(fmt::format("what was written about {}, such as {} / {}, is not taken over: {}",
+                       count == 1 ? "a clash" : grouped(count) + " clashes", printable(first->a.name),
+                       printable(first->b.name), why));
+}
+
+std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
+  if (by == GroupBy::part) return review.assembly.labels[number];
+  if (by == GroupBy::test) return printable(review.plan.tests()[number].name);
+  return printable(review.types.types[number].name);
+}
+
+}  // namespace
+
+std::string change_text(const Clash& pair, const Standing& standing) {
+  if (standing.change == Change::fresh) return "new";
+  const bool worse = is_worse(pair, standing);
+  if (has_new_region(standing)) return worse ? "worse, new region" : "new region";
+  return worse ? "worse" : "persisting";
+}
+
+void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,
+                  Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop) {
+  const std::vector<PairGroup> groups = groups_of(by, review.clashes.pairs, order, review.types);
+  const bool by_type = by == GroupBy::type;
+  Table table;
+  table.rows = static_cast<std::size_t>(std::min<std::uint64_t>(groups.size(), shown));
+  table.columns = {{"worst", Column::Kind::text}, {"pairs", Column::Kind::number}, {"fail", Column::Kind::number}};
+  table.columns.push_back({by == GroupBy::test ? "test" : by_type ? "type" : "part", Column::Kind::name});
+  if (by_type) table.columns.push_back({"type", Column::Kind::name});
+  table.cell = [&](std::size_t row, std::size_t column) -> std::string {
+    const PairGroup& group = groups[row];
+    if (column == 0) return std::string(name(review.clashes.pairs[group.pairs.front()].verdict));
+    if (column == 1) return grouped(group.pairs.size());
+    if (column == 2)
+      return grouped(static_cast<std::uint64_t>(std::count_if(
+          group.pairs.begin(), group.pairs.end(), [&](std::size_t pair) { return review.standings[pair].fails; })));
+    return name_of(review, by, column == 3 ? group.a : *group.b);
+  };
+  if (table.rows > 0) print(table, sink, width, stop);
+  if (table.rows < groups.size())
+    sink.write(fmt::format("({} of {}, by --limit; --json has them all.)\n", grouped(table.rows),
+                           counted(groups.size(), "group")));
+  if (!groups.empty()) sink.write("\n");
+}
+
+std::string triage_summary(const Review& review, const ClashArguments& arguments) {
+  std::string text;
+  for (std::uint32_t i = 0; i < review.plan.tests().size(); ++i) text += summary_of_test(review, i);
+  if (arguments.previous) text += summary_of_changes(review, *arguments.previous);
+  return text;
+}
+
+void mention_withheld(const Review& review) {
+  mention_withheld(review, false,
+                   "a part of each is, or was, there more than once with one file name, path, shape and place, and "
+                   "nothing says which was meant; it stands under resolved in the JSON. Give such parts names of their "
+                   "own, or leave all but one out; then write it again, and delete it there");
+  mention_withheld(review, true,
+                   "what has these names now was gone in between, or had namesakes, and a part has another shape or "
+                   "place than then: it may be another one; it stands under resolved in the JSON. If it still holds, "
+                   "write it again; delete it there");
+}
+
+}  // namespace impinge::cli

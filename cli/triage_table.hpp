@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "report/review.hpp"
+#include "report/sink.hpp"
+
+/// What triage adds to what `clash` prints.
+namespace impinge::cli {
+
+/// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
+/// it has one.
+std::string change_text(const Clash& pair, const Standing& standing);
+
+/// A row for each group, the one with the worst pair first. `shown` is how many rows there are at most.
+void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,
+                  Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop);
+
+/// A line for each test, and one on what changed since the previous run; nothing where there are none.
+std::string triage_summary(const Review& review, const ClashArguments& arguments);
+
+/// Complains of what people wrote in earlier runs, where nobody can say which pair it is about now.
+void mention_withheld(const Review& review);
+
+}  // namespace impinge::cli

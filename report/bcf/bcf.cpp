@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/bcf/bcf.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "report/bcf/bcf_xml.hpp"
+#include "report/bcf/snapshot.hpp"
+#include "report/bcf/zip.hpp"
+
+namespace impinge::cli {
+namespace {
+
+/// What a topic's folder holds.
+struct Files {
+  std::string markup, viewpoint, snapshot;
+};
+
+Scenery scenery_of(const Review& review, const Clash& clash, const Place& place) {
+  Scenery scenery;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const io::Object& object = review.assembly.objects[clash.objects[side]];
+    for (const Point& vertex : object.mesh.vertices())
+      scenery.parts[side].vertices.push_back(world_vertex(object.pose, vertex));
+    scenery.parts[side].triangles = object.mesh.triangles();
+  }
+  if (clash.verdict == Verdict::inside && clash.inner >= 0) scenery.glass = static_cast<std::size_t>(1 - clash.inner);
+  for (const Region& region : clash.regions) {
+    scenery.lines.insert(scenery.lines.end(), region.lines.begin(), region.lines.end());
+    if (region.lines.empty()) scenery.lines.push_back({region.centroid});
+  }
+  if (clash.nearest && clash.regions.empty()) {
+    scenery.lines.push_back({clash.nearest->a, clash.nearest->b});
+    scenery.lines.push_back({clash.nearest->a});
+    scenery.lines.push_back({clash.nearest->b});
+  }
+  if (scenery.lines.empty()) scenery.lines.push_back({place.at});
+  return scenery;
+}
+
+Files files_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank) {
+  const Clash& clash = review.clashes.pairs[pair];
+  const Place place = place_of(review, pair);
+  const Scenery scenery = scenery_of(review, clash, place);
+  const Conventions conventions = conventions_of(arguments);
+  const auto radius = [&](std::size_t side) {
+    return review.assembly.objects[clash.objects[side]].mesh.sphere_radius();
+  };
+  const View view = clearest(scenery, views_of(place, {radius(0), radius(1)}, conventions.y_up));
+  return {markup_of(review, arguments, pair, rank), viewpoint_of(review, pair, view, scenery.lines, conventions),
+          png_of(draw(scenery, view))};
+}
+
+/// Calls `work(i)` for each number below `count`, on several threads.
+void share(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  const std::size_t all = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
+  std::vector<std::jthread> helpers;
+  for (std::size_t i = 1; i < std::min(all, count); ++i) helpers.emplace_back(run);
+  run();
+}
+
+Result<void> add_topic(Zip& zip, const std::string& id, const Files& files) {
+  if (auto added = zip.add(id + "/markup.bcf", files.markup, true); !added) return added;
+  if (auto added = zip.add(id + "/viewpoint.bcfv", files.viewpoint, true); !added) return added;
+  return zip.add(id + "/snapshot.png", files.snapshot, false);
+}
+
+}  // namespace
+
+Topics topics_of(const Review& review, const ClashArguments& arguments) {
+  Topics topics;
+  for (const std::size_t pair : ranked(review.clashes.pairs))
+    if (review.standings[pair].fails) topics.pairs.push_back(pair);
+  const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(topics.pairs.size(), arguments.topics));
+  topics.left_out = topics.pairs.size() - kept;
+  topics.pairs.resize(kept);
+  return topics;
+}
+
+Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& arguments, const Topics& topics,
+                       const std::function<void()>& done, const std::stop_token& stop) {
+  constexpr std::size_t kAtOnce = 64;  // pictures in memory
+  Zip zip(sink);
+  if (auto added = zip.add("bcf.version", version_document(), true); !added) return added;
+  for (std::size_t first = 0; first < topics.pairs.size() && !sink.failed(); first += kAtOnce) {
+    std::vector<Files> some(std::min(kAtOnce, topics.pairs.size() - first));
+    share(some.size(), arguments.threads, [&](std::size_t i) {
+      if (stop.stop_requested()) return;
+      some[i] = files_of(review, arguments, topics.pairs[first + i], first + i + 1);
+      done();
+    });
+    if (stop.stop_requested()) return interrupted();
+    for (std::size_t i = 0; i < some.size(); ++i)
+      if (auto added = add_topic(zip, review.ids[topics.pairs[first + i]], some[i]); !added) return added;
+  }
+  return zip.finish();
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <unordered_set>
+
+#include "report/bcf/bcf_xml.hpp"
+#include "report/identity.hpp"
+#include "report/text.hpp"
+#include "triage_table.hpp"
+
+namespace impinge::cli {
+namespace {
+
+constexpr std::string_view kAuthor = "impinge";
+
+/// Texts on one line can be long; the JSON has them whole.
+std::string in_short(std::string_view text) { return fit(printable(text), 100); }
+
+/// A topic that is being written.
+struct Topic {
+  const Review& review;
+  const Clash& clash;
+  const Standing& standing;
+  const std::string& id;
+  std::string_view date;
+  Conventions conventions;
+
+  [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
+  [[nodiscard]] double square_metres(double area) const { return conventions.metres * conventions.metres * area; }
+  [[nodiscard]] std::string label(int side) const {
+    return fit(review.assembly.labels[clash.objects[static_cast<std::size_t>(side)]], 100);
+  }
+};
+
+std::string title(const Topic& topic) {
+  const Clash& clash = topic.clash;
+  if (clash.verdict == Verdict::inside && clash.inner >= 0)
+    return fmt::format("{} inside {}", topic.label(clash.inner), topic.label(1 - clash.inner));
+  const std::string pair = fmt::format("{} / {}", topic.label(0), topic.label(1));
+  if (clash.verdict == Verdict::apart && clash.nearest)
+    return fmt::format("{}: {:.4g} m apart", pair, topic.metres(clash.nearest->distance));
+  if (clash.overlap_depth && depth_of(clash) > 0)
+    return fmt::format("{}: {}, {:.4g} m deep", pair, name(clash.verdict), topic.metres(depth_of(clash)));
+  return fmt::format("{}: {}", pair, name(clash.verdict));
+}
+
+std::string_view priority(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::duplicate:
+    case Verdict::inside:
+    case Verdict::penetrating:
+    case Verdict::crossing:
+      return "High";
+    case Verdict::touching:
+      return "Medium";
+    case Verdict::apart:
+      return "Low";
+  }
+  return "Medium";
+}
+
+std::string test_of(const Topic& topic) {
+  const std::vector<PlannedTest>& tests = topic.review.plan.tests();
+  return tests.empty() ? "" : in_short(tests[topic.clash.test].name);
+}
+
+std::string labels(const Topic& topic) {
+  std::string text = xml_element("Labels", name(topic.clash.verdict));
+  if (const std::string test = test_of(topic); !test.empty()) text += xml_element("Labels", test);
+  if (topic.standing.change != Change::unknown) text += xml_element("Labels", change_text(topic.clash, topic.standing));
+  return text;
+}
+
+std::string triage(const Topic& topic) {
+  std::string text;
+  if (const std::string test = test_of(topic); !test.empty()) text += fmt::format("Test: {}\n", test);
+  if (topic.standing.change == Change::unknown) return text;
+  text += "Since the earlier run: " + change_text(topic.clash, topic.standing);
+  if (topic.standing.was && *topic.standing.was != topic.clash.verdict)
+    text += fmt::format(", was {}", name(*topic.standing.was));
+  return text + "\n";
+}
+
+std::string regions(const Topic& topic) {
+  constexpr std::size_t kMostRegions = 5;
+  const std::vector<Region>& all = topic.clash.regions;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostRegions); ++i) {
+    // Ten digits: a place on a national grid to the millimetre.
+    const Point at = place_in_bcf(topic.conventions, all[i].centroid);
+    text += fmt::format("Region {}: at ({:.10g} {:.10g} {:.10g}), area {:.6g}, length {:.6g}\n", i + 1, at.x, at.y,
+                        at.z, topic.square_metres(all[i].area), topic.metres(all[i].length));
+  }
+  if (all.size() > kMostRegions) text += fmt::format("{} more\n", counted(all.size() - kMostRegions, "region"));
+  return text;
+}
+
+/// What is known of the pair, a line for each thing.
+std::string description(const Topic& topic) {
+  const Clash& clash = topic.clash;
+  std::string text = fmt::format("Verdict: {}\n", name(clash.verdict)) + triage(topic);
+  for (const int side : {0, 1})
+    text += fmt::format("{}: {} ({})\n", side == 0 ? "A" : "B", topic.label(side),
+                        file_name_of(topic.review, clash.objects[static_cast<std::size_t>(side)]));
+  const auto interval = [&](const Interval& depth) {
+    return fmt::format("{:.6g} to {:.6g}", topic.metres(depth.lo), topic.metres(depth.hi));
+  };
+  if (clash.overlap_depth)
+    text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
+                        interval(clash.overlap_depth->b_in_a));
+  if (clash.nearest) text += fmt::format("Distance: {:.6g}\n", topic.metres(clash.nearest->distance));
+  text += regions(topic);
+  if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
+  text += "Lengths and places are in metres with Z up, as in the viewpoint.";
+  if (!topic.conventions.is_known) text += " Nobody said the unit of the files: it is taken for the metre (--unit).";
+  return text;
+}
+
+std::string header(const Topic& topic) {
+  std::string files;
+  const auto& [a, b] = topic.clash.objects;
+  const std::vector<std::uint32_t>& file_of = topic.review.assembly.file_of;
+  for (const std::uint32_t object : {a, b}) {
+    if (object != a && file_of[object] == file_of[a]) continue;
+    files += "<File isExternal=\"true\">\n" + xml_element("Filename", file_name_of(topic.review, object)) + "</File>\n";
+  }
+  return "<Header>\n" + files + "</Header>\n";
+}
+
+/// Each of its lines printable. Some editors end lines with CR LF, or with CR alone.
+std::string printable_lines(std::string_view text) {
+  std::string lines;
+  for (std::size_t at = 0;;) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    lines += printable(text.substr(at, end - at));
+    if (end == text.size()) return lines;
+    lines += '\n';
+    at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+  }
+}
+
+/// What people wrote about the pair and its regions. When, and who, the JSON does not say: the date is the topic's.
+std::string comments(const Topic& topic) {
+  std::string text;
+  std::unordered_set<std::string> used;
+  const auto add = [&](const std::string& about, const std::string& comment) {
+    std::string guid = guid_of(fmt::format("{} comment {}", topic.id, about));
+    // Regions of a file that was written by hand may have one id.
+    for (std::size_t i = 2; !used.insert(guid).second; ++i)
+      guid = guid_of(fmt::format("{} comment {} {}", topic.id, about, i));
+    text += fmt::format("<Comment Guid=\"{}\">\n", guid) + xml_element("Date", topic.date) +
+            xml_element("Author", kAuthor) + xml_element("Comment", comment) +
+            fmt::format("<Viewpoint Guid=\"{}\"/>\n</Comment>\n", guid_of_viewpoint(topic.id));
+  };
+  if (const std::string& comment = topic.standing.remark.comment; !comment.empty()) add("", printable_lines(comment));
+  for (std::size_t i = 0; i < topic.standing.regions.size(); ++i) {
+    const RegionStanding& region = topic.standing.regions[i];
+    if (region.remark.is_empty()) continue;
+    std::string comment = fmt::format("Region {}", i + 1);
+    if (!region.remark.status.empty()) comment += fmt::format(" ({})", in_short(region.remark.status));
+    if (!region.remark.comment.empty()) comment += ": " + printable_lines(region.remark.comment);
+    add(region.id, comment);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string markup_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank) {
+  const Topic topic{review,         review.clashes.pairs[pair], review.standings[pair], review.ids[pair],
+                    arguments.date, conventions_of(arguments)};
+  const std::string& status = topic.standing.remark.status;
+  std::string text = std::string(kXmlDeclaration) + "<Markup>\n" + header(topic);
+  text += fmt::format("<Topic Guid=\"{}\" TopicType=\"Clash\" TopicStatus=\"{}\">\n", topic.id,
+                      status.empty() ? "Open" : xml_text(in_short(status)));
+  text += xml_element("Title", title(topic));
+  text += xml_element("Priority", priority(topic.clash.verdict));
+  text += xml_element("Index", fmt::format("{}", rank));
+  text += labels(topic);
+  text += xml_element("CreationDate", arguments.date);
+  text += xml_element("CreationAuthor", kAuthor);
+  text += xml_element("Description", description(topic));
+  text += "</Topic>\n" + comments(topic);
+  text += fmt::format("<Viewpoints Guid=\"{}\">\n{}{}{}</Viewpoints>\n", guid_of_viewpoint(topic.id),
+                      xml_element("Viewpoint", "viewpoint.bcfv"), xml_element("Snapshot", "snapshot.png"),
+                      xml_element("Index", "0"));
+  return text + "</Markup>\n";
+}
+
+}  // namespace impinge::cli

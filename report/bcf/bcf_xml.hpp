@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/bcf/camera.hpp"
+#include "report/conventions.hpp"
+#include "report/review.hpp"
+
+/// The XML of BCF 2.1, with its elements in the order of the published schemas: version.xsd, markup.xsd, visinfo.xsd.
+namespace impinge::cli {
+
+constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+
+std::string version_document();
+
+/// The topic of a pair, which is the rank-th, with what people wrote about it. Lengths and places in it are in metres
+/// with Z up, as those of the viewpoint.
+std::string markup_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank);
+
+/// Where it is seen from, both parts, and as many of the lines as a viewer can take.
+std::string viewpoint_of(const Review& review, std::size_t pair, const View& view,
+                         const std::vector<std::vector<Point>>& lines, const Conventions& conventions);
+
+std::string guid_of_viewpoint(const std::string& pair);
+
+/// What files and parts are called in a topic: printable.
+std::string file_name_of(const Review& review, std::uint32_t object);
+
+/// An element with a text in it.
+std::string xml_element(std::string_view name, std::string_view text);
+/// A text within an element or an attribute; what XML 1.0 cannot hold is spelled out.
+std::string xml_text(std::string_view text);
+
+}  // namespace impinge::cli

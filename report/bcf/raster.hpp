@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "report/bcf/camera.hpp"
+
+/// Triangles and lines into pixels, with a depth buffer for each part.
+namespace impinge::cli {
+
+/// A point of the picture: pixels to the right and down, and 1 / distance, which is linear in the picture.
+struct Projected {
+  double x, y, nearness;
+};
+
+/// A picture's size, and how points come into it.
+struct Lens {
+  const View& view;
+  std::size_t width, height;
+
+  /// To the right, up and forward of the eye.
+  [[nodiscard]] Point seen(const Point& world) const {
+    const Point p = world - view.eye;
+    return {dot(p, view.right), dot(p, view.up), dot(p, view.forward)};
+  }
+  /// Of a point in front of the eye.
+  [[nodiscard]] Projected project(const Point& p) const {
+    const double scale = static_cast<double>(height) / 2 / std::tan(kFieldOfView / 2 * std::numbers::pi / 180);
+    return {static_cast<double>(width) / 2 + scale * p.x / p.z, static_cast<double>(height) / 2 - scale * p.y / p.z,
+            1 / p.z};
+  }
+  /// Nothing nearer to the eye than this is drawn.
+  [[nodiscard]] double least() const { return 1e-3 * view.distance; }
+};
+
+/// A part in the world.
+struct Placed {
+  std::vector<Point> vertices;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+};
+
+/// One part as it is seen.
+struct Layer {
+  std::vector<float> nearness;         ///< of each pixel, 0 where there is nothing
+  std::vector<unsigned char> shading;  ///< how much light falls there
+};
+Layer layer_of(const Placed& part, const Lens& lens);
+
+/// Whether a line is seen in a pixel; hidden behind a part counts for less.
+enum Mark : unsigned char { kNone, kHidden, kVisible };
+
+/// Of each pixel, where lines of this width lie on or between two parts; a line of one point is a dot.
+std::vector<unsigned char> marks_of(const std::vector<std::vector<Point>>& lines, const std::array<Layer, 2>& layers,
+                                    const Lens& lens, double width);
+
+}  // namespace impinge::cli

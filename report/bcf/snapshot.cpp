@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/bcf/snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace impinge::cli {
+namespace {
+
+struct Drawing {
+  std::array<Layer, 2> layers;
+  std::vector<unsigned char> marks;
+};
+
+Drawing drawing_of(const Scenery& scenery, const Lens& lens, double line_width) {
+  Drawing drawing{{layer_of(scenery.parts[0], lens), layer_of(scenery.parts[1], lens)}, {}};
+  drawing.marks = marks_of(scenery.lines, drawing.layers, lens, line_width);
+  return drawing;
+}
+
+using Colour = std::array<double, 3>;
+
+Colour colour_of(unsigned rgb) {
+  return {static_cast<double>(rgb >> 16U & 0xFFU), static_cast<double>(rgb >> 8U & 0xFFU),
+          static_cast<double>(rgb & 0xFFU)};
+}
+Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
+  Colour c{};
+  for (std::size_t i = 0; i < 3; ++i) c[i] = a[i] + share_of_b * (b[i] - a[i]);
+  return c;
+}
+
+Colour pixel_of(const Drawing& drawing, std::optional<std::size_t> glass, std::size_t at) {
+  static const Colour kBackground = colour_of(0xF7F7F7), kLine = colour_of(0xC2004D);
+  static const std::array<Colour, 2> kParts{colour_of(kPartColours[0]), colour_of(kPartColours[1])};
+  const auto shaded = [&](std::size_t part) {
+    return mixed({0, 0, 0}, kParts[part], static_cast<double>(drawing.layers[part].shading[at]) / 255);
+  };
+  Colour colour = kBackground;
+  const std::array<float, 2> near{drawing.layers[0].nearness[at], drawing.layers[1].nearness[at]};
+  const std::size_t front = near[1] > near[0] ? 1 : 0;
+  constexpr double kThroughParts = 0.35, kThroughGlass = 0.7;
+  if (near[front] > 0)
+    colour = near[1 - front] > 0
+                 ? mixed(shaded(front), shaded(1 - front), front == glass ? kThroughGlass : kThroughParts)
+                 : shaded(front);
+  constexpr double kHiddenLine = 0.55;
+  const unsigned char mark = drawing.marks[at];
+  return mark == kNone ? colour : mixed(colour, kLine, mark == kVisible ? 1.0 : kHiddenLine);
+}
+
+}  // namespace
+
+View clearest(const Scenery& scenery, const std::array<View, 8>& views) {
+  constexpr std::size_t kWidth = 160, kHeight = 120;
+  std::size_t best = 0;
+  std::ptrdiff_t most = -1;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Lens lens{views[i], kWidth, kHeight};
+    const Drawing drawing = drawing_of(scenery, lens, 1.5);
+    const std::ptrdiff_t visible = std::count(drawing.marks.begin(), drawing.marks.end(), kVisible);
+    if (visible > most) best = i, most = visible;
+  }
+  return views[best];
+}
+
+Picture draw(const Scenery& scenery, const View& view) {
+  constexpr std::size_t kWidth = 640, kHeight = 480, kFiner = 2;  // each pixel is the mean of so many by so many
+  const Lens lens{view, kFiner * kWidth, kFiner * kHeight};
+  const Drawing drawing = drawing_of(scenery, lens, 2.5 * kFiner);
+  Picture picture{kWidth, kHeight, {}};
+  picture.rgb.reserve(3 * kWidth * kHeight);
+  for (std::size_t y = 0; y < kHeight; ++y) {
+    for (std::size_t x = 0; x < kWidth; ++x) {
+      Colour sum{};
+      for (std::size_t i = 0; i < kFiner * kFiner; ++i) {
+        const Colour one =
+            pixel_of(drawing, scenery.glass, (kFiner * y + i / kFiner) * lens.width + kFiner * x + i % kFiner);
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += one[k];
+      }
+      for (const double value : sum)
+        picture.rgb.push_back(static_cast<unsigned char>(std::lround(value / (kFiner * kFiner))));
+    }
+  }
+  return picture;
+}
+
+}  // namespace impinge::cli

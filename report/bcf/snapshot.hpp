@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "report/bcf/camera.hpp"
+#include "report/bcf/png.hpp"
+#include "report/bcf/raster.hpp"
+
+namespace impinge::cli {
+
+/// What a picture of a clash shows: two parts and lines, in the world.
+struct Scenery {
+  std::array<Placed, 2> parts;
+  std::optional<std::size_t> glass;       ///< the part that the other lies in, which must be seen through
+  std::vector<std::vector<Point>> lines;  ///< where they meet, or between their nearest points; a point is a dot
+};
+
+/// The colours of the two parts, 0xRRGGBB: told apart by those who see no red or no green as well.
+constexpr std::array<unsigned, 2> kPartColours{0x3B78B5, 0xE39A33};
+
+/// The view of several in which most of the lines can be seen; the first of those.
+View clearest(const Scenery& scenery, const std::array<View, 8>& views);
+
+/// Both parts, what is behind the nearer one shining through it, and the lines, which are bright where they are not
+/// hidden. By a depth buffer.
+Picture draw(const Scenery& scenery, const View& view);
+
+}  // namespace impinge::cli

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "report/comparison/standing.hpp"
+
+namespace impinge::cli {
+
+/// What is taken over from the JSON of an earlier run (docs/cli.md, "The JSON of clash"), which people and programs may
+/// have written a status and comments into.
+struct Previous {
+  struct OldRegion {
+    std::string id;
+    Point centroid{};
+    double reach = 0;  ///< half of its box's diagonal
+    Remark remark;
+  };
+  struct Pair {
+    std::string id;
+    OldPart a, b;
+    std::string test;  ///< empty: none
+    Verdict verdict = Verdict::apart;
+    std::optional<Point> middle;  ///< of its largest region, or of its nearest points
+    Remark remark;
+    bool has_regions = false;  ///< the earlier run looked for them
+    std::vector<OldRegion> regions;
+  };
+  struct OldFile {
+    std::string file;      ///< as the objects name it
+    std::string name;      ///< as `names_of_files` of that run
+    std::string known_as;  ///< the name that it had before it was renamed, or the same
+  };
+  std::vector<OldFile> files;
+  std::vector<OldPart> parts;
+  std::vector<Pair> pairs;
+  std::vector<Resolved> resolved;
+};
+
+/// Errors: `bad_file`, with the line and the place.
+Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes);
+Result<Previous> parse_previous(const std::string& name, const std::string& text);
+
+}  // namespace impinge::cli

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/motion/timeline.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "report/motion/moving_scene.hpp"
+
+namespace impinge::cli {
+namespace {
+
+using Objects = std::array<std::uint32_t, 2>;
+using Frame = std::map<Objects, Clash>;  ///< the pairs that clash at one time
+
+class Search {
+ public:
+  Search(const Mover& mover, const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of,
+         const TimelineOptions& options)
+      : mover_(mover), scene_of_(scene_of), options_(options) {}
+
+  Result<Timeline> run() {
+    for (std::uint32_t frame = 0; frame <= options_.frames; ++frame) {
+      const double time = mover_.seconds() * frame / options_.frames;
+      Result<Frame> found = look(time, frame == 0);
+      if (!found) return found.error();
+      if (auto taken = take(time, *found); !taken) return taken.error();
+      timeline_.times.push_back(time);
+      if (options_.progress != nullptr) options_.progress->done.fetch_add(1);
+    }
+    for (auto& [objects, span] : open_) timeline_.spans.push_back(std::move(span));
+    std::sort(timeline_.spans.begin(), timeline_.spans.end(),
+              [](const ClashSpan& a, const ClashSpan& b) { return key_of(a) < key_of(b); });
+    return std::move(timeline_);
+  }
+
+ private:
+  static std::tuple<Objects, double> key_of(const ClashSpan& span) {
+    return {span.objects, span.from ? span.from->lo : -1.0};
+  }
+
+  [[nodiscard]] ClashOptions clash_options() const {
+    ClashOptions options;
+    options.tolerance = options_.tolerance;
+    options.depth = options_.depth;
+    options.threads = options_.threads;
+    options.stop = options_.stop;
+    return options;
+  }
+
+  /// The pairs that clash at a time. Pairs that stand still to each other are looked at once, at the first frame, and
+  /// are what they were.
+  Result<Frame> look(double time, bool is_first) {
+    if (auto moved = move_to(time); !moved) return moved.error();
+    ClashOptions options = clash_options();
+    const auto stand_still = [this](std::uint32_t a, std::uint32_t b) {
+      return mover_.bodies()[a] == mover_.bodies()[b];
+    };
+    if (!is_first) {
+      // The automatic tolerance is that of each pair; the reach only has to be as large as a tolerance that was given.
+      options.clearance = options_.tolerance.value_or(0);
+      options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
+        if (!stand_still(a, b)) terms.push_back({.tolerance = options_.tolerance});
+      };
+    }
+    Result<Clashes> clashes = scene_->clashes(options);
+    if (!clashes) return clashes.error();
+    Frame frame;
+    for (Clash& clash : clashes->pairs)
+      if (names(options_.fail_on, clash.verdict)) frame.emplace(clash.objects, std::move(clash));
+    if (is_first) {
+      std::copy_if(frame.begin(), frame.end(), std::inserter(still_, still_.end()),
+                   [&](const auto& pair) { return stand_still(pair.first[0], pair.first[1]); });
+    } else {
+      frame.insert(still_.begin(), still_.end());
+    }
+    return frame;
+  }
+
+  Result<void> move_to(double time) {
+    Result<std::vector<Posed>> posed = mover_.at(time);
+    if (!posed) return posed.error();
+    if (scene_) return scene_->move_to(*std::move(posed));
+    Result<Scene> scene = scene_of_(*posed);
+    if (!scene) return scene.error();
+    scene_.emplace(*std::move(scene), *std::move(posed));
+    return {};
+  }
+
+  /// Ends the spans of pairs that clash no more, goes on with others, begins new ones.
+  Result<void> take(double time, const Frame& frame) {
+    const bool is_first = timeline_.times.empty();
+    for (auto place = open_.begin(); place != open_.end();) {
+      if (frame.contains(place->first)) {
+        ++place;
+        continue;
+      }
+      const auto moment = moment_between(place->first, timeline_.times.back(), time, true);
+      if (!moment) return moment.error();
+      place->second.to = *moment;
+      timeline_.spans.push_back(std::move(place->second));
+      place = open_.erase(place);
+    }
+    for (const auto& [objects, clash] : frame) {
+      const auto [place, is_new] = open_.try_emplace(objects);
+      ClashSpan& span = place->second;
+      if (is_new) span.objects = objects;
+      note(span, clash, time);
+      if (!is_new || is_first) continue;
+      const auto moment = moment_between(objects, timeline_.times.back(), time, false);
+      if (!moment) return moment.error();
+      span.from = *moment;
+    }
+    return {};
+  }
+
+  /// Keeps the worst of a span: by verdict, then the deepest, then the first.
+  static void note(ClashSpan& span, const Clash& clash, double time) {
+    const auto depth_of = [](const std::optional<OverlapDepth>& depth) {
+      return depth ? std::max(depth->a_in_b.hi, depth->b_in_a.hi) : 0;
+    };
+    const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
+    const bool not_applied = clash.note == Note::tolerance_not_applied || span.note == Note::tolerance_not_applied;
+    if (rank(clash.verdict, depth_of(clash.overlap_depth)) < rank(span.worst, depth_of(span.overlap_depth))) {
+      span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time, span.note = clash.note;
+      span.overlap_depth = clash.overlap_depth;
+    }
+    if (not_applied) span.note = Note::tolerance_not_applied;
+  }
+
+  /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
+  Result<Moment> moment_between(const Objects& objects, double lo, double hi, bool clashes_first) {
+    constexpr int kHalvings = 20;
+    Moment moment{lo, hi};
+    std::optional<MovingScene> pair;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = moment.lo + (moment.hi - moment.lo) / 2;
+      if (!(middle > moment.lo && middle < moment.hi)) break;
+      const Result<Verdict> verdict = judge_at(objects, middle, pair);
+      if (!verdict) return verdict.error();
+      (names(options_.fail_on, *verdict) == clashes_first ? moment.lo : moment.hi) = middle;
+    }
+    return moment;
+  }
+
+  /// The verdict on two parts at a time. `pair` is the two alone, where they were looked at last.
+  Result<Verdict> judge_at(const Objects& objects, double time, std::optional<MovingScene>& pair) {
+    auto posed = mover_.at(time, objects);
+    if (!posed) return posed.error();
+    std::vector<Posed> both{std::move((*posed)[0]), std::move((*posed)[1])};
+    if (pair) {
+      if (auto moved = pair->move_to(std::move(both)); !moved) return moved.error();
+    } else {
+      Scene scene;
+      for (const Posed& part : both)
+        if (auto added = scene.add(part.mesh, part.pose); !added) return added.error();
+      pair.emplace(std::move(scene), std::move(both));
+    }
+    ClashOptions options = clash_options();
+    options.depth = false;
+    const Result<Clashes> clashes = pair->clashes(options);
+    if (!clashes) return clashes.error();
+    return clashes->pairs.empty() ? Verdict::apart : clashes->pairs[0].verdict;
+  }
+
+  const Mover& mover_;
+  const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of_;
+  const TimelineOptions& options_;
+  Timeline timeline_;
+  std::optional<MovingScene> scene_;
+  std::map<Objects, ClashSpan> open_;
+  Frame still_;
+};
+
+}  // namespace
+
+Result<Timeline> find_timeline(const Mover& mover,
+                               const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of,
+                               const TimelineOptions& options) {
+  if (options.progress != nullptr) options.progress->done = 0, options.progress->total = options.frames + 1;
+  return Search(mover, scene_of, options).run();
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "impinge/result.hpp"
+#include "report/json_reader.hpp"
+
+/// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
+namespace impinge::cli {
+
+/// A text of the configuration, and where it stands, for messages.
+struct Word {
+  std::string text;
+  JsonReader::Place place;
+  std::string written{};  ///< how it stands in the file, if not as the text
+  [[nodiscard]] const std::string& shown() const { return written.empty() ? text : written; }
+};
+
+/// A set of parts: those that agree with every list that is not empty, each by one of its words, and with one of the
+/// groups of `any` if there are some; and of these, not what `except` names.
+struct Group {
+  std::vector<Word> names, paths, products, files;
+  std::vector<Word> classes;  ///< of IFC, each with what is derived from it; only clash sets name them
+  std::vector<Word> named;    ///< groups of the configuration
+  std::vector<Group> any;
+  std::vector<Group> except;
+  JsonReader::Place place;
+};
+
+enum class Mode : std::uint8_t {
+  penetration,  ///< duplicate, inside, penetrating and crossing
+  contact,      ///< and touching
+  clearance,    ///< and whatever is nearer than the clearance
+};
+
+using GroupPair = std::pair<Group, Group>;
+
+/// Pairs that are not judged.
+struct IgnoreRules {
+  std::optional<bool> same_file, same_parent;
+  std::vector<GroupPair> pairs;
+  std::vector<Group> within;  ///< no two parts of such a group
+};
+
+/// Contacts by design: touching is no failure.
+struct MayTouch {
+  bool all = false;
+  std::vector<GroupPair> pairs;
+};
+
+/// What may be said of one test, or of all.
+struct Terms {
+  std::optional<Mode> mode;
+  std::optional<std::optional<double>> tolerance;  ///< inside: nothing is "auto"
+  std::optional<double> clearance;
+  IgnoreRules ignore;
+  std::optional<MayTouch> may_touch;
+};
+
+struct NamedTest {
+  JsonReader::Place place;
+  Word name;
+  Group a;
+  std::optional<Group> b;  ///< nothing: a against itself
+  Terms terms;
+  JsonReader::Place clearance_place;
+};
+
+struct NamedFile {
+  Word file;
+  std::optional<double> scale;
+};
+
+struct Configuration {
+  std::string name;  ///< of its file, as it was given
+  std::string text;  ///< of its file: places in it are told by line
+  std::vector<NamedFile> files;
+  std::map<std::string, Group> groups;
+  Terms terms;
+  std::vector<NamedTest> tests;
+  std::vector<std::string> warnings;  ///< sentences on what was read, and is not what it looks like
+
+  [[nodiscard]] Mode mode_of(const NamedTest& test) const {
+    return test.terms.mode.value_or(terms.mode.value_or(Mode::penetration));
+  }
+  /// 0 unless the test's mode keeps a clearance.
+  [[nodiscard]] double clearance_of(const NamedTest& test) const {
+    return mode_of(test) == Mode::clearance ? test.terms.clearance.value_or(terms.clearance.value_or(0)) : 0;
+  }
+  [[nodiscard]] Error error_at(const JsonReader::Place& place, std::string_view what) const {
+    return JsonReader::error_in(text, name, place, what);
+  }
+};
+
+/// Reads a configuration, or the clash sets of IfcClash. Errors: `bad_file`, with the line and the place.
+Result<Configuration> read_configuration(const std::string& name);
+/// The same of a text.
+Result<Configuration> parse_configuration(std::string name, std::string text);
+
+/// What the form of a configuration cannot say: names stand once, and each test has the clearance that it needs and no
+/// other. Errors: `bad_file`.
+Result<void> check(const Configuration& configuration);
+
+/// A list of clash sets of IfcClash, from the '[' on; into `to`.
+void read_clash_sets(JsonReader& reader, Configuration& to);
+
+/// A length from 0 up, or above 0.
+double read_length(JsonReader& reader, bool positive = false);
+
+std::string_view name(Mode mode);
+
+/// The keys of each kind of object, for the reader and for whoever holds it against the schema.
+struct KnownKeys {
+  std::vector<std::string_view> configuration, test, group, ignore, file, clash_set, source;
+};
+const KnownKeys& known_keys();
+
+}  // namespace impinge::cli

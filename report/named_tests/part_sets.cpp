@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/named_tests/part_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "ignore.hpp"
+#include "report/named_tests/ifc_classes.hpp"
+#include "report/named_tests/named_files.hpp"
+#include "report/text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+// Each is held against each part, and these against each pair that is near.
+constexpr std::size_t kMostWords = 10'000;
+// Groups of groups of groups: far more than a person writes, and no more than a stack holds.
+constexpr std::size_t kDeepest = 32;
+
+void intersect(PartSet& set, const PartSet& other) {
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = set[i] && other[i];
+}
+void unite(PartSet& set, const PartSet& other) {
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = set[i] || other[i];
+}
+bool is_empty(const PartSet& set) { return std::find(set.begin(), set.end(), true) == set.end(); }
+
+/// The objects of which the text is the word, or else agrees with it as a pattern.
+PartSet where(const std::vector<io::Object>& objects, const std::string io::Object::*text, std::string_view word) {
+  PartSet set(objects.size());
+  const auto mark = [&](auto says) {
+    for (std::size_t i = 0; i < objects.size(); ++i) set[i] = says(objects[i].*text);
+  };
+  mark([&](std::string_view name) { return name == word; });
+  if (is_empty(set) && word.find_first_of("*?") != std::string_view::npos)
+    mark([&](std::string_view name) { return !name.empty() && matches_pattern(word, name); });
+  return set;
+}
+
+/// Of "IfcWall_North_2O2Fr$t4X7Zf8NOew3FNr2" what stands first.
+std::string_view class_of(const io::Object& object) {
+  return std::string_view(object.product).substr(0, object.product.find('_'));
+}
+
+std::string nearest_text(const std::vector<io::Object>& objects, const std::string io::Object::*text,
+                         std::string_view word) {
+  constexpr std::size_t kMostNames = 100'000;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  std::string nearest;
+  for (std::size_t i = 0; i < std::min(objects.size(), kMostNames); ++i) {
+    if ((objects[i].*text).empty()) continue;
+    const std::size_t distance = edit_distance(word, objects[i].*text);
+    if (distance < least) least = distance, nearest = objects[i].*text;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Error PartSets::nothing_named(const Word& word, std::string_view what, const std::string& nearest) const {
+  return configuration_.error_at(
+      word.place, fmt::format("no {} is '{}'{}", what, fit(printable(word.shown()), 80),
+                              nearest.empty() ? "" : fmt::format("; the nearest is '{}'", printable(nearest))));
+}
+
+Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Group::*list) {
+  if (++words_ > kMostWords)
+    return configuration_.error_at(word.place, fmt::format("there are more than {} words in all groups together; "
+                                                           "patterns such as 'pipe*' need fewer",
+                                                           grouped(kMostWords)));
+  if (list == &Group::named) return of_named(word);
+  PartSet set(assembly_.objects.size());
+  if (list == &Group::names) {
+    const auto found = objects_named(assembly_, word.text);
+    if (!found) return configuration_.error_at(word.place, found.error().message);
+    for (const std::uint32_t object : *found) set[object] = true;
+    return set;
+  }
+  if (list == &Group::files) {
+    const std::vector<std::uint32_t> files = files_named(configuration_, word.text, assembly_.files);
+    if (files.empty()) return nothing_named(word, "file that is read", "");
+    for (std::size_t i = 0; i < set.size(); ++i)
+      set[i] = std::find(files.begin(), files.end(), assembly_.file_of[i]) != files.end();
+    return set;
+  }
+  if (list == &Group::classes) {
+    for (std::size_t i = 0; i < set.size(); ++i) set[i] = is_of_ifc_class(class_of(assembly_.objects[i]), word.text);
+    if (is_empty(set)) return nothing_named(word, "part's IFC class, or one that it is derived from,", "");
+    return set;
+  }
+  const auto text = list == &Group::paths ? &io::Object::path : &io::Object::product;
+  set = where(assembly_.objects, text, word.text);
+  if (is_empty(set))
+    return nothing_named(word, list == &Group::paths ? "part's path" : "part's IFC product",
+                         nearest_text(assembly_.objects, text, word.text));
+  return set;
+}
+
+Result<PartSet> PartSets::of_named(const Word& word) {
+  const auto group = configuration_.groups.find(word.text);
+  if (group == configuration_.groups.end()) {
+    std::string nearest;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const auto& [name, _] : configuration_.groups)
+      if (const std::size_t d = edit_distance(word.text, name); d < least) least = d, nearest = name;
+    return nothing_named(word, "group of this configuration", nearest);
+  }
+  if (const auto known = known_.find(word.text); known != known_.end()) return known->second;
+  if (std::find(open_.begin(), open_.end(), word.text) != open_.end())
+    return configuration_.error_at(word.place, fmt::format("the group '{}' is made of itself", printable(word.text)));
+  if (open_.size() >= kDeepest)
+    return configuration_.error_at(word.place, fmt::format("groups of groups go {} levels deep at most", kDeepest));
+  open_.push_back(word.text);
+  Result<PartSet> set = of(group->second);
+  open_.pop_back();
+  if (set) known_.emplace(word.text, *set);
+  return set;
+}
+
+Result<PartSet> PartSets::any_of(const std::vector<Group>& groups) {
+  PartSet all(assembly_.objects.size());
+  for (const Group& group : groups) {
+    const Result<PartSet> set = of(group);
+    if (!set) return set.error();
+    unite(all, *set);
+  }
+  return all;
+}
+
+Result<PartSet> PartSets::of(const Group& group) {
+  PartSet all(assembly_.objects.size(), true);
+  for (const auto list :
+       {&Group::names, &Group::paths, &Group::products, &Group::classes, &Group::files, &Group::named}) {
+    if ((group.*list).empty()) continue;
+    PartSet some(all.size());
+    for (const Word& word : group.*list) {
+      const Result<PartSet> set = of_word(word, list);
+      if (!set) return set.error();
+      unite(some, *set);
+    }
+    intersect(all, some);
+  }
+  if (!group.any.empty()) {
+    const Result<PartSet> some = any_of(group.any);
+    if (!some) return some.error();
+    intersect(all, *some);
+  }
+  if (!group.except.empty()) {
+    Result<PartSet> none = any_of(group.except);
+    if (!none) return none;
+    none->flip();
+    intersect(all, *none);
+  }
+  if (is_empty(all)) return configuration_.error_at(group.place, "no part is in this group");
+  return all;
+}
+
+std::string in_short(const Group& group) {
+  std::string text;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
+  const auto add_words = [&](const std::vector<Word>& words, const char* what) {
+    for (const Word& word : words) add(what + word.shown());
+  };
+  add_words(group.names, "");
+  add_words(group.paths, "path ");
+  add_words(group.products, "product ");
+  add_words(group.classes, "class ");
+  add_words(group.files, "file ");
+  add_words(group.named, "");
+  for (const Group& inner : group.any) add(in_short(inner));
+  for (const Group& inner : group.except) add("not " + in_short(inner));
+  constexpr std::size_t kLongest = 200;
+  return fit(printable(text), kLongest);
+}
+
+}  // namespace impinge::cli

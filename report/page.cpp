@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "report/conventions.hpp"
+#include "report/encoded.hpp"
+#include "report/json_writer.hpp"
+#include "report/text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the page reads numbers with the lowest byte first");
+
+constexpr std::string_view kMark = "<!-- impinge: data -->";
+constexpr std::string_view kName = "report.html";
+
+std::vector<std::filesystem::path> places_of_template() {
+  if (const char* const named = std::getenv("IMPINGE_PAGE"); named != nullptr && *named != '\0') return {named};
+  std::vector<std::filesystem::path> places;
+  std::error_code unknown;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  if (!folder.empty()) {
+    places.push_back(folder / kName);
+    places.push_back(folder.parent_path() / "share" / "impinge" / kName);
+  }
+  places.emplace_back(IMPINGE_INSTALLED_PAGE);
+  places.emplace_back(IMPINGE_BUILT_PAGE);
+  return places;
+}
+
+void write_scene(Sink& sink, const PageHead& head, const DrawnScene& scene) {
+  sink.write(fmt::format(
+      "{{\"version\":1,\"title\":{},\"up\":\"{}\",\"triangles\":{},\"shown\":{},\"asked\":{},\n\"meshes\":[",
+      json_string(head.title), head.y_up ? 'y' : 'z', scene.triangles, scene.shown, scene.asked));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    sink.write(fmt::format("{}{{\"vertices\":{},\"triangles\":{}}}", i > 0 ? "," : "", scene.meshes[i].xyz.size() / 3,
+                           scene.meshes[i].triangles.size() / 3));
+  sink.write("],\n\"groups\":[");
+  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
+    const auto& [name, parent] = scene.groups[i];
+    sink.write(fmt::format("{}{{\"name\":{}{}}}", i > 0 ? "," : "", json_string(name),
+                           parent ? fmt::format(",\"parent\":{}", *parent) : ""));
+  }
+  sink.write("],\n\"objects\":[");
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const DrawnObject& object = scene.objects[i];
+    sink.write(fmt::format(
+        "{}\n{{\"mesh\":{},\"pose\":{}{}}}", i > 0 ? "," : "", object.mesh ? fmt::format("{}", *object.mesh) : "-1",
+        json_map({object.pose.R, object.pose.t}), object.group ? fmt::format(",\"group\":{}", *object.group) : ""));
+  }
+  sink.write("\n]}");
+}
+
+Result<void> write_geometry(Sink& sink, const DrawnScene& scene, const std::stop_token& stop) {
+  Encoded encoded(sink);
+  for (const DrawnMesh& mesh : scene.meshes) {
+    if (stop.stop_requested()) return interrupted();
+    encoded.write(std::span<const float>(mesh.xyz));
+    encoded.write(std::span<const std::uint32_t>(mesh.triangles));
+  }
+  encoded.finish();
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> read_page_template() {
+  const std::vector<std::filesystem::path> places = places_of_template();
+  std::string looked;
+  for (const auto& place : places) {
+    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(place, unknown)) continue;
+    std::ifstream file(place, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (file && text.find(kMark) != std::string::npos) return text;
+    looked += " (another file)";
+  }
+  return Error{
+      Code::bad_file,
+      fmt::format("the page's program, {}, is not at {}; ./dev page builds it, the variable IMPINGE_PAGE may name "
+                  "it, and every output but --html works without it",
+                  kName, looked)};
+}
+
+PageHead head_of(const std::vector<std::string>& files, const PageArguments& arguments) {
+  std::string title;
+  for (const std::string& file : files)
+    title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
+  return {title, is_y_up(files, arguments.y_up)};
+}
+
+void mention_simplified(const DrawnScene& scene) {
+  if (scene.shown >= scene.triangles) return;
+  const std::string why =
+      scene.shown > scene.asked
+          ? fmt::format("with --page-triangles {} parts would lose their shape", grouped(scene.asked))
+          : fmt::format("it is simplified to some {}, which --page-triangles changes", grouped(scene.asked));
+  complain(fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
+                       grouped(scene.shown), counted(scene.triangles, "triangle"), why));
+}
+
+Result<void> write_page(Sink& sink, const std::string& page_template, const PageHead& head, const DrawnScene& scene,
+                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
+                        const std::function<Result<void>(Sink&)>& write_motion) {
+  const std::size_t mark = page_template.find(kMark);
+  sink.write(std::string_view(page_template).substr(0, mark));
+  sink.write("<script type=\"application/json\" id=\"report\">\n");
+  sink.in_page(true);
+  Result<void> written = write_report(sink);
+  sink.in_page(false);
+  if (!written) return written;
+  sink.write("</script>\n<script type=\"application/json\" id=\"scene\">\n");
+  sink.in_page(true);
+  write_scene(sink, head, scene);
+  sink.in_page(false);
+  sink.write("\n</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
+  written = write_geometry(sink, scene, stop);
+  sink.write("\n</script>");
+  if (written && write_motion) {
+    sink.write("\n<script type=\"application/json\" id=\"motion\">\n");
+    sink.in_page(true);
+    written = write_motion(sink);
+    sink.in_page(false);
+    sink.write("\n</script>");
+  }
+  sink.write(std::string_view(page_template).substr(mark + kMark.size()));
+  return written;
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/json_writer.hpp"
+#include "report/text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+/// A point where two triangles that meet can be looked for: the middle of what their boxes share. That is not empty.
+Point near_both(const Mesh& mesh, const Pose& pose, const TrianglePair& pair) {
+  const auto bounds = [&](std::uint32_t triangle, double Point::*axis) {
+    double lo = 0, hi = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double value = world_vertex(pose, mesh.vertices()[mesh.triangles()[triangle][i]]).*axis;
+      lo = i == 0 ? value : std::min(lo, value);
+      hi = i == 0 ? value : std::max(hi, value);
+    }
+    return std::pair(lo, hi);
+  };
+  Point middle{};
+  for (double Point::*const axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto [lo_a, hi_a] = bounds(pair.a, axis);
+    const auto [lo_b, hi_b] = bounds(pair.b, axis);
+    // Halved before they are added: neither overflows.
+    middle.*axis = std::max(lo_a, lo_b) / 2 + std::min(hi_a, hi_b) / 2;
+  }
+  return middle;
+}
+
+/// "0.500" as "0.5": three places side by side are long enough.
+std::string short_coordinate(double value, double size) {
+  std::string text = coordinate(value, size);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string place(const Point& point, double size) {
+  return fmt::format("({} {} {})", short_coordinate(point.x, size), short_coordinate(point.y, size),
+                     short_coordinate(point.z, size));
+}
+
+}  // namespace
+
+Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose) {
+  Part part{facts, std::nullopt, mesh.sphere_radius()};
+  if (facts.self_crossing) part.crossing_near = near_both(mesh, pose, *facts.self_crossing);
+  return part;
+}
+
+std::string coordinate(double value, double size) {
+  const double decimals = size > 0 ? 3 - std::floor(std::log10(size)) : 3;
+  if (!(decimals <= 9) || !(decimals >= -6) || !(std::fabs(value) < 1e9)) return fmt::format("{:.5g}", value + 0.0);
+  std::string text = fmt::format("{:.{}f}", value, static_cast<int>(std::max(decimals, 0.0)));
+  if (text.find_first_of("123456789") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text;
+}
+
+std::string defects_text(const Part& part) {
+  const PartFacts& facts = part.facts;
+  std::string text;
+  if (facts.open_edges > 0) {
+    text = counted(facts.open_edges, "open edge");
+    if (facts.open_edge)
+      text += fmt::format(", first at {}-{}", place((*facts.open_edge)[0], part.size),
+                          place((*facts.open_edge)[1], part.size));
+  }
+  if (facts.self_crossings > 0) {
+    if (!text.empty()) text += "; ";
+    text += counted(facts.self_crossings, "self-crossing");
+    if (part.crossing_near) text += fmt::format(", first near {}", place(*part.crossing_near, part.size));
+  }
+  return text.empty() ? "it encloses nothing" : text;
+}
+
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
+                    std::optional<std::size_t> width) {
+  constexpr std::size_t kMostLines = 10, kLeastName = 12;
+  std::size_t surfaces = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].facts.solid || ++surfaces > kMostLines) continue;
+    const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
+    sink.write(fmt::format("{} is no solid: {}\n", name, defects_text(parts[i])));
+  }
+  if (surfaces > kMostLines)
+    sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));
+}
+
+std::string json_facts(const std::optional<Part>& part) {
+  if (!part)
+    return "\"solid\":null,\"first_open_edge\":null,\"self_crossings\":null,\"first_self_crossing\":null,"
+           "\"volume\":null,\"area\":null,\"wall\":null";
+  const PartFacts& facts = part->facts;
+  const std::string edge =
+      facts.open_edge ? fmt::format("[{},{}]", json_point((*facts.open_edge)[0]), json_point((*facts.open_edge)[1]))
+                      : "null";
+  const std::string crossing = facts.self_crossing && part->crossing_near
+                                   ? fmt::format("{{\"triangles\":[{},{}],\"near\":{}}}", facts.self_crossing->a,
+                                                 facts.self_crossing->b, json_point(*part->crossing_near))
+                                   : "null";
+  return fmt::format(
+      "\"solid\":{},\"first_open_edge\":{},\"self_crossings\":{},\"first_self_crossing\":{},\"volume\":{},"
+      "\"area\":{},\"wall\":{}",
+      facts.solid, edge, facts.self_crossings, crossing, facts.solid ? json_number(facts.volume) : "null",
+      json_number(facts.area), facts.solid ? json_number(facts.wall) : "null");
+}
+
+std::string json_point(const Point& point) {
+  return fmt::format("[{},{},{}]", json_number(point.x), json_number(point.y), json_number(point.z));
+}
+
+}  // namespace impinge::cli

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "report/sink.hpp"
+
+/// What is said of a part: whether it is a solid, and if not, why not and where.
+namespace impinge::cli {
+
+struct Part {
+  PartFacts facts;
+  std::optional<Point> crossing_near;  ///< where the first self-crossing is: a point near both triangles
+  double size = 0;                     ///< radius of its bounding sphere
+};
+
+/// The facts that the library found, with places. `facts` must be those of this placed mesh.
+Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose);
+
+/// Why a part is no solid: "12 open edges, first at (0 0 1)-(1 0 1); 2 self-crossings, first near (0.5 0 0)".
+std::string defects_text(const Part& part);
+
+/// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
+std::string coordinate(double value, double size);
+
+/// A line for each of the first few parts that are no solids, and how many more there are. Labels are printable, and
+/// cut where the width of a line is known.
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
+                    std::optional<std::size_t> width);
+
+/// The facts as members of a JSON object, without braces: "solid" to "wall", all null where there is no part; not
+/// "closed" and "open_edges".
+std::string json_facts(const std::optional<Part>& part);
+
+/// [x,y,z]
+std::string json_point(const Point& point);
+
+}  // namespace impinge::cli

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/review.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "report/comparison/matching.hpp"
+
+namespace impinge::cli {
+namespace {
+
+std::pair<const Identity&, const Identity&> parts_of(const Review& review, const Clash& pair) {
+  return {review.identities[pair.objects[0]], review.identities[pair.objects[1]]};
+}
+
+/// The name that tells it apart from the same two parts' pairs of other tests.
+std::string test_of(const Review& review, const Clash& pair) {
+  return review.plan.tests().empty() ? "" : review.plan.tests()[pair.test].name;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments) {
+  if (arguments.within_products) return std::vector<std::uint32_t>(assembly.objects.size());
+  return products_of(assembly);
+}
+
+std::size_t count_shared(std::vector<std::uint32_t> groups) {
+  std::sort(groups.begin(), groups.end());
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const bool is_second = groups[i] == groups[i - 1] && (i == 1 || groups[i - 2] != groups[i]);
+    count += is_second && groups[i] != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rank = [&](std::size_t i) {
+    const double distance = pairs[i].nearest ? pairs[i].nearest->distance : 0;
+    return std::tuple(pairs[i].verdict, -depth_of(pairs[i]), -area_of(pairs[i]), distance, pairs[i].objects,
+                      pairs[i].test);
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+double depth_of(const Clash& pair) {
+  return pair.overlap_depth ? std::max(pair.overlap_depth->a_in_b.hi, pair.overlap_depth->b_in_a.hi) : 0;
+}
+
+double area_of(const Clash& pair) {
+  double area = 0;
+  for (const Region& region : pair.regions) area += region.area;
+  return area;
+}
+
+bool names(const FailOn& fail_on, Verdict verdict) {
+  switch (verdict) {
+    case Verdict::duplicate:
+    case Verdict::penetrating:
+    case Verdict::crossing:
+      return fail_on.contact || fail_on.penetration;
+    case Verdict::inside:
+      return fail_on.contact || fail_on.inside;
+    case Verdict::touching:
+      return fail_on.contact;
+    case Verdict::apart:
+      return fail_on.clearance;
+  }
+  return true;
+}
+
+std::uint64_t count_failing(const Review& review) {
+  return static_cast<std::uint64_t>(std::count_if(review.standings.begin(), review.standings.end(),
+                                                  [](const Standing& standing) { return standing.fails; }));
+}
+
+void identify(const Previous* previous, Review& review) {
+  review.file_names = names_of_files(review.assembly.files);
+  review.known_names = known_names(review.assembly, review.file_names, previous);
+  review.identities = identities_of(review.assembly, review.known_names.known_as);
+  for (const Clash& pair : review.clashes.pairs) {
+    const auto [a, b] = parts_of(review, pair);
+    review.ids.push_back(guid_of_pair(a.key, b.key, test_of(review, pair)));
+    review.ambiguous.push_back(a.is_ambiguous || b.is_ambiguous);
+  }
+}
+
+void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review) {
+  const auto is_named = [&](const Clash& pair, Verdict verdict) {
+    return review.plan.tests().empty() ? names(arguments.fail_on, verdict)
+                                       : review.plan.names(pair.objects[0], pair.objects[1], pair.test, verdict);
+  };
+  // A part that was moved by a twentieth of its size is still where it was, for a reviewer.
+  const auto slack = [&](const Clash& pair) {
+    return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
+  };
+  const auto twins = [&](const Clash& pair, const std::function<bool(const std::string&)>& is_known) {
+    const auto [a, b] = parts_of(review, pair);
+    return guids_of_twins(a, b, test_of(review, pair), is_known);
+  };
+  const auto placed = [&](const Clash& pair) {
+    const auto [a, b] = parts_of(review, pair);
+    return std::pair<std::string_view, std::string_view>(a.placed, b.placed);
+  };
+  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named, twins, placed};
+  review.standings = previous != nullptr ? compare(found, *previous, review.resolved) : stand_alone(found);
+  const auto is_new = [](const Standing& standing) {
+    return standing.change == Change::fresh ||
+           std::any_of(standing.regions.begin(), standing.regions.end(),
+                       [](const RegionStanding& region) { return region.change == Change::fresh; });
+  };
+  for (std::size_t i = 0; i < review.standings.size(); ++i) {
+    Standing& standing = review.standings[i];
+    const Clash& pair = review.clashes.pairs[i];
+    standing.fails = is_named(pair, pair.verdict) && (!arguments.fail_on.fresh || is_new(standing));
+  }
+}
+
+std::vector<std::string> words_of(const FailOn& fail_on) {
+  std::vector<std::string> words;
+  if (fail_on.contact) words.emplace_back("contact");
+  if (fail_on.penetration) words.emplace_back("penetration");
+  if (fail_on.inside) words.emplace_back("inside");
+  if (fail_on.clearance) words.emplace_back("clearance");
+  if (fail_on.fresh) words.emplace_back("new");
+  return words;
+}
+
+}  // namespace impinge::cli

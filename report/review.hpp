@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "impinge/clash.hpp"
+#include "report/assembly.hpp"
+#include "report/comparison/previous.hpp"
+#include "report/comparison/renamed_files.hpp"
+#include "report/comparison/standing.hpp"
+#include "report/identity.hpp"
+#include "report/named_tests/grouping.hpp"
+#include "report/named_tests/plan.hpp"
+#include "report/part.hpp"
+
+namespace impinge::cli {
+
+/// What `clash` found out.
+struct Review {
+  Assembly assembly;
+  std::vector<Part> parts;              ///< for each object
+  Clashes clashes;                      ///< its `parts` are moved to those above
+  std::vector<std::string> file_names;  ///< for each file, as `names_of_files`
+  FileNames known_names;                ///< what they were known by before they were renamed
+  std::vector<Identity> identities;     ///< for each object
+  std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
+  std::vector<bool> ambiguous;          ///< for each pair: another one has it as well as this, but for the parts' order
+  Plan plan;                            ///< without tests, if there is no configuration
+  std::vector<Standing> standings;      ///< for each pair
+  std::vector<Resolved> resolved;       ///< what is gone since the previous run
+  PartTypes types;
+  std::size_t split_products = 0;  ///< IFC products of several parts, which were not tested against each other
+  double read_seconds = 0, judge_seconds = 0;
+};
+
+/// For each object the group within which nothing is tested, 0 for none: its IFC product, but with `--within-products`.
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments);
+/// How many groups have more than one object.
+std::size_t count_shared(std::vector<std::uint32_t> groups);
+
+/// The numbers of the pairs, worst first: by verdict; of one verdict the deepest first, then those with the largest
+/// area of contact, then the nearest, then in canonical order.
+std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);
+
+/// The greater of the two overlap depths, by the upper end of its interval; 0 where none was measured.
+double depth_of(const Clash& pair);
+/// That of all regions; 0 where none were looked for.
+double area_of(const Clash& pair);
+
+/// Whether `--fail-on` names this verdict.
+bool names(const FailOn& fail_on, Verdict verdict);
+/// How many of the pairs fail.
+std::uint64_t count_failing(const Review& review);
+
+/// Fills in by what the pairs and files are known; the previous run may be null.
+void identify(const Previous* previous, Review& review);
+
+/// Fills in what the pairs are since the previous run, which may be null, and which fail.
+void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review);
+
+/// The words of `--fail-on` that are set.
+std::vector<std::string> words_of(const FailOn& fail_on);
+
+}  // namespace impinge::cli

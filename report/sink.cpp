@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/sink.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+#include "report/bcf/zip.hpp"
+#include "report/text.hpp"
+
+namespace impinge::cli {
+namespace {
+
+std::string reason(int error) { return std::system_category().message(error); }
+
+Error cannot_write(std::string_view name, int error) {
+  return {Code::bad_file, fmt::format("cannot write to {}: {}", name, reason(error))};
+}
+
+std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'{}'", path.native()); }
+
+/// What somebody would lose with this file, if that is anything but an earlier document: "holds no JSON of impinge".
+std::string what_would_be_lost(const std::filesystem::path& file, const DocumentKind& kind) {
+  const std::string other = fmt::format("holds no {} of impinge", kind.noun);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return other;
+  std::array<char, 512> head{};
+  const ssize_t got = ::read(descriptor, head.data(), head.size());
+  const std::string_view text(head.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  const bool begins_one = kind.begins_one(text),
+             is_whole = begins_one && (kind.is_whole == nullptr || kind.is_whole(descriptor));
+  ::close(descriptor);
+  const bool is_empty = got >= 0 && text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  if (is_empty || is_whole) return {};
+  if (!begins_one) return other;
+  return fmt::format("is no {} as impinge wrote it: another program has changed or made it", kind.noun);
+}
+
+/// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
+bool begins_json(std::string_view head) {
+  std::string text(head.substr(head.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+  std::erase_if(text, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; });
+  for (const char* begin : {R"("objects":[{"id":0,"name":")", R"("objects":[],"pairs":[)",
+                            R"("settings":{"tolerance":)", R"("files":[{"file":")", R"("animation":{"name":")"})
+    if (text.starts_with(R"({"version":1,)" + std::string(begin))) return true;
+  return false;
+}
+/// As page/src/index.html does.
+bool begins_page(std::string_view head) {
+  return head.starts_with("<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors;");
+}
+bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
+bool begins_bcf(std::string_view head) { return head.starts_with("PK\3\4"); }
+/// Other models are somebody's own.
+bool begins_gltf(std::string_view head) {
+  return head.starts_with("glTF") && head.find("{\"asset\":{\"generator\":\"impinge\"") != std::string_view::npos;
+}
+
+/// The mode that a file made by `open(2)` would get.
+mode_t usual_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+const DocumentKind kJson{"--json", "JSON", begins_json}, kPage{"--html", "page", begins_page},
+    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf, is_untouched},
+    kGltf{"--gltf", "binary glTF", begins_gltf};
+
+Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+
+void Sink::write(std::string_view bytes) {
+  constexpr std::size_t kBufferBytes = 1 << 16;
+  if (failed()) return;
+  if (in_page_) {
+    for (const char c : bytes) c == '<' ? buffer_ += "\\u003c" : buffer_ += c;
+  } else {
+    buffer_ += bytes;
+  }
+  if (buffer_.size() >= kBufferBytes) drain();
+}
+
+void Sink::drain() {
+  std::string_view left = buffer_;
+  while (!left.empty() && !failed()) {
+    const ssize_t put = ::write(descriptor_, left.data(), left.size());
+    if (put >= 0) {
+      left.remove_prefix(static_cast<std::size_t>(put));
+    } else if (errno == EAGAIN) {  // somebody set a shared terminal or pipe to non-blocking
+      pollfd ready{descriptor_, POLLOUT, 0};
+      ::poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      error_ = errno;
+    }
+  }
+  buffer_.clear();
+}
+
+Result<void> Sink::flush() {
+  drain();
+  if (failed()) return cannot_write(name_, error_);
+  return {};
+}
+
+Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bool is_one) {
+  Target target;
+  if (name == "-") {
+    target.standard_output_ = true;
+    return target;
+  }
+  target.place_ = place_behind(name);
+  std::error_code unknown;
+  if (std::filesystem::is_symlink(target.place_, unknown)) return cannot_write(in_quotes(name), ELOOP);
+
+  struct stat about {};
+  if (::stat(target.place_.c_str(), &about) == 0) {
+    if (S_ISDIR(about.st_mode))
+      return Error{Code::bad_file,
+                   fmt::format("{} is a directory; name a file for the {}", in_quotes(name), kind.noun)};
+    target.direct_ = !S_ISREG(about.st_mode);
+    if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
+    const std::string lost = target.direct_ || is_one ? "" : what_would_be_lost(target.place_, kind);
+    if (!lost.empty())
+      return Error{Code::bad_file,
+                   fmt::format("{} exists and {}, so it is not replaced; the word after {} is the file to write",
+                               in_quotes(name), lost, kind.option)};
+  }
+  if (!target.direct_) {
+    auto folder = target.place_.parent_path();
+    if (folder.empty()) folder = ".";
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+      return Error{Code::bad_file, fmt::format("cannot write to {}: cannot create files in {}: {}", in_quotes(name),
+                                               in_quotes(folder), reason(errno))};
+  }
+  return target;
+}
+
+Result<Target::Opened> Target::open() const {
+  if (standard_output_) return Opened{STDOUT_FILENO, "standard output", {}};
+  if (direct_) {
+    const int descriptor = ::open(place_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return cannot_write(in_quotes(place_), errno);
+    return Opened{descriptor, in_quotes(place_), {}};
+  }
+  std::string temporary = place_.native() + ".XXXXXX";
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) return cannot_write(in_quotes(place_), errno);
+  struct stat old {};
+  ::fchmod(descriptor, ::stat(place_.c_str(), &old) == 0 ? old.st_mode & 07777U : usual_mode());
+  return Opened{descriptor, in_quotes(place_), std::move(temporary)};
+}
+
+Result<Written> Target::close(const Opened& opened, Result<void> filled) const {
+  Written written = opened.temporary.empty() ? Written() : Written(opened.temporary, place_);
+  // A full disk or a lost network drive may show only here.
+  if (!standard_output_ && ::close(opened.descriptor) != 0 && filled) filled = cannot_write(opened.name, errno);
+  if (!filled) return filled.error();
+  return written;
+}
+
+Written::~Written() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Written::Written(Written&& other) noexcept
+    : temporary_(std::exchange(other.temporary_, {})), place_(std::exchange(other.place_, {})) {}
+
+Written& Written::operator=(Written&& other) noexcept {
+  std::swap(temporary_, other.temporary_);
+  std::swap(place_, other.place_);
+  return *this;
+}
+
+Result<void> Written::put() {
+  if (temporary_.empty()) return {};
+  if (::rename(temporary_.c_str(), place_.c_str()) != 0) return cannot_write(in_quotes(place_), errno);
+  temporary_.clear();
+  return {};
+}
+
+std::filesystem::path place_behind(const std::filesystem::path& name) {
+  constexpr int kMostLinks = 40;  // as the system allows
+  std::error_code unknown;
+  if (auto real = std::filesystem::canonical(name, unknown); !unknown) return real;
+  std::filesystem::path place = name;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(place, unknown); ++i) {
+    const auto next = std::filesystem::read_symlink(place, unknown);
+    if (unknown) break;
+    place = place.parent_path() / next;  // which is `next` alone if that begins at the root
+  }
+  return place;
+}
+
+void complain(std::string_view sentence) {
+  Sink errors(STDERR_FILENO, "standard error");
+  errors.write(fmt::format("impinge: {}\n", printable(sentence)));
+  // There is nowhere left to report to if this fails; the exit status still tells.
+  if (!errors.flush()) return;
+}
+
+std::optional<std::size_t> width_of(int descriptor) {
+  winsize size{};
+  if (::isatty(descriptor) == 1 && ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  if (const char* text = std::getenv("COLUMNS")) {
+    const std::string_view digits(text);
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
+    if (error == std::errc{} && end == digits.end() && value > 0) return value;
+  }
+  return std::nullopt;
+}
+
+void fill_closed_descriptors() {
+  // `open` gives the lowest free descriptor, so the order matters. Read-only on 1: writing there must fail.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+    const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    if (opened >= 0 && opened != descriptor) ::close(opened);
+  }
+}
+
+}  // namespace impinge::cli

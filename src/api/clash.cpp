@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/clash.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "broad/box_tree.hpp"
+#include "clash/depth.hpp"
+#include "clash/local_frame.hpp"
+#include "core/guarded.hpp"
+#include "core/pose.hpp"
+#include "pipeline/alike.hpp"
+#include "pipeline/domain_error.hpp"
+#include "pipeline/known_clashes.hpp"
+#include "pipeline/on_threads.hpp"
+#include "pipeline/pair_case.hpp"
+#include "pipeline/pipeline.hpp"
+#include "pipeline/scene_state.hpp"
+#include "pipeline/seen_part.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge {
+namespace {
+
+Result<void> validate(const ClashOptions& options) {
+  if (auto valid = impinge::validate(Options{.threads = options.threads}); !valid) return valid;
+  const auto check = [](double length, const std::string& what) -> Result<void> {
+    if (length >= 0 && std::isfinite(length)) return {};
+    return Error{Code::bad_option, what + " is " + std::to_string(length) + "; choose a length, 0 or more"};
+  };
+  if (auto valid = check(options.tolerance.value_or(0), "tolerance"); !valid) return valid;
+  return check(options.clearance, "clearance");
+}
+
+Result<void> check_domain(const std::vector<Placed>& objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].mesh == nullptr || in_exact_domain(objects[i].pose, objects[i].mesh->state().data)) continue;
+    return out_of_domain("object " + std::to_string(i));
+  }
+  return {};
+}
+
+bool is_listed(const Clash& clash, const ClashTerms& terms) {
+  return clash.verdict <= terms.last && (clash.verdict != Verdict::apart || clash.nearest);
+}
+
+/// Pairs whose boxes come as near as the options ask for, sorted.
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, std::vector<Box> boxes,
+                                           const ClashOptions& options) {
+  double largest = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(boxes[i]));
+  // Each box grows by half of the reach, and by what rounding may take from that.
+  const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
+  const double reach = std::max(nearest, options.clearance);
+  const double half = reach / 2 + 0x1p-50 * (largest + reach);
+  std::vector<std::uint32_t> groups(boxes.size(), 0);
+  std::vector<broad::BoxTree::Entry> entries;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (scene.meshes[i] == nullptr || is_empty(boxes[i])) continue;
+    boxes[i] = {boxes[i].lo - Vec3{half, half, half}, boxes[i].hi + Vec3{half, half, half}};
+    groups[i] = scene.objects[i].group;
+    entries.emplace_back(boxes[i], i);
+  }
+  broad::BoxTree tree;
+  tree.build(entries);
+  broad::BoxTree::Search search;
+  tree.find_pairs(boxes, groups, search);
+  std::vector<std::uint64_t> candidates = std::move(search.found);
+  const auto is_ignored = [&](std::uint64_t key) {
+    return scene.ignored.contains(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key));
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_ignored), candidates.end());
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+/// The terms of a pair of objects; one for all without `ClashOptions::terms`.
+std::vector<ClashTerms> terms_of(std::uint32_t a, std::uint32_t b, const ClashOptions& options) {
+  std::vector<ClashTerms> terms;
+  if (options.terms)
+    options.terms(a, b, terms);
+  else
+    terms.push_back({options.tolerance, options.clearance});
+  return terms;
+}
+
+bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
+  const auto is_within = [&](double length) { return length >= 0 && length <= options.clearance; };
+  return !is_within(terms.tolerance.value_or(0)) || !is_within(terms.clearance);
+}
+
+/// Judges each candidate that there are terms for, sorted as they are; `alike` has their places. Errors: `bad_option`,
+/// `cancelled`.
+Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& candidates, const AlikePairs& alike,
+                                          const std::vector<SeenPart>& parts, const KnownClashes& known,
+                                          const ClashOptions& options) {
+  std::vector<JudgedPair> pairs(candidates.size());
+  std::atomic<bool> too_far = false;
+  const auto judge_one = [&](std::size_t i, PairCase& pair) {
+    const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
+    JudgedPair& judged = pairs[i];
+    judged.objects = candidates[i];
+    judged.terms = terms_of(a, b, options);
+    const auto is_too_far = [&](const ClashTerms& each) { return reaches_farther(each, options); };
+    if (options.terms && std::any_of(judged.terms.begin(), judged.terms.end(), is_too_far)) {
+      too_far = true;
+      return;
+    }
+    if (const JudgedPair* const same = known.find(candidates[i], judged.terms)) {
+      judged = *same;
+      judged.is_known = true;
+      Steps(options.progress).step();
+      return;
+    }
+    for (const ClashTerms& each : judged.terms) {
+      Clash clash = pair.judge(each);
+      clash.objects = {a, b};
+      if (is_listed(clash, each)) judged.clashes.push_back(std::move(clash));
+    }
+    Steps(options.progress).step();
+  };
+  run_each(on_threads(options.threads), alike.size(), [&](std::size_t row) {
+    const std::uint64_t first = candidates[alike.row(row).front()];
+    PairCase pair(parts[first >> 32], parts[static_cast<std::uint32_t>(first)], options);
+    for (const std::size_t i : alike.row(row)) {
+      if (options.stop.stop_requested()) return;
+      judge_one(i, pair);
+    }
+  });
+  if (options.stop.stop_requested()) return cancelled();
+  if (too_far)
+    return Error{Code::bad_option,
+                 "the terms of a pair have a tolerance or clearance that is negative, not finite or above the options' "
+                 "clearance; raise that to the greatest of all"};
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [](const JudgedPair& pair) { return pair.terms.empty(); }),
+              pairs.end());
+  return pairs;
+}
+
+/// Lists what was judged; a memory that stays keeps its own.
+std::vector<Clash> list_clashes(std::vector<JudgedPair>& pairs, bool stays) {
+  std::vector<Clash> clashes;
+  for (JudgedPair& pair : pairs) {
+    if (stays)
+      clashes.insert(clashes.end(), pair.clashes.begin(), pair.clashes.end());
+    else
+      std::move(pair.clashes.begin(), pair.clashes.end(), std::back_inserter(clashes));
+  }
+  return clashes;
+}
+
+/// `known` holds what the last query found out, and then what this one did; after an error, nothing.
+Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options, KnownClashes& known, bool stays) {
+  StageClock clock;
+  Clashes result;
+  KnownClashes last = std::exchange(known, {});
+  std::vector<Placed> objects;
+  for (std::size_t i = 0; i < scene.slots.size(); ++i)
+    objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
+  if (auto valid = check_domain(objects); !valid) return valid.error();
+  const std::vector<Placed> others = last.forget_changed(objects, options);
+  std::vector<solid::Body> bodies = bodies_of(others, options.threads);
+  const Checks checks = list_checks(others, options);
+  const std::vector<std::uint64_t> candidates = find_candidates(scene, last.boxes(bodies), options);
+  result.candidates = candidates.size();
+  const Steps steps(options.progress);
+  steps.begin(checks.placed.size() + objects.size() + candidates.size());
+  const AlikePairs alike = alike_pairs(candidates, first_alike(objects));
+  auto parts = see_all(others, std::move(bodies), checks, options);
+  if (!parts) return parts.error();
+  last.move_parts_to(*parts);
+  for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
+  clock.charge(result.parts_seconds);
+
+  auto pairs = judge_all(candidates, alike, *parts, last, options);
+  if (!pairs) return pairs.error();
+  result.candidates = pairs->size();
+  result.pairs = list_clashes(*pairs, stays);
+  if (stays) known = KnownClashes(objects, *std::move(parts), *std::move(pairs), options);
+  clock.charge(result.pairs_seconds);
+  return result;
+}
+
+Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, const ClashOptions& options) {
+  if (auto valid = validate(options); !valid) return valid.error();
+  for (const Placed& object : objects)
+    if (auto valid = scene::validate(object.pose); !valid) return valid.error();
+  if (auto valid = check_domain(objects); !valid) return valid.error();
+  return see_all(objects, bodies_of(objects, options.threads), list_checks(objects, options), options);
+}
+
+}  // namespace
+
+Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory) {
+  return guarded([&]() -> Result<Clashes> {
+    KnownClashes none;
+    KnownClashes& known = memory != nullptr ? memory->state_->clashes : none;
+    if (auto valid = validate(options); !valid) {
+      known = {};
+      return valid.error();
+    }
+    return clashes_of(*scene.state_, options, known, memory != nullptr);
+  });
+}
+
+Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                    const ClashOptions& options) {
+  return guarded([&]() -> Result<Clash> {
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
+    if (!parts) return parts.error();
+    Clash clash = PairCase((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
+    if (options.stop.stop_requested()) return cancelled();
+    clash.objects = {0, 1};
+    return clash;
+  });
+}
+
+Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                   double precision, const MeasureOptions& options) {
+  return guarded([&]() -> Result<OverlapDepth> {
+    if (!(precision > 0 && precision <= 1))
+      return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
+    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
+                                  {.tolerance = 0, .threads = options.threads, .stop = options.stop});
+    if (!parts) return parts.error();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!(*parts)[i].known.facts.closed)
+        return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
+                                         " is not closed, so that nothing is inside of it; close it, or ask for the "
+                                         "distance instead"};
+    const OverlapDepth depth = find_depths((*parts)[0], (*parts)[1], {.precision = precision, .stop = options.stop});
+    if (options.stop.stop_requested()) return cancelled();
+    return depth;
+  });
+}
+
+Result<PartFacts> examine(const Mesh& mesh, const Pose& pose, const ClashOptions& options) {
+  return guarded([&]() -> Result<PartFacts> {
+    const auto parts = see_placed({{&mesh, pose}}, options);
+    if (!parts) return parts.error();
+    return (*parts)[0].known.facts;
+  });
+}
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 6> kNames{"duplicate", "inside",   "penetrating",
+                                                   "crossing",  "touching", "apart"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view sentence(Note note) {
+  constexpr std::array<std::string_view, 6> kSentences{
+      "",
+      "they overlap by no more than the tolerance",
+      "the inner part sticks out of the other by no more than the tolerance",
+      "they are apart by no more than the tolerance",
+      "they differ by no more than the tolerance",
+      "the tolerance is too large for a part so thin, or too small for its coordinates: the verdict is the exact one"};
+  return kSentences[static_cast<std::size_t>(note)];
+}
+
+}  // namespace impinge

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/collide.hpp"
+
+#include <limits>
+#include <string>
+
+#include "broad/may_touch.hpp"
+#include "core/guarded.hpp"
+#include "pipeline/mesh_state.hpp"
+#include "pipeline/pipeline.hpp"
+#include "pipeline/workspace_state.hpp"
+#include "scene/scene_view.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge {
+namespace {
+
+Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std::string& name,
+                       Workspace::State& memory) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (auto valid = scene::validate(poses[i]); !valid) {
+      if (name.empty()) return valid.error();
+      return Error{valid.error().code, name + "[" + std::to_string(i) + "]: " + valid.error().message};
+    }
+    memory.placed.push_back(scene::place(mesh.state().data, poses[i], 0));
+    memory.meshes.push_back(&mesh.state());
+  }
+  return {};
+}
+
+/// Pairs that cannot touch are left out, unless each is to have a row.
+void pair_up(std::uint32_t a, std::uint32_t b, bool keep, Workspace::State& memory) {
+  const scene::SceneView view{memory.placed, nullptr};
+  if (keep || broad::may_touch(view, a, b)) memory.pairs.push_back({a, b});
+}
+
+}  // namespace
+
+Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                         const Options& options, Workspace* workspace) {
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    const QueryMemory memory(workspace);
+    memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
+    if (auto placed = place_all(mesh_a, {&pose_a, 1}, "", *memory); !placed) return placed.error();
+    if (auto placed = place_all(mesh_b, {&pose_b, 1}, "", *memory); !placed) return placed.error();
+    pair_up(0, 1, false, *memory);
+    return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
+  });
+}
+
+Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a, const Mesh& mesh_b,
+                               std::span<const Pose> poses_b, const Options& options, Workspace* workspace) {
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    if (poses_a.size() != poses_b.size() && poses_a.size() != 1 && poses_b.size() != 1)
+      return Error{Code::bad_option, "there are " + std::to_string(poses_a.size()) + " poses of the first mesh and " +
+                                         std::to_string(poses_b.size()) +
+                                         " of the second; give as many of both, or one that goes with all"};
+    if (poses_a.size() + poses_b.size() > std::numeric_limits<std::int32_t>::max())
+      return Error{Code::bad_option, "there are more than 2^31 - 1 poses; ask in parts"};
+    const QueryMemory memory(workspace);
+    memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
+    if (auto placed = place_all(mesh_a, poses_a, "poses_a", *memory); !placed) return placed.error();
+    if (auto placed = place_all(mesh_b, poses_b, "poses_b", *memory); !placed) return placed.error();
+    const auto count_a = static_cast<std::uint32_t>(poses_a.size()),
+               count_b = static_cast<std::uint32_t>(poses_b.size());
+    const std::uint32_t rows = std::min(count_a, count_b) == 0 ? 0 : std::max(count_a, count_b);
+    const auto pose_of = [](std::uint32_t row, std::uint32_t count) { return count == 1 ? 0 : row; };
+    for (std::uint32_t row = 0; row < rows; ++row)
+      pair_up(pose_of(row, count_a), count_a + pose_of(row, count_b), true, *memory);
+    auto contacts =
+        run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, true, options}, *memory);
+    if (contacts)
+      for (auto& [a, b] : contacts->objects) b -= count_a;
+    return contacts;
+  });
+}
+
+}  // namespace impinge

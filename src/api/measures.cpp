@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/measures.hpp"
+
+#include <string>
+
+#include "core/guarded.hpp"
+#include "core/pose.hpp"
+#include "measure/nearest.hpp"
+#include "pipeline/domain_error.hpp"
+#include "pipeline/mesh_state.hpp"
+#include "pipeline/on_threads.hpp"
+#include "pipeline/workspace_state.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge {
+namespace {
+
+/// What a measure is asked about.
+struct PlacedMesh {
+  const Mesh& mesh;
+  const Pose& pose;
+  const char* name;  ///< for whoever reads what is wrong with it
+
+  [[nodiscard]] std::string title() const { return std::string("the ") + name + " mesh"; }
+  [[nodiscard]] hierarchy::PlacedTree tree() const {
+    const MeshState& state = mesh.state();
+    return {&state.data, &state.wide_tree, pose};
+  }
+};
+
+Result<void> validate(const PlacedMesh& placed) {
+  if (auto valid = scene::validate(placed.pose); !valid)
+    return Error{valid.error().code, placed.title() + ": " + valid.error().message};
+  if (placed.mesh.triangle_count() == 0)
+    return Error{Code::bad_mesh, placed.title() + " has no triangles, and no distance"};
+  if (!in_exact_domain(placed.pose, placed.mesh.state().data)) return out_of_domain(placed.title());
+  return {};
+}
+
+Result<void> validate(const PlacedMesh& a, const PlacedMesh& b, const MeasureOptions& options) {
+  if (options.threads < 0)
+    return Error{Code::bad_option,
+                 "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
+  for (const PlacedMesh* const placed : {&a, &b})
+    if (auto valid = validate(*placed); !valid) return valid;
+  return {};
+}
+
+/// What of it is of interest.
+struct Reach {
+  double within, enough;
+};
+
+Result<std::optional<measure::NearestPair>> nearest(const PlacedMesh& a, const PlacedMesh& b, const Reach& reach,
+                                                    const MeasureOptions& options, Workspace* workspace) {
+  if (auto valid = validate(a, b, options); !valid) return valid.error();
+  const QueryMemory memory(workspace);
+  auto found = measure::nearest_pair(a.tree(), b.tree(), reach.within, reach.enough,
+                                     {on_threads(options.threads), options.stop, &memory->nearest});
+  if (options.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
+  return found;
+}
+
+}  // namespace
+
+Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                         const MeasureOptions& options, Workspace* workspace) {
+  return guarded([&]() -> Result<Nearest> {
+    const auto found =
+        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {kInfinity, 0}, options, workspace);
+    if (!found) return found.error();
+    const measure::NearestPair& pair = **found;
+    return Nearest{pair.distance, pair.error, pair.a, pair.b, pair.triangle_a, pair.triangle_b};
+  });
+}
+
+Result<bool> closer_than(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b, double limit,
+                         const MeasureOptions& options, Workspace* workspace) {
+  return guarded([&]() -> Result<bool> {
+    if (!(limit >= 0)) return Error{Code::bad_option, "a limit of distance is a number that is not negative"};
+    const auto found =
+        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {limit, limit}, options, workspace);
+    if (!found) return found.error();
+    return *found && (*found)->distance < limit;
+  });
+}
+
+}  // namespace impinge

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/mesh.hpp"
+
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "core/guarded.hpp"
+#include "core/hash.hpp"
+#include "core/number.hpp"
+#include "core/pose.hpp"
+#include "pipeline/mesh_state.hpp"
+#include "pipeline/on_threads.hpp"
+#include "scene/bounding_sphere.hpp"
+
+namespace impinge {
+namespace {
+
+std::vector<Vec3> used_vertices(const MeshData& mesh) {
+  std::vector<bool> used(mesh.vertices.size());
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) used[v] = true;
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) points.push_back(mesh.vertices[i]);
+  return points;
+}
+
+void measure_triangles(MeshData& mesh) {
+  mesh.hash = mix(mesh.vertices.size(), mesh.triangles.size());
+  for (const Vec3& v : mesh.vertices)
+    for (const double x : {v.x, v.y, v.z}) mesh.hash = mix(mesh.hash, number_bits(x));
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) mesh.hash = mix(mesh.hash, v);
+
+  const std::vector<Vec3> points = used_vertices(mesh);
+  if (points.empty()) return;
+  mesh.box = {points[0], points[0]};
+  mesh.min_exponent = mesh.min_bit = std::numeric_limits<int>::max() / 4;  // as of a mesh of zeros
+  for (const Vec3& p : points) {
+    mesh.box = {min(mesh.box.lo, p), max(mesh.box.hi, p)};
+    mesh.max_abs = max(mesh.max_abs, abs(p));
+    for (const double x : {p.x, p.y, p.z}) {
+      if (x == 0) continue;
+      mesh.min_exponent = std::min(mesh.min_exponent, exponent(x));
+      mesh.min_bit = std::min(mesh.min_bit, lowest_bit(x));
+    }
+  }
+  mesh.sphere = scene::bounding_sphere(points);
+}
+
+template <class T>
+Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint32_t> triangles) {
+  const auto bad = [](std::string message) { return Error{Code::bad_mesh, std::move(message)}; };
+  if (xyz.size() % 3 != 0) return bad("the coordinates are " + std::to_string(xyz.size()) + ", not 3 a vertex");
+  if (triangles.size() % 3 != 0)
+    return bad("the indices are " + std::to_string(triangles.size()) + ", not 3 a triangle");
+  const std::size_t vertex_count = xyz.size() / 3, triangle_count = triangles.size() / 3;
+  if (triangle_count > std::numeric_limits<std::int32_t>::max())
+    return bad("the mesh has more than 2^31 - 1 triangles; cut it into several objects");
+
+  MeshData mesh;
+  mesh.vertices.reserve(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    const Vec3 v{static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]),
+                 static_cast<double>(xyz[3 * i + 2])};
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+      return bad("vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
+    mesh.vertices.push_back(v);
+  }
+  mesh.triangles.reserve(triangle_count);
+  for (std::size_t i = 0; i < triangle_count; ++i) {
+    mesh.triangles.push_back({triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]});
+    for (const std::uint32_t v : mesh.triangles.back())
+      if (v >= vertex_count)
+        return bad("triangle " + std::to_string(i) + " names vertex " + std::to_string(v) + ", but there are only " +
+                   std::to_string(vertex_count) + " (counted from 0)");
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> Mesh::create(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
+                          const TreeConfig& tree) {
+  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
+}
+
+Result<Mesh> Mesh::create(std::span<const float> xyz, std::span<const std::uint32_t> triangles,
+                          const TreeConfig& tree) {
+  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
+}
+
+Result<Mesh> Mesh::transformed(const Affine& map) const {
+  return guarded([&]() -> Result<Mesh> {
+    for (const double x : map.m)
+      if (!std::isfinite(x))
+        return Error{Code::bad_pose, "the affine map's matrix has an entry that is not a finite number"};
+    for (const double x : map.t)
+      if (!std::isfinite(x))
+        return Error{Code::bad_pose, "the affine map's translation has an entry that is not a finite number"};
+
+    MeshData mesh;
+    mesh.vertices = state_->data.vertices;
+    mesh.triangles = state_->data.triangles;
+    pose_all_vertices({map.m, map.t}, mesh.vertices);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const Vec3& v = mesh.vertices[i];
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+        return Error{Code::out_of_range, "vertex " + std::to_string(i) + " is mapped beyond the range of double"};
+    }
+    return make(std::move(mesh), state_->config);
+  });
+}
+
+Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
+  if (config.leaf_size > 256)
+    return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) +
+                                       "; choose 1 to 256, or 0 for what each backend does best with"};
+  if (!numbers) return numbers.error();
+  measure_triangles(*numbers);
+  return Mesh(std::make_shared<const MeshState>(*std::move(numbers), config));
+}
+
+Result<void> Mesh::build_tree(int threads) const {
+  return guarded([&]() -> Result<void> {
+    if (threads < 0)
+      return Error{Code::bad_option,
+                   "threads is " + std::to_string(threads) + "; choose 0 for all, or a positive number"};
+    if (!state_->data.triangles.empty()) state_->wide_tree.build(on_threads(threads));
+    return {};
+  });
+}
+
+std::size_t Mesh::memory_bytes() const { return sizeof(MeshState) + state_->tree.bytes() + state_->wide_tree.bytes(); }
+
+std::size_t Mesh::vertex_count() const noexcept { return state_->data.vertices.size(); }
+std::size_t Mesh::triangle_count() const noexcept { return state_->data.triangles.size(); }
+std::span<const Point> Mesh::vertices() const noexcept { return state_->data.vertices; }
+std::span<const std::array<std::uint32_t, 3>> Mesh::triangles() const noexcept { return state_->data.triangles; }
+Point Mesh::sphere_center() const noexcept { return state_->data.sphere.center; }
+double Mesh::sphere_radius() const noexcept { return state_->data.sphere.radius; }
+
+}  // namespace impinge

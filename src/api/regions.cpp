@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/regions.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "clash/local_frame.hpp"
+#include "clash/regions/region_side.hpp"
+#include "clash/slab.hpp"
+#include "core/guarded.hpp"
+#include "impinge/collide.hpp"
+#include "pipeline/mesh_state.hpp"
+#include "pipeline/on_threads.hpp"
+#include "solid/part.hpp"
+
+namespace impinge {
+namespace {
+
+/// Whether the mesh crosses itself is not asked: whatever is closed encloses something.
+solid::Part part_of(const Mesh& mesh, const Pose& pose) {
+  solid::Body body = solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
+  solid::Topology topology = solid::examine(body);
+  const bool closed = topology.closed;
+  return solid::make_part(std::move(body), std::move(topology), closed);
+}
+
+/// What the options' tolerance comes to.
+Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const RegionOptions& options) {
+  const double tolerance = options.tolerance;
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    return Error{Code::bad_option, "tolerance is " + std::to_string(tolerance) + "; choose a length, 0 or more"};
+  if (tolerance == 0 || a.size() == 0 || b.size() == 0) return 0.0;
+  for (const solid::Body* body : {&a, &b})
+    if (tolerance > norm(body->box.hi - body->box.lo) / 4)
+      return Error{Code::bad_option, "tolerance is " + std::to_string(tolerance) +
+                                         ", more than a quarter of one mesh's size; choose a smaller one"};
+  const double scale = std::max(clash::largest_coordinate(a.box), clash::largest_coordinate(b.box));
+  return tolerance < clash::kLeastTolerance * scale ? 0 : tolerance;
+}
+
+std::vector<exact::Contact> contacts_of(const Contacts& found) {
+  std::vector<exact::Contact> contacts;
+  contacts.reserve(found.triangles.size());
+  for (std::size_t i = 0; i < found.triangles.size(); ++i)
+    contacts.push_back({found.triangles[i].a, found.triangles[i].b, found.kinds[i]});
+  return contacts;
+}
+
+}  // namespace
+
+Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
+                                            const Pose& pose_b, const RegionOptions& options) {
+  return guarded([&]() -> Result<std::vector<Region>> {
+    const auto find = [&](Options::Find what) {
+      return collide(mesh_a, pose_a, mesh_b, pose_b, {.find = what, .threads = options.threads, .stop = options.stop});
+    };
+    // With a tolerance pairs are looked for otherwise, and this refuses what is not to be asked about.
+    const bool is_exact = options.tolerance == 0;
+    auto found = find(is_exact ? Options::Find::all : Options::Find::first);
+    if (!found) return found.error();
+    if (is_exact && found->triangles.empty()) return std::vector<Region>{};
+    const solid::Part part_a = part_of(mesh_a, pose_a), part_b = part_of(mesh_b, pose_b);
+    const auto tolerance = tolerance_for(part_a.body, part_b.body, options);
+    if (!tolerance) return tolerance.error();
+    if (!is_exact && *tolerance == 0) found = find(Options::Find::all);
+    if (!found) return found.error();
+    const std::size_t most = clash::most_small_pairs(part_a.body, part_b.body);
+    const auto contacts = *tolerance > 0
+                              ? clash::contacts_within(part_a.body, part_b.body, *tolerance, most, options.stop)
+                              : contacts_of(*found);
+    found = Contacts{};
+    if (!contacts)
+      return Error{Code::bad_option, "tolerance is " + std::to_string(*tolerance) + ", and more than " +
+                                         std::to_string(most) +
+                                         " pairs of triangles that are small beside it are no farther apart; choose "
+                                         "one below the size of triangles"};
+    const clash::RegionSide a(part_a), b(part_b);
+    auto regions =
+        clash::regions_of(a.side(), b.side(), *contacts, *tolerance, on_threads(options.threads), options.stop);
+    if (!regions) return Error{Code::cancelled, "the caller's stop token asked for it"};
+    return std::move(*regions);
+  });
+}
+
+}  // namespace impinge

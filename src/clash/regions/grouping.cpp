@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/regions/grouping.hpp"
+
+#include <array>
+#include <numeric>
+#include <unordered_map>
+
+#include "clash/point_grid.hpp"
+
+namespace impinge::clash {
+namespace {
+
+/// A body's positions, each with the contacts of the triangles that have it: those of one triangle follow each other.
+class Fans {
+ public:
+  Fans(const Side& side, std::span<const exact::Contact> contacts) : offsets_(side.positions + 1) {
+    for (std::size_t begin = 0, end = 0; begin < contacts.size(); begin = end) {
+      while (end < contacts.size() && contacts[end].a == contacts[begin].a) ++end;
+      runs_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    }
+    for (const Run& run : runs_)
+      for (const std::uint32_t p : side.corners(contacts[run.begin].a)) ++offsets_[p + 1];
+    std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+    of_position_.resize(offsets_.back());
+    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+    for (std::uint32_t i = 0; i < runs_.size(); ++i)
+      for (const std::uint32_t p : side.corners(contacts[runs_[i].begin].a)) of_position_[next[p]++] = i;
+  }
+
+  /// The contacts of all triangles of a that have this position.
+  template <class Visit>
+  void for_each(std::uint32_t position, const Visit& visit) const {
+    for (std::size_t i = offsets_[position]; i < offsets_[position + 1]; ++i)
+      for (std::uint32_t c = runs_[of_position_[i]].begin; c < runs_[of_position_[i]].end; ++c) visit(c);
+  }
+
+ private:
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  std::vector<std::size_t> offsets_;
+  std::vector<Run> runs_;                   ///< of one triangle of a each
+  std::vector<std::uint32_t> of_position_;  ///< numbers of runs
+};
+
+/// Per position or triangle of b, the last contact that was there, for one position of a after the other.
+class Last {
+ public:
+  explicit Last(std::size_t size) : seen_(size) {}
+  /// Joins the contact to the last one that was here in this turn; false if it is the first.
+  bool join(std::size_t place, std::uint32_t turn, std::uint32_t contact, DisjointSets& groups) {
+    auto& [last_turn, last] = seen_[place];
+    const bool is_known = last_turn == turn + 1;
+    if (is_known) groups.join(last, contact);
+    last_turn = turn + 1, last = contact;
+    return is_known;
+  }
+
+ private:
+  std::vector<std::array<std::uint32_t, 2>> seen_;
+};
+
+void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups) {
+  std::unordered_map<Vec3, std::uint32_t, PointHash> first;
+  std::size_t last = 0;  // the same row as the one before holds the same points
+  for (std::uint32_t i = 0; i < contacts; ++i) {
+    if (i > 0 && parts[i].data() == parts[last].data() && parts[i].size() == parts[last].size()) {
+      if (!parts[i].empty()) groups.join(i, static_cast<std::uint32_t>(last));
+      continue;
+    }
+    last = i;
+    for (const Corner& corner : parts[i]) groups.join(first.try_emplace(corner.point, i).first->second, i);
+  }
+}
+
+}  // namespace
+
+// Two pairs are neighbours if and only if some position p of a's triangles and some position q of b's are in both. All
+// pairs are looked at once for each p: those that have a triangle of b in common also have its three q.
+void join_neighbours(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
+                     DisjointSets& groups) {
+  const Fans fans(a, contacts);
+  Last at_triangle(b.body.size()), at_position(b.positions);
+  for (std::uint32_t p = 0; p < a.positions; ++p)
+    fans.for_each(p, [&](std::uint32_t contact) {
+      const std::uint32_t t = contacts[contact].b;
+      if (at_triangle.join(t, p, contact, groups)) return;
+      for (const std::uint32_t q : b.corners(t)) at_position.join(q, p, contact, groups);
+    });
+  join_at_corners(parts, contacts.size(), groups);
+}
+
+}  // namespace impinge::clash

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <tuple>
+
+#include "clash/regions/grouping.hpp"
+#include "clash/regions/islands.hpp"
+#include "exact/segment.hpp"
+
+/// The surface of a body is cut into patches by the lines of contact. Where a patch lies inside the other body, its rim
+/// is one region. What holds a patch together is found on its edges: pieces of edges between two points of contact join
+/// these; pieces that end at a vertex join a point of contact and the vertex; whole edges join their vertices. That
+/// leaves contacts that reach no edge of a triangle: islands in it, which look for what is beside them.
+namespace impinge::clash {
+namespace {
+
+/// A point of contact on an edge of the body.
+struct OnEdge {
+  std::uint64_t edge;  ///< its two positions, the lower one first
+  double along;        ///< grows from the first to the second
+  std::uint32_t contact;
+  Vec3 point;
+};
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+  return std::uint64_t{std::min(p, q)} << 32 | std::max(p, q);
+}
+
+using Inside = std::function<bool(const Vec3&)>;
+
+class Surface {
+ public:
+  Surface(const Side& side, bool first, std::span<const exact::Contact> contacts, const SharedParts& parts,
+          DisjointSets& groups)
+      : side_(side),
+        shift_(first ? 0 : 3),
+        parts_(parts),
+        groups_(groups),
+        vertex_(side.positions),
+        patches_(side.positions) {
+    for (std::uint32_t i = 0; i < contacts.size(); ++i) touched_.emplace_back(first ? contacts[i].a : contacts[i].b, i);
+    std::sort(touched_.begin(), touched_.end());
+    for (std::size_t i = 0; i < side.position.size(); ++i) vertex_[side.position[i]] = side.body.world[i];
+  }
+
+  void put_points() {
+    for (const auto& [triangle, contact] : touched_) {
+      const auto corners = side_.corners(triangle);
+      for (const Corner& corner : parts_[contact])
+        for (int e = 0; e < 3; ++e)
+          if ((edges_of(corner) >> e & 1) != 0) put(corners[e], corners[(e + 1) % 3], corner.point, contact);
+    }
+    std::sort(points_.begin(), points_.end(), [](const OnEdge& x, const OnEdge& y) {
+      return std::tie(x.edge, x.along, x.contact) < std::tie(y.edge, y.along, y.contact);
+    });
+  }
+
+  /// Vertices that no point of contact parts are on one side of the other body. Of a triangle without area it is not
+  /// known which points of contact are on its edges.
+  void join_vertices() {
+    for (std::uint32_t t = 0; t < side_.body.size(); ++t) {
+      const auto corners = side_.corners(t);
+      if (!is_proper(t)) continue;
+      for (int e = 0; e < 3; ++e) {
+        const std::uint32_t p = corners[e], q = corners[(e + 1) % 3];
+        if (patches_.find(p) != patches_.find(q) && !has_points(edge_key(p, q))) patches_.join(p, q);
+      }
+    }
+  }
+
+  /// Asks whether a point is inside only where the answer joins two groups.
+  void join_along_edges(const Inside& inside) {
+    for (std::size_t begin = 0, end = 0; begin < points_.size(); begin = end) {
+      for (end = begin; end < points_.size() && points_[end].edge == points_[begin].edge; ++end) {
+        if (end == begin || points_[end].along == points_[end - 1].along) continue;
+        const OnEdge &x = points_[end - 1], &y = points_[end];
+        if (groups_.find(x.contact) != groups_.find(y.contact) && inside(middle(x.point, y.point)))
+          groups_.join(x.contact, y.contact);
+      }
+      reach(points_[begin], static_cast<std::uint32_t>(points_[begin].edge >> 32));
+      reach(points_[end - 1], static_cast<std::uint32_t>(points_[begin].edge));
+    }
+  }
+
+  void join_islands(const Inside& inside) {
+    std::vector<Mark> marks;
+    for (std::size_t begin = 0, end = 0; begin < touched_.size(); begin = end) {
+      const std::uint32_t triangle = touched_[begin].first;
+      marks.clear();
+      for (end = begin; end < touched_.size() && touched_[end].first == triangle; ++end)
+        mark(touched_[end].second, marks);
+      if (!is_proper(triangle) || std::all_of(marks.begin(), marks.end(), [](const Mark& m) { return m.on_border; }))
+        continue;
+      for (const Sight& sight : sights(side_.body.triangle(triangle), marks))
+        if (!is_joined(sight) && inside(middle(sight.from, sight.to))) join(sight, side_.corners(triangle));
+    }
+  }
+
+  void join_rims(const Inside& inside) {
+    std::sort(rims_.begin(), rims_.end());
+    for (std::size_t begin = 0, end = 0; begin < rims_.size(); begin = end) {
+      bool several = false;
+      for (end = begin; end < rims_.size() && rims_[end].first == rims_[begin].first; ++end)
+        several |= groups_.find(rims_[end].second) != groups_.find(rims_[begin].second);
+      if (!several || !inside(vertex_[rims_[begin].first])) continue;
+      for (std::size_t i = begin + 1; i < end; ++i) groups_.join(rims_[i].second, rims_[begin].second);
+    }
+  }
+
+ private:
+  static Vec3 middle(const Vec3& p, const Vec3& q) { return 0.5 * p + 0.5 * q; }
+
+  /// Points are rounded once, and rounding keeps the order: a coordinate in which the edge is not constant orders them.
+  [[nodiscard]] double along(std::uint32_t p, std::uint32_t q, const Vec3& point) const {
+    const Vec3 step = vertex_[std::max(p, q)] - vertex_[std::min(p, q)], size = abs(step);
+    const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+    return component(step, axis) < 0 ? -component(point, axis) : component(point, axis);
+  }
+  void put(std::uint32_t p, std::uint32_t q, const Vec3& point, std::uint32_t contact) {
+    if (p == q) return;
+    points_.push_back({edge_key(p, q), along(p, q, point), contact, point});
+  }
+  [[nodiscard]] bool has_points(std::uint64_t edge) const {
+    const auto at = std::lower_bound(points_.begin(), points_.end(), edge,
+                                     [](const OnEdge& point, std::uint64_t key) { return point.edge < key; });
+    return at != points_.end() && at->edge == edge;
+  }
+  /// Nothing lies between a point of contact and the vertex. A vertex that is itself in contact is in no patch.
+  void reach(const OnEdge& point, std::uint32_t vertex) {
+    if (point.point != vertex_[vertex]) rims_.emplace_back(patches_.find(vertex), point.contact);
+  }
+  /// The sides of what a pair shares.
+  void mark(std::uint32_t contact, std::vector<Mark>& marks) const {
+    const std::span<const Corner> corners = parts_[contact];
+    const std::size_t sides = corners.size() > 2 ? corners.size() : 1;
+    for (std::size_t i = 0; i < sides && !corners.empty(); ++i) {
+      const Corner &p = corners[i], &q = corners[(i + 1) % corners.size()];
+      marks.push_back({p.point, q.point, contact, (edges_of(p) | edges_of(q)) != 0});
+    }
+  }
+  [[nodiscard]] bool is_joined(const Sight& sight) {
+    return sight.seen < Sight::kBorder && groups_.find(sight.seen) == groups_.find(sight.island);
+  }
+  /// A piece of the border is known by a point of contact at its end, or by a vertex.
+  void join(const Sight& sight, const std::array<std::uint32_t, 3>& corners) {
+    if (sight.seen < Sight::kBorder) return groups_.join(sight.seen, sight.island);
+    const std::uint32_t e = sight.seen - Sight::kBorder, p = corners[e], q = corners[(e + 1) % 3];
+    const std::pair at{edge_key(p, q), along(p, q, sight.to)};
+    const auto next = std::lower_bound(points_.begin(), points_.end(), at, [](const OnEdge& x, const auto& key) {
+      return std::pair(x.edge, x.along) < key;
+    });
+    if (next != points_.end() && next->edge == at.first) {
+      groups_.join(next->contact, sight.island);
+    } else {
+      rims_.emplace_back(patches_.find(static_cast<std::uint32_t>(at.first)), sight.island);
+    }
+  }
+
+  [[nodiscard]] bool is_proper(std::uint32_t triangle) const {
+    const Triangle t = side_.body.triangle(triangle);
+    return exact::find_projection(t[0], t[1], t[2]) >= 0;
+  }
+  [[nodiscard]] unsigned edges_of(const Corner& corner) const { return corner.edges >> shift_ & 7U; }
+
+  const Side& side_;
+  int shift_;  ///< of the bits of this body's edges
+  const SharedParts& parts_;
+  DisjointSets& groups_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touched_;  ///< a triangle and a contact of it
+  std::vector<Vec3> vertex_;                                      ///< per position
+  DisjointSets patches_;                                          ///< of positions
+  std::vector<OnEdge> points_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rims_;  ///< a patch and a contact that it reaches
+};
+
+}  // namespace
+
+void join_through(const Side& side, const Side& other, bool first, std::span<const exact::Contact> contacts,
+                  const SharedParts& parts, DisjointSets& groups) {
+  if (!other.holds) return;
+  Surface surface(side, first, contacts, parts, groups);
+  surface.put_points();
+  surface.join_vertices();
+  surface.join_along_edges(other.holds);
+  surface.join_islands(other.holds);
+  surface.join_rims(other.holds);
+}
+
+}  // namespace impinge::clash

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/self/self_crossings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "clash/local_frame.hpp"
+#include "clash/pinch.hpp"
+#include "exact/triangle_pair.hpp"
+
+namespace impinge::clash {
+namespace {
+
+/// A proper triangle's plane and the heights of another's vertices over it, in floating point: a crossing is known to
+/// be there, the question is whether it is of a size to speak of.
+struct Heights {
+  Vec3 normal;
+  std::array<double, 3> height;
+
+  Heights(const Triangle& plane, const Triangle& other) : normal(cross(plane[1] - plane[0], plane[2] - plane[0])) {
+    const double length = norm(normal);
+    if (length > 0) normal = (1 / length) * normal;
+    for (std::size_t i = 0; i < 3; ++i) height[i] = dot(normal, other[i] - plane[0]);
+  }
+  /// How far the other triangle reaches through the plane, on the side where that is less.
+  [[nodiscard]] double depth() const {
+    const auto [lo, hi] = std::minmax_element(height.begin(), height.end());
+    return std::max(0.0, std::min(-*lo, *hi));
+  }
+  /// Where the other triangle meets the plane, along a line.
+  [[nodiscard]] std::pair<double, double> span(const Triangle& other, const Vec3& origin, const Vec3& along) const {
+    double lo = 1, hi = -1;
+    bool is_empty = true;
+    const auto take = [&](const Vec3& point) {
+      const double at = dot(along, point - origin);
+      lo = is_empty ? at : std::min(lo, at), hi = is_empty ? at : std::max(hi, at);
+      is_empty = false;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      if (height[i] == 0) take(other[i]);
+      if ((height[i] < 0) == (height[j] < 0) || height[i] == 0 || height[j] == 0) continue;
+      take(other[i] + (height[i] / (height[i] - height[j])) * (other[j] - other[i]));
+    }
+    return {lo, hi};
+  }
+};
+
+/// Of the segment that two crossing triangles share, roughly.
+double shared_length(const Triangle& a, const Triangle& b, const Heights& a_over_b, const Heights& b_over_a) {
+  const Vec3 line = cross(a_over_b.normal, b_over_a.normal);
+  const double sine = norm(line);
+  if (sine == 0) return norm(a[1] - a[0]);
+  const Vec3 along = (1 / sine) * line;
+  const auto [lo_a, hi_a] = a_over_b.span(a, a[0], along);
+  const auto [lo_b, hi_b] = b_over_a.span(b, a[0], along);
+  return std::min(hi_a, hi_b) - std::max(lo_a, lo_b);
+}
+
+}  // namespace
+
+bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance) {
+  // Of the triangles about a vertex most share nothing but that, which is quicker to see.
+  if (kind == Kind::coplanar) return !find_pinch(a, b, 0) && exact::share_area(a, b);
+  if (kind != Kind::crossing) return false;
+  if (tolerance == 0) return true;
+  const Heights a_over_b(b, a), b_over_a(a, b);
+  return a_over_b.depth() > tolerance && b_over_a.depth() > tolerance &&
+         shared_length(a, b, a_over_b, b_over_a) > tolerance;
+}
+
+double defect_tolerance(const solid::Body& body, const solid::Topology& topology, double tolerance) {
+  if (!topology.closed) return tolerance;
+  const LocalFrame frame = local_frame(body.box, body.box);
+  double area = 0, volume = 0;
+  std::vector<double> volumes(topology.shells);
+  for (std::uint32_t t = 0; t < body.size(); ++t) {
+    if (topology.shell[t] == solid::Topology::kNoShell) continue;
+    const Triangle triangle = frame.to_local(body.triangle(t));
+    const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    area += norm(normal) / 2, volumes[topology.shell[t]] += dot(triangle[0], normal) / 6;
+  }
+  for (const double of_shell : volumes) volume += std::abs(of_shell);
+  return area > 0 ? std::min(tolerance, volume / area / 2 / frame.unit) : tolerance;
+}
+
+}  // namespace impinge::clash

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "clash/sheets/sheet_ends.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "clash/sheets/common_corners.hpp"
+#include "measure/triangle_distance.hpp"
+
+namespace impinge::clash {
+namespace {
+
+/// Whether those of a part's triangles that have an edge in common with this one all go the same way from it as it
+/// does.
+bool is_end(const std::array<std::uint32_t, 2>& edge, const TriangleEdge& of, const LinkedPart& linked) {
+  const auto& [offsets, triangles] = linked.fans;
+  std::uint32_t at = edge[0], far = edge[1];
+  if (offsets[far + 1] - offsets[far] < offsets[at + 1] - offsets[at]) std::swap(at, far);
+  const auto fan = std::span(triangles).subspan(offsets[at], offsets[at + 1] - offsets[at]);
+  return std::all_of(fan.begin(), fan.end(), [&](std::uint32_t t) {
+    if (t == of.triangle || !linked.part.is_boundary(t)) return true;
+    const auto corners = corners_of(linked.part, t);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
+      if (((from == at && to == far) || (from == far && to == at)) && !go_one_way(linked.part, of, {t, k}))
+        return false;
+    }
+    return true;
+  });
+}
+
+/// Whether the surface ends there too as the whole part has it, which may go on in triangles that the sheets leave out.
+bool is_end(const Sheets::End& end, const LinkedPart& linked) {
+  const auto corners = corners_of(linked.part, end.of.triangle);
+  return is_end(end.positions, end.of, linked) &&
+         is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, linked);
+}
+
+Box united(const Box& p, const Box& q) { return {min(p.lo, q.lo), max(p.hi, q.hi)}; }
+
+Box widened(const Box& box, double by) {
+  const Vec3 margin{by, by, by};
+  return {box.lo - margin, box.hi + margin};
+}
+
+/// A part's open edges within a box. Where one runs along another the surface goes on, cut differently.
+class Borders {
+ public:
+  Borders(const LinkedPart& linked, const Box& box, const CornerReach& reach) : linked_(linked), reach_(reach) {
+    std::vector<broad::BoxTree::Entry> entries;
+    for (const auto& edge : linked.part.topology.open_edges)
+      each_use(edge, [&](const TriangleEdge& use) {
+        const Triangle t = linked.part.body.triangle(use.triangle);
+        const Segment at{t[use.corner], t[(use.corner + 1) % 3]};
+        if (!overlap(box_of(at), box)) return;
+        entries.emplace_back(box_of(at), static_cast<std::uint32_t>(edges_.size()));
+        edges_.push_back({at, use});
+      });
+    tree_.build(entries);
+  }
+
+  /// The pieces of an end along which no other triangle goes on.
+  [[nodiscard]] std::vector<Segment> left_of(const Sheets::End& end) const {
+    const auto& [from, to] = end.piece;
+    const double length = norm(to - from), within = reach_.beside(length);
+    std::vector<std::array<double, 2>> covered;
+    const std::array<std::uint32_t, 1> asked{0};
+    const std::array<Box, 1> boxes{widened(box_of(end.piece), within)};
+    broad::BoxTree::Search search;
+    tree_.find(asked, boxes, search);
+    for (const std::uint64_t key : search.found) {
+      const auto& [at, use] = edges_[static_cast<std::uint32_t>(key)];
+      if (use.triangle != end.of.triangle && !go_one_way(linked_.part, end.of, use))
+        add_covered(end.piece, at, std::min(within, reach_.beside(norm(at[1] - at[0]))), covered);
+    }
+    std::sort(covered.begin(), covered.end());
+    std::vector<Segment> left;
+    double done = 0;
+    const auto add = [&](double lo, double hi) {
+      if (hi - lo > within || covered.empty())
+        left.push_back({from + (lo / length) * (to - from), from + (hi / length) * (to - from)});
+    };
+    for (const auto& [lo, hi] : covered) add(done, lo), done = std::max(done, hi);
+    add(done, length);
+    return left;
+  }
+
+ private:
+  struct Border {
+    Segment at;
+    TriangleEdge use;
+  };
+
+  /// Calls `take` with each of a part's triangles that use an edge.
+  template <class Take>
+  void each_use(const std::array<std::uint32_t, 2>& edge, const Take& take) const {
+    const auto& [offsets, triangles] = linked_.fans;
+    const auto size = [&](std::uint32_t position) { return offsets[position + 1] - offsets[position]; };
+    const std::uint32_t at = size(edge[0]) <= size(edge[1]) ? edge[0] : edge[1];
+    for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
+      if (!linked_.part.is_boundary(triangles[i])) continue;
+      const auto corners = corners_of(linked_.part, triangles[i]);
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (std::array{corners[k], corners[(k + 1) % 3]} == edge ||
+            std::array{corners[(k + 1) % 3], corners[k]} == edge)
+          take(TriangleEdge{triangles[i], k});
+    }
+  }
+
+  /// Where along a piece, in lengths from its beginning, an edge runs within a distance of it.
+  static void add_covered(const Segment& piece, const Segment& edge, double within,
+                          std::vector<std::array<double, 2>>& covered) {
+    const double length = norm(piece[1] - piece[0]);
+    const Vec3 along = (1 / length) * (piece[1] - piece[0]);
+    double a = dot(edge[0] - piece[0], along), b = dot(edge[1] - piece[0], along);
+    Segment at = edge;
+    if (a > b) std::swap(a, b), std::swap(at[0], at[1]);
+    const double lo = std::max(a, 0.0), hi = std::min(b, length);
+    if (!(hi > lo)) return;
+    for (const double place : {lo, hi}) {
+      const Vec3 point = at[0] + ((place - a) / (b - a)) * (at[1] - at[0]);
+      if (norm(point - piece[0] - place * along) > within) return;
+    }
+    covered.push_back({lo, hi});
+  }
+
+  const LinkedPart& linked_;
+  CornerReach reach_;
+  std::vector<Border> edges_;
+  broad::BoxTree tree_;  ///< over them
+};
+
+}  // namespace
+
+SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance) {
+  std::vector<Sheets::End> open;
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const Sheets::End& end : sheets.ends)
+    if (is_end(end, part)) open.push_back(end), box = united(box, box_of(end.piece));
+  const Borders borders(part, widened(box, tolerance), {part.part, tolerance});
+  std::vector<broad::BoxTree::Entry> entries;
+  for (const Sheets::End& end : open)
+    for (const Segment& piece : borders.left_of(end)) {
+      ends_.push_back({frame.to_local(piece[0]), frame.to_local(piece[1])});
+      entries.emplace_back(box_of(ends_.back()), static_cast<std::uint32_t>(entries.size()));
+    }
+  tree_.build(entries);
+}
+
+bool SheetEnds::are_near(const Vec3& point, double distance) const {
+  const Vec3 margin{distance, distance, distance};
+  const std::array<std::uint32_t, 1> asked{0};
+  const std::array<Box, 1> boxes{Box{point - margin, point + margin}};
+  broad::BoxTree::Search search;
+  tree_.find(asked, boxes, search);
+  return std::any_of(search.found.begin(), search.found.end(), [&](std::uint64_t key) {
+    const Segment& end = ends_[static_cast<std::uint32_t>(key)];
+    return measure::point_distance(point, {end[0], end[1], end[1]}, distance).distance <= distance;
+  });
+}
+
+}  // namespace impinge::clash

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "broad/box_tree.hpp"
+#include "clash/local_frame.hpp"
+#include "clash/near_cells.hpp"
+#include "clash/sheets/sheets.hpp"
+
+namespace impinge::clash {
+
+/// Where a part's surface ends, as far as some sheets of it go: edges from which all triangles go one way, the part's
+/// others too.
+class SheetEnds {
+ public:
+  SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance);
+
+  /// Whether the surface ends within a distance of a point; both local.
+  [[nodiscard]] bool are_near(const Vec3& point, double distance) const;
+
+ private:
+  std::vector<Segment> ends_;  ///< local
+  broad::BoxTree tree_;        ///< over them
+};
+
+}  // namespace impinge::clash

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "paper/all_pairs.hpp"
+
+#include "broad/may_touch.hpp"
+
+namespace impinge::broad {
+
+ObjectPairs all_pairs(const scene::SceneView& view) {
+  ObjectPairs pairs;
+  const auto n = static_cast<std::uint32_t>(view.objects.size());
+  for (std::uint32_t a = 0; a < n; ++a) {
+    for (std::uint32_t b = a + 1; b < n; ++b) {
+      if (may_touch(view, a, b)) pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace impinge::broad

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exact/contact.hpp"
+#include "hierarchy/wide_walk.hpp"
+#include "impinge/contacts.hpp"
+#include "narrow/pair_filter.hpp"
+#include "partition/sweep.hpp"
+#include "pipeline/query.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "results/contact_key.hpp"
+
+namespace impinge {
+
+/// The stages from hierarchy to exact, fast: wide trees, boxes and triangles many at a time in certified single
+/// precision. One thread uses it at a time.
+class FastStages {
+ public:
+  /// What remains to be walked is a stack of these.
+  using Step = hierarchy::TreeRefPair;
+
+  /// What the stages need of one pair of objects. Its first tree is that of the larger unit.
+  struct Pair {
+    Pair(const Query& query, const broad::ObjectPair& objects);
+    bool swapped;  ///< the first tree is that of the pair's second object
+    const scene::PlacedObject &a, &b;
+    hierarchy::WideWalk walk;
+  };
+
+  void configure(const Options& options);
+
+  /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
+  void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
+  /// Of the last slice.
+  [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
+
+ private:
+  bool first_only_ = false;
+  unsigned slices_ = 0;  ///< of a search for one contact
+  std::vector<hierarchy::WideLeafPair> leaf_pairs_;
+  partition::Sweep sweep_;
+  partition::PairStream stream_;
+  narrow::Filtered filtered_;
+  std::vector<exact::Contact> contacts_;
+  std::vector<results::ContactKey> keys_;
+};
+
+}  // namespace impinge

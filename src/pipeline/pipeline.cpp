@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "broad/may_touch.hpp"
+#include "pipeline/calibration.hpp"
+#include "pipeline/device_driver.hpp"
+#include "pipeline/domain_error.hpp"
+#include "pipeline/on_threads.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "pipeline/workspace_state.hpp"
+#include "schedule/cost.hpp"
+#include "schedule/parallel.hpp"
+
+namespace impinge {
+namespace {
+
+void add(Statistics& sum, const Statistics& s) {
+  sum.box_tests += s.box_tests, sum.element_tests += s.element_tests, sum.nodes_built += s.nodes_built;
+  sum.leaf_pairs += s.leaf_pairs, sum.triangle_pairs += s.triangle_pairs, sum.exact_calls += s.exact_calls;
+  sum.hierarchy_seconds += s.hierarchy_seconds, sum.partition_seconds += s.partition_seconds;
+  sum.narrow_seconds += s.narrow_seconds, sum.exact_seconds += s.exact_seconds;
+  sum.device_seconds += s.device_seconds, sum.device_predicted_seconds += s.device_predicted_seconds;
+}
+
+// Where a device takes part: so many pairs of objects are enough pieces to share, and fewer are walked until there are
+// enough; and so many tests of boxes tell what a query is like.
+constexpr std::size_t kManyPairs = 256, kPieces = 256;
+constexpr std::uint64_t kEnoughForAMix = 1 << 14;
+
+/// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
+/// at a time, then the results.
+template <class Stages>
+class Pipeline {
+ public:
+  Pipeline(const Query& query, Crew<Stages>& crew, Workspace::State& memory)
+      : query_(query),
+        options_(query.options),
+        crew_(crew),
+        memory_(memory),
+        first_only_(options_.find == Options::Find::first) {}
+  ~Pipeline() { crew_.release(); }
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  Result<Contacts> run() {
+    StageClock total, stage = total;
+    if (query_.near_pairs != nullptr)
+      query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
+                              {.stop = options_.stop, .for_each = on_threads(options_.threads)});
+    if (pairs().size() > std::numeric_limits<std::uint32_t>::max())
+      return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
+    prepare_states();
+    report_total();
+    Statistics statistics;
+    statistics.object_pairs = pairs().size();
+    stage.charge(statistics.broad_seconds);
+
+    memory_.device_found.restart(options_.kinds, options_.limit);
+    if constexpr (std::is_same_v<Stages, FastStages>) {
+      if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
+    }
+    if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
+    if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
+
+    double threads_wall_clock = 0;
+    stage.charge(threads_wall_clock);
+    Contacts contacts = gather(statistics);
+    stage.charge(statistics.results_seconds);
+    statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
+    total.charge(statistics.total_seconds);
+    if (options_.predict_cost) predict(statistics);
+    contacts.statistics = statistics;
+    contacts.warnings = std::move(memory_.warnings);
+    return contacts;
+  }
+
+ private:
+  /// The work on some pairs of objects, or part of that on one.
+  struct Task {
+    std::uint32_t first_pair, count;
+    std::vector<typename Stages::Step> stack;  ///< of what is left of the first one; empty: from the roots
+  };
+
+  [[nodiscard]] const broad::ObjectPairs& pairs() const {
+    return query_.near_pairs != nullptr ? memory_.pairs : *query_.pairs;
+  }
+
+  /// Where each pair asked about has a row, some have nothing in it.
+  [[nodiscard]] bool is_apart(const broad::ObjectPair& pair) const {
+    return query_.all_rows && !broad::may_touch(query_.view, pair.a, pair.b);
+  }
+
+  void prepare_states() {
+    if (memory_.pair_states_size < pairs().size()) {
+      memory_.pair_states_size = 0;
+      memory_.pair_states = std::make_unique<PairState[]>(pairs().size());
+      memory_.pair_states_size = pairs().size();
+    }
+    for (std::size_t i = 0; i < pairs().size(); ++i) {
+      memory_.pair_states[i].open_tasks.store(1, std::memory_order_relaxed);
+      memory_.pair_states[i].settled.store(false, std::memory_order_relaxed);
+    }
+  }
+
+  /// A lone pair has its first slice done by the caller's thread: small questions end before another would wake. False
+  /// if work remains.
+  bool work_on_first() {
+    if (pairs().size() != 1 || is_apart(pairs()[0])) return false;
+    Worker<Stages>& worker = crew_.take(options_);
+    run_slice(typename Stages::Pair(query_, pairs()[0]), 0, true, worker);
+    const bool done = worker.stack.empty() || settled(0);
+    if (done) report_done();
+    if (!done) first_stack_ = std::exchange(worker.stack, {});
+    worker.stack.clear();
+    crew_.give_back(worker);
+    return done;
+  }
+
+  void work_on_all() {
+    if (options_.threads == 1) {
+      Worker<Stages>& worker = crew_.take(options_);
+      for (std::uint32_t i = 0; i < pairs().size(); ++i) run(i, worker, [](std::uint32_t, Worker<Stages>&) {});
+      crew_.give_back(worker);
+      return;
+    }
+    // Where pairs abound a task is several of them: most are done in a microsecond or two.
+    const auto number = static_cast<std::uint32_t>(pairs().size());
+    const std::uint32_t at_once = std::clamp<std::uint32_t>(number / 1024, 1, 16);
+    std::vector<Task> tasks;
+    tasks.reserve(number / at_once + 1);
+    for (std::uint32_t i = 0; i < number; i += at_once) tasks.push_back({i, std::min(at_once, number - i), {}});
+    if (!first_stack_.empty()) tasks[0].stack = std::move(first_stack_);
+    work_on(std::move(tasks));
+  }
+
+  void work_on(std::vector<Task> tasks) {
+    schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
+      Worker<Stages>& worker = crew_.take(options_);
+      worker.stack.assign(task.stack.begin(), task.stack.end());
+      for (std::uint32_t i = 0; i < task.count; ++i) {
+        run(task.first_pair + i, worker, [&](std::uint32_t object_pair, Worker<Stages>& w) {
+          if (w.stack.size() < 2) return;
+          memory_.pair_states[object_pair].open_tasks.fetch_add(1);
+          spawn(Task{object_pair, 1, cut_off_half(w.stack)});
+        });
+      }
+      crew_.give_back(worker);
+    });
+  }
+
+  /// All on the device, and what it cannot take, or all if it fails, on the CPU.
+  void work_on_device() {
+    std::vector<DevicePiece> pieces;
+    for (std::uint32_t i = 0; i < pairs().size(); ++i) {
+      if (is_apart(pairs()[i])) {
+        report_done();
+      } else {
+        pieces.push_back({i});
+      }
+    }
+    share_with_device(std::move(pieces), 1, {});
+  }
+
+  /// The CPU begins. Where it has much left to do, it shares that with the device.
+  void work_together() {
+    const bool are_many = pairs().size() >= kManyPairs;
+    std::vector<std::vector<DevicePiece>> opened(pairs().size());
+    run_each(are_many ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
+      const auto object_pair = static_cast<std::uint32_t>(i);
+      if (is_apart(pairs()[i])) return report_done();
+      if (are_many) return opened[i].push_back({object_pair});
+      Worker<Stages>& worker = crew_.take(options_);
+      open_up(object_pair, worker, opened[i]);
+      crew_.give_back(worker);
+    });
+    std::vector<DevicePiece> pieces;
+    for (const auto& some : opened) pieces.insert(pieces.end(), some.begin(), some.end());
+    // What has been done tells what the rest is like; where nothing has, the last of many pairs do.
+    Worker<Stages>& worker = crew_.take(options_);
+    while (are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
+      run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
+      pieces.pop_back();
+    }
+    crew_.give_back(worker);
+    Statistics mix;
+    for (const Worker<Stages>* one : crew_.at_work()) add(mix, one->statistics);
+    share_with_device(std::move(pieces), options_.device_share, mix);
+  }
+
+  /// Walks on a pair of objects until there are pieces enough to share, or nothing is left.
+  void open_up(std::uint32_t object_pair, Worker<Stages>& worker, std::vector<DevicePiece>& pieces) {
+    const typename Stages::Pair pair(query_, pairs()[object_pair]);
+    const std::size_t enough = std::max<std::size_t>(kPieces / pairs().size(), 1);
+    bool fresh = true;
+    do {
+      run_slice(pair, object_pair, fresh, worker);
+      fresh = false;
+    } while (!worker.stack.empty() && worker.stack.size() < enough && !settled(object_pair) &&
+             !options_.stop.stop_requested());
+    if (settled(object_pair)) worker.stack.clear();
+    for (const hierarchy::TreeRefPair& nodes : worker.stack) pieces.push_back({object_pair, nodes});
+    if (worker.stack.empty()) {
+      report_done();
+    } else {
+      memory_.pair_states[object_pair].open_tasks = static_cast<std::uint32_t>(worker.stack.size());
+    }
+    worker.stack.clear();
+  }
+
+  /// Triangles below both nodes: what work there is grows with them. Pairs of many objects count alike.
+  static double weight_of(const DevicePiece& piece) {
+    const auto below = [](const hierarchy::TreeRef& ref) {
+      if (ref.is_leaf()) return static_cast<double>(ref.leaf().count);
+      return static_cast<double>(std::accumulate(ref.node().count, ref.node().count + ref.node().size, 0u));
+    };
+    return piece.nodes.a.is_made() ? below(piece.nodes.a) + below(piece.nodes.b) : 1;
+  }
+
+  void share_with_device(std::vector<DevicePiece> pieces, double share, const Statistics& mix) {
+    if (pieces.empty()) return;
+    std::vector<double> weights(pieces.size());
+    std::transform(pieces.begin(), pieces.end(), weights.begin(), weight_of);
+    SharedWork work(std::move(pieces), weights);
+    DeviceDriver driver(query_, pairs(), work, memory_.device, mix);
+    const auto sink = [&](std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
+      collect(memory_.device_found, object_pair, contacts);
+    };
+    if (share >= 0) driver.reserve(share);
+    if (share == 1) {
+      driver.drive(sink);
+    } else {
+      const std::jthread device([&] { driver.drive(sink); });
+      StageClock clock;
+      work_on_shared(work);
+      clock.charge(cpu_seconds_);
+    }
+    finish(driver);
+  }
+
+  /// The CPU's side: each thread takes pieces from the back, fewer as the work runs out.
+  void work_on_shared(SharedWork& work) {
+    const int threads = schedule::concurrency(options_.threads);
+    std::vector<Task> tasks(static_cast<std::size_t>(threads), Task{0, 0, {}});
+    schedule::run_tasks(std::move(tasks), options_.threads, [&](Task& task, const auto& spawn) {
+      Worker<Stages>& worker = crew_.take(options_);
+      const auto share = [&](std::uint32_t object_pair, Worker<Stages>& w) {
+        if (threads == 1 || w.stack.size() < 2) return;
+        memory_.pair_states[object_pair].open_tasks.fetch_add(1);
+        spawn(Task{object_pair, 1, cut_off_half(w.stack)});
+      };
+      if (task.count > 0) {  // a part of a piece
+        worker.stack.assign(task.stack.begin(), task.stack.end());
+        run(task.first_pair, worker, share);
+      }
+      while (task.count == 0) {
+        const auto range = work.row.take_back(work.row.left() / (8 * threads));
+        if (range.empty()) break;
+        for (std::size_t i = range.end; i-- > range.begin;) {
+          if (work.pieces[i].nodes.a.is_made()) worker.stack.push_back(work.pieces[i].nodes);
+          run(work.pieces[i].object_pair, worker, share);
+        }
+        work.cpu_done.fetch_add(range.weight);
+      }
+      crew_.give_back(worker);
+    });
+  }
+
+  /// Takes over the device's results, or its work.
+  void finish(const DeviceDriver& driver) {
+    std::span<const DevicePiece> undone = driver.left();
+    if (!driver.complaint().empty()) {
+      undone = driver.done();
+      if (first_only_)
+        for (const results::Run& run : memory_.device_found.runs())
+          memory_.pair_states[run.object_pair].settled = false;
+      memory_.device_found.restart(options_.kinds, options_.limit);
+      memory_.warnings.push_back(driver.complaint() + "; the CPU did its work");
+    } else {
+      device_statistics_ = driver.statistics();
+      if (options_.predict_cost) device_statistics_.device_predicted_seconds = driver.predict_seconds();
+      if (!undone.empty())
+        memory_.warnings.push_back(driver.device_name() +
+                                   " could not take all pairs, for want of room or because they are too far from "
+                                   "the origin for its precision; the CPU did the rest");
+      for (const DevicePiece& piece : undone) memory_.pair_states[piece.object_pair].open_tasks.fetch_add(1);
+      for (const DevicePiece& piece : driver.done()) close(piece.object_pair);
+    }
+    std::vector<Task> tasks;
+    for (const DevicePiece& piece : undone) {
+      tasks.push_back({piece.object_pair, 1, {}});
+      if (piece.nodes.a.is_made()) tasks.back().stack.push_back(piece.nodes);
+    }
+    work_on(std::move(tasks));
+  }
+
+  /// Of a device that the plain stages had, once a query.
+  void warn(const std::string& complaint) {
+    if (complaint.empty() || !memory_.warnings.empty()) return;
+    memory_.warnings.push_back(std::string("the device '") + crew_.device->device.physical().properties.deviceName +
+                               "' failed (" + complaint + "); the CPU did its work");
+  }
+
+  /// Walks on until the worker's stack is empty, a slice at a time; after each slice the rest is offered for sharing.
+  template <class Share>
+  void run(std::uint32_t object_pair, Worker<Stages>& worker, const Share& share) {
+    if (!is_apart(pairs()[object_pair])) {
+      const typename Stages::Pair pair(query_, pairs()[object_pair]);
+      bool fresh = worker.stack.empty();
+      while ((fresh || !worker.stack.empty()) && !options_.stop.stop_requested() && !settled(object_pair)) {
+        run_slice(pair, object_pair, fresh, worker);
+        fresh = false;
+        share(object_pair, worker);
+      }
+      worker.stack.clear();
+    }
+    close(object_pair);
+  }
+
+  /// One of a pair's tasks is done.
+  void close(std::uint32_t object_pair) {
+    if (memory_.pair_states[object_pair].open_tasks.fetch_sub(1) == 1) report_done();
+  }
+
+  void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
+    w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
+    collect(w.collector, object_pair, w.stages.contacts());
+  }
+
+  void collect(results::Collector& to, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
+    if (!first_only_) return to.add(object_pair, contacts);
+    for (const results::ContactKey& contact : contacts) {
+      if (!to.wants(results::kind_of(contact))) continue;
+      if (!memory_.pair_states[object_pair].settled.exchange(true)) to.add(object_pair, {&contact, 1});
+      return;
+    }
+  }
+
+  [[nodiscard]] bool settled(std::uint32_t object_pair) const {
+    return memory_.pair_states[object_pair].settled.load(std::memory_order_relaxed);
+  }
+
+  Contacts gather(Statistics& statistics) {
+    memory_.collectors.clear(), memory_.keys.clear();
+    for (const Worker<Stages>* worker : crew_.at_work()) {
+      if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
+      add(statistics, worker->statistics);
+      memory_.collectors.push_back(&worker->collector);
+    }
+    cpu_statistics_ = statistics;
+    if (memory_.asks_device) {
+      add(statistics, device_statistics_);
+      statistics.cpu_seconds = cpu_seconds_;
+      memory_.collectors.push_back(&memory_.device_found);
+    }
+    for (const scene::PlacedObject& object : query_.view.objects) memory_.keys.push_back(object.key);
+    Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
+    results::assemble(memory_.collectors, pairs(), memory_.keys,
+                      {options_.limit, !first_only_, query_.all_rows, on_threads(options_.threads)}, memory_.assembly,
+                      contacts);
+    return contacts;
+  }
+
+  void predict(Statistics& s) const {
+    const schedule::CostConstants constants = calibrated_constants(options_.backend);
+    s.box_test_seconds = constants.box_test;
+    s.element_test_seconds = constants.element_test;
+    s.node_seconds = constants.node;
+    s.leaf_pair_seconds = constants.leaf_pair;
+    s.exact_call_seconds = constants.exact_call;
+    s.predicted_seconds = schedule::predict_seconds(cpu_statistics_, constants);
+  }
+
+  /// The older half of the stack: the larger subtrees.
+  static std::vector<typename Stages::Step> cut_off_half(std::vector<typename Stages::Step>& stack) {
+    const auto middle = stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2);
+    std::vector<typename Stages::Step> half(stack.begin(), middle);
+    stack.erase(stack.begin(), middle);
+    return half;
+  }
+
+  void report_total() const {
+    if (options_.progress != nullptr) options_.progress->done = 0, options_.progress->total = pairs().size();
+  }
+  void report_done() const {
+    if (options_.progress != nullptr) options_.progress->done.fetch_add(1, std::memory_order_relaxed);
+  }
+
+  const Query& query_;
+  const Options& options_;
+  Crew<Stages>& crew_;
+  Workspace::State& memory_;
+  std::vector<typename Stages::Step> first_stack_;
+  bool first_only_;
+  Statistics cpu_statistics_, device_statistics_;  ///< of either's part
+  double cpu_seconds_ = 0;                         ///< the CPU's, beside the device
+};
+
+}  // namespace
+
+Result<void> validate(const Options& options) {
+  const auto bad = [](std::string message) { return Error{Code::bad_option, std::move(message)}; };
+  if (options.threads < 0)
+    return bad("threads is " + std::to_string(options.threads) + "; choose 0 for all, or a positive number");
+  if (options.find != Options::Find::all && options.find != Options::Find::first)
+    return bad("find is neither Find::all nor Find::first");
+  if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
+  if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
+  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
+  if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
+    return bad("there is no backend '" + std::string(options.backend) +
+               "'; choose auto, simd, scalar, gpu, raster or hybrid");
+  if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
+  return {};
+}
+
+Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
+  for (std::size_t i = 0; i < query.view.objects.size(); ++i) {
+    if (query.view.objects[i].in_domain) continue;
+    return out_of_domain("object " + std::to_string(i));
+  }
+  memory.warnings.clear(), memory.asks_device = false;
+  memory.plain.device = nullptr;
+  if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
+  if (query.options.backend == "gpu" || query.options.backend == "raster" || query.options.backend == "hybrid") {
+    // A hybrid query opens a device only when that is worth it.
+    gpu::Devices& devices = gpu::Devices::of_process();
+    const bool is_sure = query.options.backend != "hybrid" || query.options.device_share >= 0;
+    gpu::Devices::Choice choice =
+        is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
+    if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
+    if (!choice.complaint.empty()) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
+    memory.asks_device = choice.complaint.empty() && query.options.backend != "raster";
+    memory.device = std::move(choice.opened);
+  }
+  if (query.options.backend == "raster") {
+    memory.plain.device = std::move(memory.device);
+    Result<Contacts> contacts = Pipeline<PlainStages>(query, memory.plain, memory).run();
+    memory.plain.device = nullptr;
+    return contacts;
+  }
+  Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory).run();
+  memory.device = nullptr;
+  return contacts;
+}
+
+}  // namespace impinge

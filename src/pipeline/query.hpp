@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "broad/near_pairs.hpp"
+#include "broad/object_pairs.hpp"
+#include "impinge/options.hpp"
+#include "pipeline/mesh_state.hpp"
+#include "scene/scene_view.hpp"
+
+namespace impinge {
+
+/// A question to the pipeline.
+struct Query {
+  scene::SceneView view;
+  std::span<const MeshState* const> meshes;  ///< an object's, null where its mesh is
+  const broad::NearPairs* near_pairs;        ///< current; null: `pairs` are what is asked about
+  const broad::ObjectPairs* pairs;           ///< used without near_pairs
+  bool all_rows;                             ///< a row for each of the pairs, touching or not
+  const Options& options;
+};
+
+}  // namespace impinge

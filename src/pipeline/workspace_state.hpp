@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "broad/object_pairs.hpp"
+#include "impinge/workspace.hpp"
+#include "measure/pair_queue.hpp"
+#include "pipeline/fast_stages.hpp"
+#include "pipeline/opened.hpp"
+#include "pipeline/plain_stages.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "results/assemble.hpp"
+#include "results/collector.hpp"
+
+namespace impinge {
+
+/// What one thread keeps while it works on a query.
+template <class Stages>
+struct Worker {
+  Stages stages;
+  std::vector<typename Stages::Step> stack;
+  results::Collector collector;
+  Statistics statistics;
+  StageClock clock;  ///< since it took up its task: stages follow each other
+};
+
+/// As many workers as threads have been at work at once.
+template <class Stages>
+class Crew {
+ public:
+  Worker<Stages>& take(const Options& options);
+  void give_back(Worker<Stages>& worker);
+  /// Those that worked since the last `release`.
+  [[nodiscard]] const std::vector<Worker<Stages>*>& at_work() const { return at_work_; }
+  void release();
+
+  std::shared_ptr<gpu::Opened> device;  ///< for the plain stages of the query at hand; null: none
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Worker<Stages>>> all_;
+  std::vector<Worker<Stages>*> idle_;     ///< taken and given back in this query
+  std::vector<Worker<Stages>*> at_work_;  ///< configured for this query
+};
+
+/// What is known of one pair of objects while its tasks run.
+struct PairState {
+  std::atomic<std::uint32_t> open_tasks{1};
+  std::atomic<bool> settled{false};  ///< `Find::first` has its witness
+};
+
+struct Workspace::State {
+  Crew<PlainStages> plain;
+  Crew<FastStages> fast;
+  std::vector<scene::PlacedObject> placed;
+  std::vector<const MeshState*> meshes;
+  broad::ObjectPairs pairs;
+  std::vector<std::uint64_t> candidates;  ///< the broad phase's scratch
+  std::unique_ptr<PairState[]> pair_states;
+  std::size_t pair_states_size = 0;
+  std::vector<std::uint64_t> keys;
+  std::vector<const results::Collector*> collectors;
+  results::AssembleScratch assembly;
+  Contacts spare;
+  measure::PairMemory nearest;
+  bool asks_device = false;             ///< in the query at hand
+  std::shared_ptr<gpu::Opened> device;  ///< then; null: not opened yet
+  results::Collector device_found;
+  std::vector<std::string> warnings;
+};
+
+/// Memory for a query: that of the caller's workspace, or the calling thread's own.
+class QueryMemory {
+ public:
+  explicit QueryMemory(Workspace* workspace);
+  ~QueryMemory();
+  QueryMemory(const QueryMemory&) = delete;
+  QueryMemory& operator=(const QueryMemory&) = delete;
+  Workspace::State& operator*() const { return *state_; }
+  Workspace::State* operator->() const { return state_; }
+
+ private:
+  Workspace::State* state_;
+  bool is_threads_own_ = false;
+  std::unique_ptr<Workspace> extra_;
+};
+
+}  // namespace impinge
