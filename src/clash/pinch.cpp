@@ -32,7 +32,7 @@ struct Wedge {
 // of b, which is no farther than w: so p |e| + q |f| <= |w - v| / c, and the point is no farther from v than that. With
 // c >= 8 |w - v| / tolerance, doubled for rounding, that is an eighth of the tolerance; with v = w it is 0. The same
 // holds of w. Differences of corners are good to 2^-53 in each coordinate, and no product of two over- or underflows
-// (CONTRACT 3), so that computed sines are off by less than 2^-49.
+// (contract 1.3), so that computed sines are off by less than 2^-49.
 std::optional<Pinch> find_pinch(const Triangle& a, const Triangle& b, double tolerance) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t i = 0, j = 0;

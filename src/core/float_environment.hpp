@@ -6,7 +6,7 @@
 
 namespace impinge {
 
-/// Round to nearest with denormals on, for as long as the guard lives; then the caller's mode again (CONTRACT 4: game
+/// Round to nearest with denormals on, for as long as the guard lives; then the caller's mode again (contract 3.2: game
 /// engines flush denormals, other libraries change the rounding). Public calls and every task of a worker hold one.
 class FloatEnvironment {
  public:

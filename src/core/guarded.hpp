@@ -11,7 +11,7 @@
 namespace impinge {
 
 /// The border of the public API: runs `body` in the library's floating-point environment and makes an error of memory
-/// that ran out, wherever it did (CONTRACT 4, 11). `body` returns a Result.
+/// that ran out, wherever it did (contract 3.2 and 5.3). `body` returns a Result.
 template <class Body>
 auto guarded(const Body& body) -> decltype(body()) {
   const FloatEnvironment nearest;

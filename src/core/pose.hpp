@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-/// CONTRACT 1, applied to each vertex that `indices` names. `out` has as many elements as `indices`.
+/// Contract 1.1, applied to each vertex that `indices` names. `out` has as many elements as `indices`.
 void pose_vertices(const Pose& pose, std::span<const Vec3> vertices, std::span<const std::uint32_t> indices, Vec3* out);
 
 /// The same for every vertex, in place.
@@ -24,7 +24,7 @@ double orthogonality_defect(const Pose& pose);
 /// which pose a centre and an extent in floating point themselves may rely on it too.
 Vec3 rounding_radius(const Pose& pose, const MeshData& mesh);
 
-/// Whether every world vertex is below 2^300 and a multiple of 2^-358 (CONTRACT 3): from the stored exponents where
+/// Whether every world vertex is below 2^300 and a multiple of 2^-358 (contract 1.3): from the stored exponents where
 /// they suffice, else by posing every vertex.
 bool in_exact_domain(const Pose& pose, const MeshData& mesh);
 /// The same for one world point, which may hold anything.

@@ -8,7 +8,7 @@
 #include "exact/expansion.hpp"
 
 /// Signs of determinants: a floating-point filter first, integers or expansions where it cannot tell. Exact in the
-/// domain of CONTRACT 3, in round-to-nearest.
+/// domain of contract 1.3, in round-to-nearest.
 namespace impinge::exact {
 
 /// +1 if (a, b, c) turn counter-clockwise, -1 clockwise, 0 if collinear.

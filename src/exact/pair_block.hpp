@@ -20,7 +20,7 @@ struct PairBlock {
   alignas(64) PairSigns signs[kLanes];
 };
 
-/// CONTRACT 1: fills the rows.
+/// Fills the rows with the world vertices of contract 1.1.
 void place(PairBlock& block, const Vec3* vertices_a, const Pose& pose_a, const Vec3* vertices_b, const Pose& pose_b);
 
 /// Fills the signs from the rows, by floating point in double and then in twice the precision, and the integers where

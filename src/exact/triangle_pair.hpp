@@ -11,7 +11,7 @@
 
 namespace impinge::exact {
 
-/// How two closed triangles meet (CONTRACT 5, 6), degenerate ones taken as the segment or point that they are.
+/// How two closed triangles meet (contract 2.1 to 2.4), degenerate ones taken as the segment or point that they are.
 std::optional<Kind> classify(const Triangle& a, const Triangle& b);
 
 /// The same for two triangles whose boxes and equal vertices have been compared, and perhaps more: what is left of

@@ -46,10 +46,10 @@ std::optional<DeviceRelation> device_relation(const hierarchy::TreeRelation& rel
   return made;
 }
 
-// With E the largest |R||x| + |t|, at most 1 here, and u = 2^-53, CONTRACT 1's numbers are within 4.01 u E of the exact
-// R x + t (core/pose.hpp), the device's, which rounds in any direction, within twice that: 12.1 u from each other, and
-// 2^-49 is 16 u. What is taken for zero below 2^-1022, here or there, is at most that times |x| < 2E or a row of the
-// scaled R, or itself: with E from 2^-400 to 2^400 before it is scaled, below 2^-600.
+// With E the largest |R||x| + |t|, at most 1 here, and u = 2^-53, contract 1.1's numbers are within 4.01 u E of the
+// exact R x + t (core/pose.hpp), the device's, which rounds in any direction, within twice that: 12.1 u from each
+// other, and 2^-49 is 16 u. What is taken for zero below 2^-1022, here or there, is at most that times |x| < 2E or a
+// row of the scaled R, or itself: with E from 2^-400 to 2^400 before it is scaled, below 2^-600.
 DevicePoses device_poses(const Pose& pose_a, const MeshData& a, const Pose& pose_b, const MeshData& b) {
   constexpr int kMostExponent = 400;
   const double radius = std::max(max_component(rounding_radius(pose_a, a)), max_component(rounding_radius(pose_b, b)));

@@ -23,7 +23,7 @@ struct TreeExtent {
 std::optional<DeviceRelation> device_relation(const hierarchy::TreeRelation& relation, const TreeExtent& a,
                                               const TreeExtent& b);
 
-/// Both meshes in a world of at most 1, in which a device with doubles has every vertex within 2^-49 of CONTRACT 1's
+/// Both meshes in a world of at most 1, in which a device with doubles has every vertex within 2^-49 of contract 1.1's
 /// number. `is_usable` is 0 where the world is too small or too large to be scaled so. Where the meshes' numbers begin
 /// is left open.
 DevicePoses device_poses(const Pose& pose_a, const MeshData& a, const Pose& pose_b, const MeshData& b);

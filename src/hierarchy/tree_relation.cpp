@@ -8,8 +8,8 @@
 
 namespace impinge::hierarchy {
 // A shared point is R_A x + t_A + e = R_B y + t_B + f with x and y on the two meshes and e, f the rounding of world
-// vertices (CONTRACT 1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53, S the sum of
-// both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations, at most
+// vertices (contract 1.1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53, S the sum
+// of both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations, at most
 //    8 u S  in R_A⁻¹(f - e): 4.01 u a coordinate of |R||x| + |t|, times sqrt 3,
 //   24 u S  in M and t: adjugate, product, difference,
 //   16 u S  in what users of the relation do with it in double: a product M o, two sums, a product with axes,

@@ -12,7 +12,7 @@
 
 namespace impinge::measure {
 
-/// A triangle's world vertices (CONTRACT 1).
+/// A triangle's world vertices (contract 1.1).
 Triangle world_triangle(const hierarchy::PlacedTree& body, std::uint32_t triangle);
 
 /// Two children of nodes, or leaves; no points of theirs are nearer to each other than `lower`.

@@ -100,8 +100,8 @@ void RasterBackend::start_image() {
 
 /// Tests in their order, a place each: a row's end and a change of triangle end a run. Each run is seen from its
 /// triangle's first corner, scaled by a power of two so that no coordinate is above 1. World coordinates are below
-/// 2^300 and multiples of 2^-358 (CONTRACT), so are their rounded differences but for a factor of 2, and no scaling of
-/// those leaves the range of doubles.
+/// 2^300 and multiples of 2^-358 (contract 1.3), so are their rounded differences but for a factor of 2, and no
+/// scaling of those leaves the range of doubles.
 std::uint32_t RasterBackend::lay_out(std::size_t begin, std::size_t end) {
   const partition::Batch& batch = *batch_;
   auto* const texels = edge_upload_.mapped<EdgeTexels>();

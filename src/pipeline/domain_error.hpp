@@ -8,7 +8,7 @@
 
 namespace impinge {
 
-/// CONTRACT 3: of something that `name` says, such as "object 3".
+/// The error for world coordinates outside of contract 1.3. `name` says whose they are, such as "object 3".
 inline Error out_of_domain(const std::string& name) {
   return {Code::out_of_range,
           name +

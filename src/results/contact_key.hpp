@@ -8,7 +8,7 @@
 
 namespace impinge::results {
 
-/// Two triangles of a pair of objects and how they meet, as one number that sorts in canonical order (CONTRACT 7). A
+/// Two triangles of a pair of objects and how they meet, as one number that sorts in canonical order (contract 2.5). A
 /// mesh has less than 2^31 triangles, so each takes 31 bits and the kind what is left.
 using ContactKey = std::uint64_t;
 

@@ -9,7 +9,7 @@
 
 namespace impinge::results {
 
-/// CONTRACT 8 (docs/hash.md): unordered in the two triangles, summed over contacts, so that neither ids nor order nor
+/// Contract 2.6 (docs/hash.md): unordered in the two triangles, summed over contacts, so that neither ids nor order nor
 /// swap matter. The keys are those of the row's objects.
 std::uint64_t row_hash(std::span<const ContactKey> row, std::uint64_t key_a, std::uint64_t key_b);
 

@@ -19,7 +19,7 @@ struct PlacedObject {
   Sphere sphere;          ///< around the world vertices, for certain
   Box box;                ///< around the world vertices, for certain: the posed box cut with the sphere's
   std::uint64_t key = 0;  ///< of the mesh's and the pose's numbers
-  bool in_domain = true;  ///< CONTRACT 3
+  bool in_domain = true;  ///< the world vertices are within the range of contract 1.3
 };
 
 /// An unordered pair of object indices as one number.

@@ -7,7 +7,7 @@
 
 namespace impinge::scene {
 
-/// CONTRACT 2: finite, det R > 0 and max|RᵀR - I| <= 1e-6.
+/// Contract 1.2: finite, det R > 0 and max|RᵀR - I| <= 1e-6.
 Result<void> validate(const Pose& pose);
 
 }  // namespace impinge::scene

@@ -11,7 +11,7 @@
 
 namespace impinge::solid {
 
-/// A placed mesh with its world vertices (CONTRACT 1), made once: what verdicts, measures and regions work on.
+/// A placed mesh with its world vertices (contract 1.1), made once: what verdicts, measures and regions work on.
 struct Body {
   hierarchy::PlacedTree placed;
   std::vector<Vec3> world;  ///< per mesh vertex

@@ -23,9 +23,9 @@ struct Ray {
   double slack;
 };
 
-// A triangle's point w = R y + t + e on the ray, with e the rounding of world vertices (CONTRACT 1), is start + f + s x̂
-// with f what the start is off: y = R⁻¹(start - t) + s R⁻¹x̂ + R⁻¹(f - e). With u = 2^-53 and S the sum of the mesh's,
-// the start's and the translation's magnitudes (1-norms), and R within 1e-6 of a rotation, at most
+// A triangle's point w = R y + t + e on the ray, with e the rounding of world vertices (contract 1.1), is start + f + s
+// x̂ with f what the start is off: y = R⁻¹(start - t) + s R⁻¹x̂ + R⁻¹(f - e). With u = 2^-53 and S the sum of the
+// mesh's, the start's and the translation's magnitudes (1-norms), and R within 1e-6 of a rotation, at most
 //    8 u S  in R⁻¹e: 4.01 u a coordinate of |R||x| + |t|, times sqrt 3,
 //    8 u S  in R⁻¹f: 4 u a coordinate of the start, times sqrt 3,
 //   24 u S  in R⁻¹(start - t): adjugate, quotient, difference,

@@ -10,7 +10,7 @@
 
 namespace impinge::solid {
 
-/// How a body's triangles hang together. Vertices are identified by exactly equal world coordinates (CONTRACT 12; -0
+/// How a body's triangles hang together. Vertices are identified by exactly equal world coordinates (contract 2.7; -0
 /// equals 0): a position.
 struct Topology {
   std::vector<std::uint32_t> position;  ///< per mesh vertex, numbered from 0

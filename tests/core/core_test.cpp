@@ -103,7 +103,7 @@ RC_GTEST_PROP(Number, LowestBitAndExponentTakeANumberApart, (std::uint64_t bits)
   RC_ASSERT(value >= power(exponent(x)) && value < power(exponent(x) + 1));
 }
 
-/// CONTRACT 3, taken by its words: world coordinates below 2^300 and multiples of 2^-358.
+/// Contract 1.3, taken by its words: world coordinates below 2^300 and multiples of 2^-358.
 bool every_world_vertex_in_domain(const Mesh& mesh, const Pose& pose) {
   for (const Point& v : mesh.vertices()) {
     const Point w = world_vertex(pose, v);

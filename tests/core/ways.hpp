@@ -10,7 +10,7 @@
 
 namespace impinge::test {
 
-/// A way to come by an answer, none of which may change it (CONTRACT 9).
+/// A way to come by an answer, none of which may change it (contract 3.1).
 struct Way {
   std::string backend;
   std::int64_t instruction_set;

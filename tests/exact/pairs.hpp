@@ -37,7 +37,7 @@ std::optional<Kind> kind_of(const Pair& pair);
 int side_of(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// A pair that meets in the same way: triangles exchanged, their corners in another order, axes exchanged, turned
-/// around, and each scaled by a power of two within the domain of CONTRACT 3. Some zeros are negative.
+/// around, and each scaled by a power of two within the domain of contract 1.3. Some zeros are negative.
 Pair varied(const Pair& pair, scenes::Random& random);
 
 std::string written(const Pair& pair);

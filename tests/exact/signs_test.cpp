@@ -123,7 +123,7 @@ TEST_P(See, SaysNothingThatIsNotTrue) {
 
 INSTANTIATE_TEST_SUITE_P(Pairs, See, testing::ValuesIn(test::pair_families()), test::family_name);
 
-/// CONTRACT 1, bit for bit. The order of its sums shows in the last bits, and so does a product that is not rounded.
+/// Contract 1.1, bit for bit. The order of its sums shows in the last bits, and so does a product that is not rounded.
 TEST(Place, IsWorldVertex) {
   Random random(9);
   for (int round = 0; round < 300; ++round) {

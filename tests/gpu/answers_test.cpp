@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// CONTRACT 9 on a device: whole answers, held against the plain reference's.
+/// Contract 3.1 on a device: whole answers, held against the plain reference's.
 #include <gtest/gtest.h>
 
 #include <cmath>

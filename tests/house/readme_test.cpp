@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,59 @@ TEST(Readme, LinksLeadSomewhere) {
       EXPECT_TRUE(std::filesystem::exists(target)) << page << " leads to " << (*it)[1];
     }
   }
+}
+
+/// The numbers of the contract's clauses that a text cites, as in "contract 3.2", "contract 1.1 and 2.3", "contract 3".
+std::vector<std::string> citations(const std::string& text) {
+  static const std::regex citation(R"(\b[Cc]ontract((?:,? (?:and |to )?\d+(?:\.\d+)?)+))"), number(R"(\d+(\.\d+)?)");
+  std::vector<std::string> found;
+  if (text.find("ontract ") == std::string::npos) return found;  // most files, and regular expressions are slow
+  for (std::sregex_iterator it(text.begin(), text.end(), citation), end; it != end; ++it) {
+    const std::string numbers = (*it)[1];
+    for (std::sregex_iterator at(numbers.begin(), numbers.end(), number); at != end; ++at) found.push_back(at->str());
+  }
+  return found;
+}
+
+TEST(Contract, CitationsAreReadFromAText) {
+  const std::string text =
+      "/// Contract 3.2 applies.\n(contract 1.1, 2.3 and 4.1), contract 9; contracts 5.1, contract: 6 of 7, contract "
+      "2.1 to 2.4";
+  EXPECT_EQ(citations(text), (std::vector<std::string>{"3.2", "1.1", "2.3", "4.1", "9", "2.1", "2.4"}));
+}
+
+TEST(Contract, ClausesAreNumberedInOrderAndEachCitationLeadsToOne) {
+  const std::string contract = text_of(kSource / "docs/contract.md");
+  const std::regex head(R"((?:^|\n)(?:## (\d+)\. |\*\*(\d+)\.(\d+)\b))");
+  std::set<std::string> clauses;
+  int section = 0, clause = 0;
+  for (std::sregex_iterator it(contract.begin(), contract.end(), head), end; it != end; ++it) {
+    if ((*it)[1].matched) {
+      EXPECT_EQ(std::stoi((*it)[1]), ++section);
+      clause = 0;
+    } else {
+      EXPECT_EQ(std::stoi((*it)[2]), section);
+      EXPECT_EQ(std::stoi((*it)[3]), ++clause) << "in section " << section;
+      clauses.insert(std::to_string(section) + '.' + std::to_string(clause));
+    }
+  }
+  EXPECT_GT(clauses.size(), 10U);
+
+  const std::set<std::string> kinds{".hpp", ".cpp", ".h", ".glsl", ".comp", ".sh", ".py", ".md"};
+  int cited = 0;
+  for (const char* folder :
+       {".", "include", "src", "io", "report", "cli", "page", "tests", "bench", "docs", "examples"}) {
+    const bool is_root = *folder == '.';
+    for (auto it = std::filesystem::recursive_directory_iterator(kSource / folder); it != end(it); ++it) {
+      if (is_root) it.disable_recursion_pending();
+      if (!kinds.contains(it->path().extension()) || it->path().filename() == "readme_test.cpp") continue;
+      for (const std::string& clause_cited : citations(text_of(it->path()))) {
+        ++cited;
+        EXPECT_TRUE(clauses.contains(clause_cited)) << it->path() << " cites contract " << clause_cited;
+      }
+    }
+  }
+  EXPECT_GT(cited, 30);  // the reader of citations works
 }
 
 TEST(Version, IsTheSameInTheHeaderTheBuildAndTheChangelog) {

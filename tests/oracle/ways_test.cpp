@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// One answer (CONTRACT 9): whatever computes it, and in however large parts, it is the oracle's.
+/// One answer (contract 3.1): whatever computes it, and in however large parts, it is the oracle's.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

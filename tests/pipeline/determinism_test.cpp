@@ -13,7 +13,7 @@
 #include "tests/core/ways.hpp"
 #include "tests/pipeline/crowd.hpp"
 
-/// CONTRACT 9: one answer. Pairs, kinds, order and hash are the same however they were come by.
+/// Contract 3.1: one answer. Pairs, kinds, order and hash are the same however they were come by.
 namespace impinge {
 namespace {
 

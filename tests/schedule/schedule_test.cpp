@@ -65,7 +65,7 @@ TEST(RunTasks, CopesWithNothingToDo) {
     schedule::run_tasks(std::vector<int>{}, threads, [](int&, const auto&) { ADD_FAILURE(); });
 }
 
-/// CONTRACT 4, on the workers too.
+/// Contract 3.2, on the workers too.
 TEST(RunTasks, EachTaskRoundsToNearest) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   const test::CallersMode mode(FE_UPWARD, true);

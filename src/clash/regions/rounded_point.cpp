@@ -16,7 +16,7 @@ namespace mp = boost::multiprecision;
 /// Of 256 bits, on the stack, unchecked: with coordinates below 2^60 differences are below 2^61, determinants of three
 /// of them below 2^187, and what a coordinate's numerator adds up, below 2^249.
 using Fixed = mp::number<mp::cpp_int_backend<256, 256, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
-/// Of any length: 660 bits hold a coordinate of CONTRACT 3.
+/// Of any length: 660 bits hold a coordinate within the range of contract 1.3.
 using Any = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 constexpr int kFixedBits = 60;
 

@@ -22,7 +22,7 @@ const double kTwoToMinus52 = 2.220446049250313080847263336181640625e-16LF;
 #undef UNIT_ROUNDOFF
 #undef UNDERFLOW
 
-// A vertex in the world, which is scaled to at most 1: within 2^-49 of CONTRACT 1's number (gpu/relation.cpp).
+// A vertex in the world, which is scaled to at most 1: within 2^-49 of contract 1.1's number (gpu/relation.cpp).
 dvec3 posed(DevicePose pose, dvec3 v) {
   precise double x = ((pose.R[0] * v.x + pose.R[1] * v.y) + pose.R[2] * v.z) + pose.t[0];
   precise double y = ((pose.R[3] * v.x + pose.R[4] * v.y) + pose.R[5] * v.z) + pose.t[1];
