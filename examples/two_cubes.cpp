@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+// Two meshes: every pair of their triangles that touch, with its kind (examples/CMakeLists.txt derives the numbers).
+//
+// prints: 64 pairs of triangles touch, 16 of them coplanar
 #include <cstdint>
 #include <iostream>
 #include <vector>
