@@ -12,8 +12,14 @@
 
 #include "impinge/result.hpp"
 
+namespace impinge::cli {}
+namespace impinge::report {
+using namespace cli;  // until reports have options of their own
+}
+
 /// The command line as values. See docs/cli.md for what each means.
 namespace impinge::cli {
+using namespace report;
 
 /// What `check` and `clash` are both told.
 struct SceneArguments {

@@ -10,6 +10,7 @@
 #include "report/sink.hpp"
 
 namespace impinge::cli {
+using namespace report;
 
 /// Whether two names are of one file, also where none is yet. Standard output, "-", is one.
 bool is_one_place(const std::string& a, const std::string& b);

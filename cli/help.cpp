@@ -8,6 +8,7 @@
 #include "report/text.hpp"
 
 namespace impinge::cli {
+using namespace report;
 namespace {
 
 constexpr std::size_t kNarrowest = 40, kWidest = 100;

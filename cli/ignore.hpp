@@ -13,6 +13,7 @@
 #include "report/assembly.hpp"
 
 namespace impinge::cli {
+using namespace report;
 
 /// The objects that a word such as those of `--ignore` names: those whose name, or whose label in the table, is the
 /// word; only where there is none, those that the word describes as a shell pattern. Errors: `bad_option`, with the

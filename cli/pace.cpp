@@ -11,6 +11,7 @@
 #include "report/text.hpp"
 
 namespace impinge::cli {
+using namespace report;
 
 void Pace::note(double seconds, const Work& work) {
   if (!(work.total > 0) || work.total != work_.total || work.done < work_.done) *this = {};

@@ -15,6 +15,7 @@
 #include "report/text.hpp"
 
 namespace impinge::cli {
+using namespace report;
 namespace {
 
 using namespace std::chrono_literals;

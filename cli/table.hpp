@@ -12,6 +12,7 @@
 #include "report/sink.hpp"
 
 namespace impinge::cli {
+using namespace report;
 
 struct Column {
   enum class Kind {

@@ -12,14 +12,14 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const auto configuration = impinge::cli::parse_configuration("fuzz.json", text);
+  const auto configuration = impinge::report::parse_configuration("fuzz.json", text);
   if (configuration) {
-    const auto checked = impinge::cli::check(*configuration);
+    const auto checked = impinge::report::check(*configuration);
     if (!checked && !checked.error().message.starts_with("fuzz.json:")) std::abort();
   } else if (!configuration.error().message.starts_with("fuzz.json:")) {
     std::abort();
   }
-  const auto previous = impinge::cli::parse_previous("fuzz.json", text);
+  const auto previous = impinge::report::parse_previous("fuzz.json", text);
   if (!previous && !previous.error().message.starts_with("fuzz.json:")) std::abort();
   return 0;
 }

@@ -11,7 +11,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::uint64_t bytes_of(const std::string& file) {
@@ -102,4 +102,4 @@ std::vector<std::uint32_t> products_of(const Assembly& assembly) {
 
 Error interrupted() { return {Code::cancelled, "interrupted; there is no result"}; }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -14,7 +14,7 @@
 #include "impinge/io.hpp"
 #include "progress.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// The objects of all files of a call, numbered over the files in their order.
 struct Assembly {
@@ -41,4 +41,4 @@ std::vector<std::uint32_t> products_of(const Assembly& assembly);
 /// The error that an interrupted command ends with, whatever it was doing.
 Error interrupted();
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

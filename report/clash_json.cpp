@@ -11,7 +11,7 @@
 #include "report/json_writer.hpp"
 #include "report/triage_json.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 void write_settings(Sink& sink, const ClashArguments& arguments) {
@@ -141,4 +141,4 @@ Result<void> write_view_json(Sink& sink, const Assembly& assembly) {
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

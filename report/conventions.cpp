@@ -11,7 +11,7 @@
 
 #include "report/vector.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::string ending_of(const std::string& file) {
@@ -69,4 +69,4 @@ std::array<double, 16> matrix_to_gltf(const Conventions& conventions) {
   return {m, 0, 0, 0, 0, 0, -m, 0, 0, m, 0, 0, 0, 0, 0, 1};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 #include "impinge/mesh.hpp"
 
 /// What other tools take coordinates for, and the way there from the files' coordinates.
-namespace impinge::cli {
+namespace impinge::report {
 
 struct Conventions {
   double metres = 1;      ///< that one of the files' units has
@@ -34,4 +34,4 @@ Point direction_in_bcf(const Conventions& conventions, const Point& direction);
 /// The matrix to metres with Y up, as glTF has it, column by column.
 std::array<double, 16> matrix_to_gltf(const Conventions& conventions);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 #include "report/place.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// What a formula begins with, also in the wide forms that some spreadsheets take for the same; and the apostrophe that
@@ -223,4 +223,4 @@ Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& a
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 #include "report/review.hpp"
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// After a row of names a row for each pair, worst first, and for what is gone: RFC 4180, UTF-8 (docs/reports.md).
 /// Errors: `cancelled`.
@@ -18,4 +18,4 @@ Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& a
 /// A text as a cell: one printable line, which no spreadsheet takes for a formula, in quotes where it needs them.
 std::string csv_cell(std::string_view text);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 
 #include "numbers.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using namespace std::chrono;
@@ -58,11 +58,11 @@ Result<std::string> usual_date() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
   if (epoch == nullptr || *epoch == '\0') return text_of({});
   constexpr std::uint64_t kYear10000 = 253402300800;
-  const std::optional<std::uint64_t> count = parse_whole(epoch);
+  const std::optional<std::uint64_t> count = cli::parse_whole(epoch);
   if (!count || *count >= kYear10000)
     return Error{Code::bad_option,
                  fmt::format("the variable SOURCE_DATE_EPOCH is '{}', not a number of seconds since 1970", epoch)};
   return text_of(sys_seconds(seconds(*count)));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// The middle of the mesh's box, where single precision is finest.
@@ -127,4 +127,4 @@ Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, 
   return scene;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 #include "report/assembly.hpp"
 
 /// An assembly as it is drawn: for the eye, not for an answer.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A mesh in single precision, about its own middle.
 struct DrawnMesh {
@@ -42,4 +42,4 @@ Affine about(const Point& middle, const Affine& map);
 /// their shape. Errors: `cancelled`.
 Result<DrawnScene> draw(const Assembly& assembly, std::uint64_t most_triangles, const std::stop_token& stop);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

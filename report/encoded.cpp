@@ -8,7 +8,7 @@
 #include <new>
 #include <string_view>
 
-namespace impinge::cli {
+namespace impinge::report {
 
 Encoded::Encoded(Sink& sink) : sink_(sink) {
   if (deflateInit(&stream_, Z_DEFAULT_COMPRESSION) != Z_OK) throw std::bad_alloc();
@@ -55,4 +55,4 @@ std::string base64(std::span<const unsigned char> bytes) {
   return text;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

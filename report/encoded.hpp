@@ -10,7 +10,7 @@
 
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Bytes as text within a page: compressed (zlib, RFC 1950), then base64 (RFC 4648), piece by piece.
 class Encoded {
@@ -41,4 +41,4 @@ class Encoded {
 /// RFC 4648, with padding.
 std::string base64(std::span<const unsigned char> bytes);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -19,7 +19,7 @@
 #include "report/triage_json.hpp"
 #include "report/vector.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF has numbers with the lowest byte first");
@@ -246,4 +246,4 @@ Result<void> write_gltf(Sink& sink, const Review& review, const ClashArguments& 
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -19,7 +19,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// Parts of a key are kept apart by their lengths: no two lists of parts have one text.
@@ -226,4 +226,4 @@ std::vector<std::string> guids_of_twins(const Identity& a, const Identity& b, st
   return guids;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 #include "report/assembly.hpp"
 
 /// Names that clashes keep from one revision of the files to the next (docs/triage.md).
-namespace impinge::cli {
+namespace impinge::report {
 
 /// For each file a name that no other one has: that without folders; and of several that have the same, as many of the
 /// folders above each as tell it apart, none of them above the folder that all of these are in. So a project may be
@@ -63,4 +63,4 @@ std::string guid_of_pair(std::string_view key_a, std::string_view key_b, std::st
 std::vector<std::string> guids_of_twins(const Identity& a, const Identity& b, std::string_view what,
                                         const std::function<bool(const std::string& guid)>& is_known);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Kind = JsonReader::Kind;
@@ -217,4 +217,4 @@ void JsonReader::fail_unknown(std::string_view key, const std::vector<std::strin
   fail(fmt::format("there is no '{}' here; did you mean '{}'?", shown(key), *nearest));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

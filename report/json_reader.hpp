@@ -12,7 +12,7 @@
 
 #include "impinge/result.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A JSON text (RFC 8259), taken value by value by what the caller expects of it. nlohmann-json parses it; its own
 /// values do not tell where in the file they stood, nor keys that stand twice, so this keeps both. After the first
@@ -110,4 +110,4 @@ class JsonReader {
   Error error_{Code::bad_file, {}};
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 void write_objects(Sink& sink, const Assembly& assembly) {
@@ -194,4 +194,4 @@ Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files) {
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -15,7 +15,7 @@
 #include "report/sink.hpp"
 
 /// The documents of `--json`, written piece by piece: an answer of a billion pairs needs no memory of its own.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
@@ -77,4 +77,4 @@ struct FileFacts {
 
 Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -18,7 +18,7 @@
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads numbers with the lowest byte first");
@@ -140,4 +140,4 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const Page
   return written;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -10,7 +10,7 @@
 #include "report/drawn_scene.hpp"
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// The page's program, in which a report is written. It is looked for at `IMPINGE_PAGE`, beside the running program,
 /// where it is installed and where `./dev` builds it. Errors: `bad_file`, with where it was looked for.
@@ -33,4 +33,4 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const Page
                         const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
                         const std::function<Result<void>(Sink&)>& write_motion = {});
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -10,7 +10,7 @@
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// A point where two triangles that meet can be looked for: the middle of what their boxes share. That is not empty.
@@ -117,4 +117,4 @@ std::string json_point(const Point& point) {
   return fmt::format("[{},{},{}]", json_number(point.x), json_number(point.y), json_number(point.z));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

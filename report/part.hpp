@@ -12,7 +12,7 @@
 #include "report/sink.hpp"
 
 /// What is said of a part: whether it is a solid, and if not, why not and where.
-namespace impinge::cli {
+namespace impinge::report {
 
 struct Part {
   PartFacts facts;
@@ -41,4 +41,4 @@ std::string json_facts(const std::optional<Part>& part);
 /// [x,y,z]
 std::string json_point(const Point& point);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/place.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 Bounds shared(const Bounds& a, const Bounds& b) {
@@ -46,4 +46,4 @@ Place place_of(const Review& review, std::size_t pair) {
   return place;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -8,7 +8,7 @@
 #include "report/review.hpp"
 #include "report/vector.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Where a clash is.
 struct Place {
@@ -23,4 +23,4 @@ Place place_of(const Review& review, std::size_t pair);
 /// All of an object in the world; empty without triangles.
 Bounds bounds_of(const io::Object& object);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

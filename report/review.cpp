@@ -11,7 +11,7 @@
 
 #include "report/comparison/matching.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::pair<const Identity&, const Identity&> parts_of(const Review& review, const Clash& pair) {
@@ -135,4 +135,4 @@ std::vector<std::string> words_of(const FailOn& fail_on) {
   return words;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

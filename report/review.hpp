@@ -18,7 +18,7 @@
 #include "report/named_tests/plan.hpp"
 #include "report/part.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What `clash` found out.
 struct Review {
@@ -66,4 +66,4 @@ void take_stock(const ClashArguments& arguments, const Previous* previous, Revie
 /// The words of `--fail-on` that are set.
 std::vector<std::string> words_of(const FailOn& fail_on);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

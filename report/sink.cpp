@@ -20,7 +20,7 @@
 #include "report/bcf/zip.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::string reason(int error) { return std::system_category().message(error); }
@@ -233,4 +233,4 @@ void fill_closed_descriptors() {
   }
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

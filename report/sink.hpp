@@ -12,7 +12,7 @@
 #include "impinge/result.hpp"
 
 /// Where bytes go: standard output or a file that appears whole or not at all. Write errors are kept, not lost.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Buffered writing to a file descriptor that someone else owns. After the first error nothing more is written.
 class Sink {
@@ -118,4 +118,4 @@ std::optional<std::size_t> width_of(int descriptor);
 /// them; writing to a closed standard output stays an error.
 void fill_closed_descriptors();
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
@@ -302,4 +302,4 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return result;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// Text for people: names from files made safe to print, cut to a width, and numbers written the same in every locale.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// One character of a text that may not be UTF-8.
 struct Character {
@@ -57,4 +57,4 @@ std::string duration(double seconds);
 /// The first line is taken to begin there too. Line breaks in the text stay.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 Result<std::string> read_text_file(const std::string& name, std::uint64_t most_bytes) {
   const auto bad = [&](const std::string& why) {
@@ -30,4 +30,4 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
   return text;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

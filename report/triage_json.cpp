@@ -9,7 +9,7 @@
 
 #include "report/json_writer.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// null for what nobody wrote.
@@ -136,4 +136,4 @@ void write_groups(Sink& sink, const Review& review, GroupBy by) {
   sink.write("]},\n");
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 #include "report/sink.hpp"
 
 /// What triage adds to the JSON of `clash`; each of the writers writes a member of the document and the comma after it.
-namespace impinge::cli {
+namespace impinge::report {
 
 void write_tests(Sink& sink, const Review& review);
 void write_types(Sink& sink, const Review& review);
@@ -22,4 +22,4 @@ std::string json_triage(const Review& review, std::size_t pair);
 /// Members of an object, without braces: "change", "status" and "comment".
 std::string json_standing(Change change, const Remark& remark);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 #include "impinge/mesh.hpp"
 
 /// Arithmetic of points for pictures and places: for the eye, not for an answer.
-namespace impinge::cli {
+namespace impinge::report {
 
 inline Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -39,4 +39,4 @@ struct Bounds {
   [[nodiscard]] bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

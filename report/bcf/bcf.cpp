@@ -10,7 +10,7 @@
 #include "report/bcf/snapshot.hpp"
 #include "report/bcf/zip.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// What a topic's folder holds.
@@ -102,4 +102,4 @@ Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& a
   return zip.finish();
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 #include "report/sink.hpp"
 
 /// BCF 2.1 (buildingSMART): a zip archive with a folder for each topic.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// The pairs that become topics, worst first: those that `--fail-on` names, as many as `--bcf-topics` allows.
 struct Topics {
@@ -25,4 +25,4 @@ Topics topics_of(const Review& review, const ClashArguments& arguments);
 Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& arguments, const Topics& topics,
                        const std::function<void()>& done, const std::stop_token& stop);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

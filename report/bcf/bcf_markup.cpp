@@ -11,7 +11,7 @@
 #include "report/text.hpp"
 #include "triage_table.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 constexpr std::string_view kAuthor = "impinge";
@@ -190,4 +190,4 @@ std::string markup_of(const Review& review, const ClashArguments& arguments, std
   return text + "</Markup>\n";
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

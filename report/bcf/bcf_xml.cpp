@@ -11,7 +11,7 @@
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::string vector(std::string_view name, const Point& p) {
@@ -118,4 +118,4 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -13,7 +13,7 @@
 #include "report/review.hpp"
 
 /// The XML of BCF 2.1, with its elements in the order of the published schemas: version.xsd, markup.xsd, visinfo.xsd.
-namespace impinge::cli {
+namespace impinge::report {
 
 constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
@@ -37,4 +37,4 @@ std::string xml_element(std::string_view name, std::string_view text);
 /// A text within an element or an attribute; what XML 1.0 cannot hold is spelled out.
 std::string xml_text(std::string_view text);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// From coordinates with Z up to those of the files.
@@ -44,4 +44,4 @@ std::array<View, 8> views_of(const Place& place, std::array<double, 2> radii, bo
   return views;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

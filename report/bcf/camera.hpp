@@ -6,7 +6,7 @@
 
 #include "report/place.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// From where a picture is taken. Vectors are of length 1 and at right angles.
 struct View {
@@ -21,4 +21,4 @@ constexpr double kFieldOfView = 60;
 /// around it: from eight sides, those from above first.
 std::array<View, 8> views_of(const Place& place, std::array<double, 2> radii, bool y_up);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

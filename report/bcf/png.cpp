@@ -6,7 +6,7 @@
 
 #include <new>
 
-namespace impinge::cli {
+namespace impinge::report {
 
 std::string png_of(const Picture& picture) {
   png_image image{};
@@ -22,4 +22,4 @@ std::string png_of(const Picture& picture) {
   return bytes;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// 3 bytes a pixel, red, green, blue, row by row from the top.
 struct Picture {
@@ -17,4 +17,4 @@ struct Picture {
 /// As a PNG (ISO/IEC 15948), always the same for the same picture.
 std::string png_of(const Picture& picture);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

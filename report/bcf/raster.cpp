@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// What of a triangle or a segment is farther away than `least`: up to 4 corners.
@@ -179,4 +179,4 @@ std::vector<unsigned char> marks_of(const std::vector<std::vector<Point>>& lines
   return std::move(marks.pixels);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

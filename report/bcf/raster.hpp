@@ -13,7 +13,7 @@
 #include "report/bcf/camera.hpp"
 
 /// Triangles and lines into pixels, with a depth buffer for each part.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A point of the picture: pixels to the right and down, and 1 / distance, which is linear in the picture.
 struct Projected {
@@ -60,4 +60,4 @@ enum Mark : unsigned char { kNone, kHidden, kVisible };
 std::vector<unsigned char> marks_of(const std::vector<std::vector<Point>>& lines, const std::array<Layer, 2>& layers,
                                     const Lens& lens, double width);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

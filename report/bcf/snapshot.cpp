@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 struct Drawing {
@@ -87,4 +87,4 @@ Picture draw(const Scenery& scenery, const View& view) {
   return picture;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 #include "report/bcf/png.hpp"
 #include "report/bcf/raster.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What a picture of a clash shows: two parts and lines, in the world.
 struct Scenery {
@@ -30,4 +30,4 @@ View clearest(const Scenery& scenery, const std::array<View, 8>& views);
 /// hidden. By a depth buffer.
 Picture draw(const Scenery& scenery, const View& view);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

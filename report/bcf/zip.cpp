@@ -10,7 +10,7 @@
 
 #include "report/identity.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// Integers with the lowest byte first, as they stand in a zip.
@@ -138,4 +138,4 @@ bool is_untouched(int descriptor) {
   return read(directory, start) && end.substr(kEndBytes) == comment_of(directory);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A zip archive, written member by member (PKWARE's APPNOTE 6.3.3, without its 64-bit forms). Members are dated 1980,
 /// the first year that a zip can hold: the same members give the same bytes. zlib packs them; what lays them out is our
@@ -37,4 +37,4 @@ class Zip {
 /// its directory, in which the sizes and check sums of all members are.
 bool is_untouched(int descriptor);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

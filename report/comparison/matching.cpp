@@ -10,7 +10,7 @@
 #include "report/comparison/region_matching.hpp"
 #include "report/comparison/written.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 Resolved resolved_pair(const Previous::Pair& pair) {
@@ -302,4 +302,4 @@ std::vector<Standing> compare(const Found& found, const Previous& previous, std:
   return Comparison(found, previous, resolved).compare();
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -13,7 +13,7 @@
 #include "report/comparison/previous.hpp"
 #include "report/comparison/standing.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What a review knows of its pairs, as matching needs it.
 struct Found {
@@ -42,4 +42,4 @@ std::vector<Standing> stand_alone(const Found& found);
 /// written about them, if that is the same.
 std::vector<Standing> compare(const Found& found, const Previous& previous, std::vector<Resolved>& resolved);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

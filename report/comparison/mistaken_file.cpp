@@ -6,7 +6,7 @@
 
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 std::string what_it_is_instead(std::string_view text) {
   constexpr std::size_t kHead = 256;
@@ -22,4 +22,4 @@ std::string what_it_is_instead(std::string_view text) {
 
 bool is_gltf(const std::set<std::string>& keys) { return keys.contains("asset"); }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

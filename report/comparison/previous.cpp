@@ -20,7 +20,7 @@
 #include "report/text.hpp"
 #include "report/text_file.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Kind = JsonReader::Kind;
@@ -328,4 +328,4 @@ Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes
   return parse_previous(name, *text);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

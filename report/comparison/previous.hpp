@@ -10,7 +10,7 @@
 #include "impinge/clash.hpp"
 #include "report/comparison/standing.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What is taken over from the JSON of an earlier run (docs/cli.md, "The JSON of clash"), which people and programs may
 /// have written a status and comments into.
@@ -46,4 +46,4 @@ struct Previous {
 Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes);
 Result<Previous> parse_previous(const std::string& name, const std::string& text);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -13,7 +13,7 @@
 
 #include "report/identity.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 // Of those that moved all pairs are looked at. They come largest first: of more than so many the rest does not matter,
@@ -116,4 +116,4 @@ void name_regions(const std::string& pair, std::unordered_set<std::string> used,
     }
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

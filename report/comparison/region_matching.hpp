@@ -11,7 +11,7 @@
 #include "impinge/regions.hpp"
 #include "report/comparison/standing.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A region of the previous run, whether it was there then or had been resolved.
 struct EarlierRegion {
@@ -31,4 +31,4 @@ std::vector<std::optional<std::size_t>> match_regions(const std::vector<Region>&
 /// Ids for regions that have none: the first numbers that no other region of the pair has, or had.
 void name_regions(const std::string& pair, std::unordered_set<std::string> used, std::vector<RegionStanding>& regions);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

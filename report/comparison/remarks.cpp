@@ -18,7 +18,7 @@
 #include "documents.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -144,4 +144,4 @@ Result<void> keep_remarks(const ClashArguments& arguments, const Previous& previ
                                                  printable(*arguments.json)));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

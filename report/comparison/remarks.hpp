@@ -11,7 +11,7 @@
 #include "report/comparison/previous.hpp"
 
 /// What people wrote into a report is not lost to the next one.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Looks for a status or comment that is not empty in a JSON text that comes piece by piece, so that a report of any
 /// size is read at most once and never held.
@@ -36,4 +36,4 @@ Result<void> keep_remarks(const std::optional<std::string>& json);
 /// beyond it.
 Result<void> keep_remarks(const ClashArguments& arguments, const Previous& previous);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

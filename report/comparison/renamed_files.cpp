@@ -13,7 +13,7 @@
 #include "report/sink.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// The parts of a file, as far as they tell that it is the same.
@@ -211,4 +211,4 @@ void mention_renamed(const FileNames& names, const std::string& previous) {
                     in_short(names.fresh), printable(previous), in_short(names.gone)));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

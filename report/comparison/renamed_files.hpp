@@ -12,7 +12,7 @@
 #include "report/comparison/previous.hpp"
 
 /// Files that have another name than in the previous run, such as the date of an export.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What the files of a run are known by, which stays what it was when they are renamed.
 struct FileNames {
@@ -30,4 +30,4 @@ FileNames known_names(const Assembly& assembly, const std::vector<std::string>& 
 /// Says so on standard error.
 void mention_renamed(const FileNames& names, const std::string& previous);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

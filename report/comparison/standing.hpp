@@ -12,7 +12,7 @@
 
 /// What a review says of a clash beside what it is: whether it fails, whether it is new, and what people wrote about
 /// it.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Since the previous run.
 enum class Change : std::uint8_t {
@@ -65,4 +65,4 @@ struct Resolved {
   bool is_elsewhere = false;  ///< ambiguous, as a pair of its parts' names came with another shape or place
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/comparison/written.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 void add(WrittenRemarks& written, const Point& place, const Remark& remark) {
@@ -24,4 +24,4 @@ WrittenRemarks written_about(const Resolved& resolved) {
   return written;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

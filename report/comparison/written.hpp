@@ -10,7 +10,7 @@
 #include "report/comparison/previous.hpp"
 #include "report/comparison/standing.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What people wrote about a pair and its regions. Two are equal only where the same was written at the same places.
 struct WrittenRemarks {
@@ -43,4 +43,4 @@ bool agree(const std::vector<const Past*>& twins, const Past& one) {
   return true;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

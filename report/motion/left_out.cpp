@@ -10,7 +10,7 @@
 #include "report/sink.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::string named(const io::Animation& animation) {
@@ -94,4 +94,4 @@ void mention(const LeftOut& left, bool quiet) {
   if (!quiet) say(left.harmless);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -8,7 +8,7 @@
 #include "impinge/io.hpp"
 #include "report/assembly.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What an animation does and `motion` does not, in sentences.
 struct LeftOut {
@@ -23,4 +23,4 @@ Result<LeftOut> left_out(const io::Model& model, const io::Animation& animation,
 /// Says it on standard error. What is not of the whole motion says so even where everything else is quiet.
 void mention(const LeftOut& left, bool quiet);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 
 #include "report/json_writer.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::string json_moment(const std::optional<Moment>& moment) {
@@ -100,4 +100,4 @@ Result<void> write_motion_block(Sink& sink, const MotionReport& report, const Dr
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

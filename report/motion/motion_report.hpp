@@ -9,7 +9,7 @@
 #include "report/motion/timeline.hpp"
 #include "report/sink.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// What `motion` found out.
 struct MotionReport {
@@ -29,4 +29,4 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
 Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene,
                                 const MotionArguments& arguments);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

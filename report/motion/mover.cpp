@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 /// For each node the nearest one up the tree, itself included, that the animation moves, and 1; 0 if there is none.
@@ -110,4 +110,4 @@ Result<std::array<Posed, 2>> Mover::at(double seconds, const std::array<std::uin
   return std::array<Posed, 2>{std::move(*a), std::move(*b)};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

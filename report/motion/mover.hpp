@@ -10,7 +10,7 @@
 #include "impinge/io.hpp"
 
 /// Where the parts of an animated file are at a time.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A mesh and where it stands.
 struct Posed {
@@ -47,4 +47,4 @@ class Mover {
   std::vector<Affine> rest_;  ///< of each node
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

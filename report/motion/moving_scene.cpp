@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace impinge::cli {
+namespace impinge::report {
 
 Result<void> MovingScene::move_to(std::vector<Posed> posed) {
   for (std::uint32_t i = 0; i < posed.size(); ++i) {
@@ -21,4 +21,4 @@ Result<void> MovingScene::move_to(std::vector<Posed> posed) {
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 #include "impinge/scene.hpp"
 #include "report/motion/mover.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A scene of parts that move, and what is known of them from one time to the next.
 class MovingScene {
@@ -28,4 +28,4 @@ class MovingScene {
   ClashMemory memory_;
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 
 #include "report/motion/moving_scene.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Objects = std::array<std::uint32_t, 2>;
@@ -183,4 +183,4 @@ Result<Timeline> find_timeline(const Mover& mover,
   return Search(mover, scene_of, options).run();
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -14,7 +14,7 @@
 #include "report/review.hpp"
 
 /// When parts that move clash.
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A time between two at which the parts were looked at: before it they were on one side, after it on the other.
 struct Moment {
@@ -55,4 +55,4 @@ Result<Timeline> find_timeline(const Mover& mover,
                                const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of,
                                const TimelineOptions& options);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -13,7 +13,7 @@
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Kind = JsonReader::Kind;
@@ -207,4 +207,4 @@ void read_clash_sets(JsonReader& reader, Configuration& to) {
   if (!reader.failed()) warn(reader, ignored, to.warnings);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 #include "report/text.hpp"
 #include "report/text_file.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Kind = JsonReader::Kind;
@@ -279,4 +279,4 @@ Result<Configuration> read_configuration(const std::string& name) {
   return parse_configuration(name, *std::move(text));
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -14,7 +14,7 @@
 #include "report/json_reader.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A text of the configuration, and where it stands, for messages.
 struct Word {
@@ -123,4 +123,4 @@ struct KnownKeys {
 };
 const KnownKeys& known_keys();
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace impinge::cli {
+namespace impinge::report {
 
 std::string common_name(const std::vector<std::string>& texts) {
   if (texts.empty()) return {};
@@ -73,4 +73,4 @@ std::vector<PairGroup> groups_of(GroupBy by, const std::vector<Clash>& pairs, co
   return groups;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

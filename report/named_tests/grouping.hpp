@@ -11,7 +11,7 @@
 #include "impinge/clash.hpp"
 #include "report/assembly.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Parts that are one mesh, placed several times.
 struct PartType {
@@ -40,4 +40,4 @@ struct PairGroup {
 std::vector<PairGroup> groups_of(GroupBy by, const std::vector<Clash>& pairs, const std::vector<std::size_t>& ranked,
                                  const PartTypes& types);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -7,7 +7,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 constexpr std::string_view kTop = "IfcProduct";
@@ -284,4 +284,4 @@ std::string_view nearest_ifc_class(std::string_view word) {
   return nearest;
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

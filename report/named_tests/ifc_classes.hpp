@@ -5,7 +5,7 @@
 #include <string_view>
 
 /// The classes of IFC's products, and which are derived from which.
-namespace impinge::cli {
+namespace impinge::report {
 
 [[nodiscard]] bool is_ifc_class(std::string_view name);
 
@@ -15,4 +15,4 @@ namespace impinge::cli {
 /// The known class that is spelled most like the word.
 [[nodiscard]] std::string_view nearest_ifc_class(std::string_view word);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -11,7 +11,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ Result<void> add_files(const Configuration& configuration, ClashArguments& argum
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

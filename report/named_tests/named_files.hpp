@@ -9,7 +9,7 @@
 #include "arguments.hpp"
 #include "report/named_tests/configuration.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// Which of the files a word of the configuration names: the one that stands there, from the configuration's folder;
 /// or else those whose name, with or without its folders, the word is or describes as a pattern.
@@ -21,4 +21,4 @@ std::vector<std::uint32_t> files_named(const Configuration& configuration, const
 /// second).
 Result<void> add_files(const Configuration& configuration, ClashArguments& arguments);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

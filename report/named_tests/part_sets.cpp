@@ -12,7 +12,7 @@
 #include "report/named_tests/named_files.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 // Each is held against each part, and these against each pair that is near.
@@ -176,4 +176,4 @@ std::string in_short(const Group& group) {
   return fit(printable(text), kLongest);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

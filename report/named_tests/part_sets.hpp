@@ -10,7 +10,7 @@
 #include "report/assembly.hpp"
 #include "report/named_tests/configuration.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// For each object whether it is in a set.
 using PartSet = std::vector<bool>;
@@ -41,4 +41,4 @@ class PartSets {
 /// What a group is in short, for people: "pipe*, file steel.glb".
 std::string in_short(const Group& group);
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

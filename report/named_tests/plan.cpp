@@ -9,7 +9,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 std::uint64_t count(const PartSet& set) { return static_cast<std::uint64_t>(std::count(set.begin(), set.end(), true)); }
@@ -175,4 +175,4 @@ bool Plan::names(std::uint32_t a, std::uint32_t b, std::uint32_t test, Verdict v
   return !rules_[test].may_touch_all && !is_in_any(rules_[test].may_touch, a, b);
 }
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

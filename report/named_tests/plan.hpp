@@ -12,7 +12,7 @@
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/part_sets.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 
 /// A named test as it is carried out.
 struct PlannedTest {
@@ -73,4 +73,4 @@ class Plan {
   std::size_t row_words_ = 0;
 };
 
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -247,9 +247,9 @@ TEST_F(Clash, NamesAreMadePrintableAndCutOnTerminalsOnly) {
     Launch launch;
     launch.environment["COLUMNS"] = std::to_string(width);
     const Ended run = clash({"--depth", "--clearance", "1"}, launch);
-    EXPECT_EQ(cli::valid_utf8(run.out), run.out);
+    EXPECT_EQ(report::valid_utf8(run.out), run.out);
     std::istringstream lines(first_block(run.out));
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(cli::columns(line), width) << line;
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
     EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
   }
 }

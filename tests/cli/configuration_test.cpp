@@ -12,7 +12,7 @@
 
 #include "schema.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using nlohmann::json;
@@ -186,4 +186,4 @@ TEST(Configuration, ReadsClashSetsOfIfcClash) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

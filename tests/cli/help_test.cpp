@@ -61,7 +61,7 @@ TEST(Help, LinesFitTheTerminal) {
       // Examples and usage stay whole, so that they can be copied.
       for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("  impinge ")) {
-          EXPECT_LE(cli::columns(line), width) << line;
+          EXPECT_LE(report::columns(line), width) << line;
         }
       }
     }

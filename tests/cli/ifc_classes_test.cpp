@@ -7,7 +7,7 @@
 
 #include "report/named_tests/part_sets.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -83,4 +83,4 @@ TEST(IfcClasses, AreKnownFromTheTop) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

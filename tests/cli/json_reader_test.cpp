@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using nlohmann::json;
@@ -201,4 +201,4 @@ TEST(JsonReader, SaysInWhichLineATextIsBroken) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

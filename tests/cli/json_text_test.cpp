@@ -10,7 +10,7 @@
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 TEST(JsonText, StringsReadBack) {
@@ -29,4 +29,4 @@ TEST(JsonText, NumbersReadBackBitForBit) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

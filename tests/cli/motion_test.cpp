@@ -275,7 +275,7 @@ TEST_F(Motion, APartThatRestsStandsStillToTheBit) {
   folder.write("case.glb", file.glb());
   const auto model = io::read(folder.path() / "case.glb");
   ASSERT_TRUE(model) << model.error().message;
-  const cli::Mover mover(*model, model->animations.front());
+  const report::Mover mover(*model, model->animations.front());
   const Pose pose = mover.at(1).value()[0].pose;
   for (int i = 1; i <= 100; ++i) {
     const Pose later = mover.at(1 + 0.01 * i).value()[0].pose;
@@ -361,7 +361,7 @@ TEST_F(MotionPage, ItsPosesPutWhatIsDrawnWhereItIs) {
 
   const Result<io::Model> model = io::read(folder.path() / "case.glb");
   ASSERT_TRUE(model);
-  const cli::Mover mover(*model, model->animations[0]);
+  const report::Mover mover(*model, model->animations[0]);
   std::vector<std::uint32_t> ids;
   for (const json& object : motion.at("objects")) {
     const auto id = object.at("id").get<std::uint32_t>();
@@ -379,7 +379,7 @@ TEST_F(MotionPage, ItsPosesPutWhatIsDrawnWhereItIs) {
     for (std::size_t frame = 0; frame < 5; ++frame) {
       const auto posed = mover.at(0.25 * static_cast<double>(frame));
       ASSERT_TRUE(posed);
-      const cli::Posed& where = (*posed)[id];
+      const report::Posed& where = (*posed)[id];
       for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
         const Point& p = mesh.vertices()[v];
         const Point& q = where.mesh.vertices()[v];

@@ -83,7 +83,7 @@ TEST_F(Output, NamesCannotSteerTheTerminal) {
   folder.write(name + ".off", off(cube(0, 2, 0)));
   const auto is_plain = [](const std::string& text) {
     for (std::size_t at = 0; at < text.size();) {
-      const cli::Character character = cli::decode(text, at);
+      const report::Character character = report::decode(text, at);
       const char32_t code = character.code;
       if (!character.valid || (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0) || code == 0x202e)
         return false;
@@ -118,9 +118,9 @@ TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
     const Ended run =
         impinge(folder, {"check", "a.off", "b.off", part + part + part + part + part + part + "1.off"}, launch);
     EXPECT_EQ(run.code, 1) << run.err;
-    EXPECT_EQ(cli::valid_utf8(run.out), run.out);
+    EXPECT_EQ(report::valid_utf8(run.out), run.out);
     std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(cli::columns(line), width) << line;
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
     EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
   }
   const Ended pipe = impinge(folder, {"check", "a.off", part + part + part + part + part + part + "1.off"});

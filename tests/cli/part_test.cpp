@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using nlohmann::json;
@@ -100,4 +100,4 @@ TEST(Part, TheListOfSurfacesIsCut) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -13,7 +13,7 @@
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/grouping.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 const std::string kReport =
@@ -165,4 +165,4 @@ TEST(Types, AreCalledWhatTheirNamesHaveInCommon) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -131,7 +131,7 @@ TEST_F(Replaced, ARunMayBeRepeatedUntilSomebodyWrites) {
 
 /// Whether the text, cut into pieces of this size, has a remark.
 bool has_remark(std::string_view text, std::size_t size) {
-  cli::RemarkSearch search;
+  report::RemarkSearch search;
   for (; !text.empty(); text.remove_prefix(std::min(size, text.size())))
     if (search.look(text.substr(0, size))) return true;
   return false;

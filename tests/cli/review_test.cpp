@@ -12,7 +12,7 @@
 
 #include "scene_command.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 Clash clash_of(Verdict verdict, std::uint32_t a, std::uint32_t b) {
@@ -101,4 +101,4 @@ TEST(Review, PartsOfOneProductAreTestedAgainstEachOtherOnlyIfAskedFor) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 TEST(Text, InvalidUtf8IsReplacedByteByByte) {
@@ -127,4 +127,4 @@ TEST(Text, WrapBreaksAtSpacesAndKeepsLineBreaks) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 TEST(XmlText, IsReadBackAsItWas) {
@@ -36,4 +36,4 @@ TEST(XmlText, HoldsOnlyWhatXmlCan) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -9,7 +9,7 @@
 namespace impinge::test {
 namespace {
 
-using cli::is_y_up;
+using report::is_y_up;
 
 TEST(UpwardAxis, IsThatOfTheFormat) {
   for (const char* file :

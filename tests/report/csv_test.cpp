@@ -135,15 +135,15 @@ TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
 }
 
 TEST(CsvCell, IsDefusedByAnApostropheAlone) {
-  EXPECT_EQ(cli::csv_cell("bolt"), "bolt");
-  EXPECT_EQ(cli::csv_cell(""), "");
-  EXPECT_EQ(cli::csv_cell("=1"), "'=1");
-  EXPECT_EQ(cli::csv_cell("a=1"), "a=1");
-  EXPECT_EQ(cli::csv_cell("-3"), "'-3");
-  EXPECT_EQ(cli::csv_cell("'a"), "''a");
-  EXPECT_EQ(cli::csv_cell("@a,b"), "\"'@a,b\"");
-  EXPECT_EQ(cli::csv_cell("a\"b"), "\"a\"\"b\"");
-  EXPECT_EQ(cli::csv_cell("a\nb"), "a\\nb");
+  EXPECT_EQ(report::csv_cell("bolt"), "bolt");
+  EXPECT_EQ(report::csv_cell(""), "");
+  EXPECT_EQ(report::csv_cell("=1"), "'=1");
+  EXPECT_EQ(report::csv_cell("a=1"), "a=1");
+  EXPECT_EQ(report::csv_cell("-3"), "'-3");
+  EXPECT_EQ(report::csv_cell("'a"), "''a");
+  EXPECT_EQ(report::csv_cell("@a,b"), "\"'@a,b\"");
+  EXPECT_EQ(report::csv_cell("a\"b"), "\"a\"\"b\"");
+  EXPECT_EQ(report::csv_cell("a\nb"), "a\\nb");
 }
 
 }  // namespace

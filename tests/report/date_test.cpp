@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 TEST(Date, IsTakenInTwoForms) {
@@ -55,4 +55,4 @@ TEST_F(Epoch, SaysTheUsualDate) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 
 #include "report/encoded.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 io::Object object(const std::vector<double>& xyz, const std::vector<std::uint32_t>& triangles, const Pose& pose = {}) {
@@ -143,4 +143,4 @@ TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -12,7 +12,7 @@
 #include <set>
 #include <span>
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -185,4 +185,4 @@ TEST(IfcGuid, IsTheEndOfTheProduct) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

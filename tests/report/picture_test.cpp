@@ -14,7 +14,7 @@
 #include "report/bcf/zip.hpp"
 #include "tests/cli/program.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 TEST(Png, IsReadBackPixelByPixel) {
@@ -188,4 +188,4 @@ TEST(Zip, RefusesWhatItCannotHold) {
 }
 
 }  // namespace
-}  // namespace impinge::cli
+}  // namespace impinge::report

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/exports.hpp"
+#include "exports.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
