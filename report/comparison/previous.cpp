@@ -16,9 +16,9 @@
 
 #include "report/comparison/mistaken_file.hpp"
 #include "report/identity.hpp"
+#include "report/json_file.hpp"
 #include "report/json_reader.hpp"
 #include "report/text.hpp"
-#include "report/text_file.hpp"
 
 namespace impinge::report {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "report/comparison/mistaken_file.hpp"
+#include "report/json_file.hpp"
 #include "report/text.hpp"
-#include "report/text_file.hpp"
 
 namespace impinge::report {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// The reader of JSON texts, held against the values of nlohmann-json's own.
-#include "report/json_reader.hpp"
+// JSON texts from files: what is refused, and where a mistake is said to be.
+#include "report/json_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,36 +13,6 @@ namespace impinge::report {
 namespace {
 
 using nlohmann::json;
-using Kind = JsonReader::Kind;
-
-/// All that a text says, as the other reader's value.
-json value_of(JsonReader& reader) {
-  switch (reader.kind()) {
-    case Kind::null:
-      reader.skip();
-      return nullptr;
-    case Kind::boolean:
-      return reader.boolean();
-    case Kind::number:
-      return reader.number();
-    case Kind::string:
-      return reader.string();
-    case Kind::array: {
-      json list = json::array();
-      reader.array([&] { list.push_back(value_of(reader)); });
-      return list;
-    }
-    case Kind::object: {
-      json object = json::object();
-      reader.object([&](const std::string& key) {
-        json value = value_of(reader);
-        object[key] = std::move(value);
-      });
-      return object;
-    }
-  }
-  return nullptr;
-}
 
 const std::vector<std::string>& texts() {
   static const std::vector<std::string> all{
@@ -67,25 +37,15 @@ bool has_twin_keys(const std::string& text) {
   return twins;
 }
 
-void compare(const std::string& text) {
+void compare_text(const std::string& text) {
   SCOPED_TRACE(text);
-  const bool accepted = json::accept(text);
-  JsonReader reader(text, "t");
-  const json value = value_of(reader);
-  JsonReader skipping(text, "t");
-  skipping.skip();
-  EXPECT_EQ(!skipping.failed(), accepted) << (skipping.failed() ? skipping.error().message : "");
-  if (!accepted || has_twin_keys(text)) {
-    EXPECT_TRUE(reader.failed());
-    return;
-  }
-  ASSERT_FALSE(reader.failed()) << reader.error().message;
-  EXPECT_EQ(value, json::parse(text));
+  const Result<json> read = parse_json("t", text);
+  EXPECT_EQ(static_cast<bool>(read), json::accept(text) && !has_twin_keys(text)) << (read ? "" : read.error().message);
 }
 
-TEST(JsonReader, ReadsWhatAnotherReaderReads) {
-  for (const std::string& text : texts()) compare(text);
-  compare("\xEF\xBB\xBF[1]");
+TEST(JsonFile, RefusesWhatIsNoJson) {
+  for (const std::string& text : texts()) compare_text(text);
+  compare_text("\xEF\xBB\xBF[1]");
   for (const char* text : {"",
                            " ",
                            "[",
@@ -122,12 +82,12 @@ TEST(JsonReader, ReadsWhatAnotherReaderReads) {
                            "'a'",
                            "[1]//",
                            "[\"a\",]"}) {
-    compare(text);
-    EXPECT_TRUE(JsonReader(text, "t").failed()) << text;
+    compare_text(text);
+    EXPECT_FALSE(parse_json("t", text)) << text;
   }
 }
 
-TEST(JsonReader, AgreesOnWhatIsBroken) {
+TEST(JsonFile, RefusesWhatIsBrokenAndKeysThatStandTwice) {
   const auto seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
@@ -144,59 +104,45 @@ TEST(JsonReader, AgreesOnWhatIsBroken) {
         text.insert(at, 1, letters[random() % letters.size()]);
       if (text.empty()) text = "0";
     }
-    compare(text);
+    compare_text(text);
   }
 }
 
-TEST(JsonReader, RefusesWhatIsNestedTooDeep) {
+TEST(JsonFile, RefusesWhatIsNestedTooDeep) {
   for (const char* bracket : {"[", "{\"a\":"}) {
     std::string deep;
     for (int i = 0; i < 1'000'000; ++i) deep += bracket;
-    for (const bool skips : {true, false}) {
-      JsonReader reader(deep, "t");
-      if (skips)
-        reader.skip();
-      else
-        value_of(reader);
-      ASSERT_TRUE(reader.failed());
-      EXPECT_NE(reader.error().message.find("deeper than 64"), std::string::npos);
-    }
+    const Result<json> read = parse_json("t", deep);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("deeper than 64"), std::string::npos);
   }
-  const std::string allowed = std::string(64, '[') + std::string(64, ']');
-  JsonReader reader(allowed, "t");
-  reader.skip();
-  EXPECT_FALSE(reader.failed());
+  EXPECT_TRUE(parse_json("t", std::string(64, '[') + std::string(64, ']')));
 }
 
-TEST(JsonReader, SaysWhereAMistakeIs) {
-  const std::string text = "{\n \"a\": [1\n,\n  {\"b c\":\n  \"d\"}]}";
-  JsonReader reader(text, "some.json");
-  reader.object([&](const std::string&) {
-    reader.array([&] {
-      if (reader.kind() == Kind::number) return static_cast<void>(reader.number());
-      reader.object([&](const std::string&) { reader.boolean(); });
-    });
-  });
-  ASSERT_TRUE(reader.failed());
-  EXPECT_EQ(reader.error().message, "some.json:5: /a/1/b c: true or false should stand here, not a text in quotes");
-  JsonReader number("[\n1\n]", "some.json");
-  number.array([&] { number.string(); });
-  EXPECT_EQ(number.error().message, "some.json:2: /0: a text in quotes should stand here, not a number");
+TEST(JsonFile, SaysWhereAMistakeIs) {
+  const std::string text = "{\n \"a\": [1\n,\n  {\"b/c\":\n  \"d\"},\n\"e\"]}";
+  const std::vector<std::pair<std::string, int>> places{{"", 1},     {"/a", 2},        {"/a/0", 2},
+                                                        {"/a/1", 4}, {"/a/1/b~1c", 4}, {"/a/2", 6}};
+  for (const auto& [pointer, line] : places)
+    EXPECT_EQ(json_error("some.json", text, pointer, "what").message,
+              "some.json:" + std::to_string(line) + ": " + (pointer.empty() ? "" : pointer + ": ") + "what");
+  const Result<json> twice = parse_json("some.json", "{\"a\": [{},\n{\"b\": 1, \"c\": {}, \"b\": 2}]}");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().message, "some.json:2:21: /a/1/b: this key stands here twice");
 }
 
-TEST(JsonReader, SaysInWhichLineATextIsBroken) {
+TEST(JsonFile, SaysInWhichLineATextIsBroken) {
   for (const auto& [text, line] : std::vector<std::pair<std::string, int>>{{"{\n \"a\": [1,\n  {\"b c\": tru}]}", 3},
                                                                            {"[1\n,1e999\n]", 2},
                                                                            {"[1,\n2", 2},
                                                                            {"[1]\n\n x", 3},
                                                                            {"\n\"\xFF\"", 2}}) {
-    const JsonReader reader(text, "some.json");
-    ASSERT_TRUE(reader.failed()) << text;
-    EXPECT_TRUE(reader.error().message.starts_with("some.json:" + std::to_string(line) + ": "))
-        << reader.error().message;
-    EXPECT_LT(reader.error().message.size(), 300U);
+    const Result<json> read = parse_json("some.json", text);
+    ASSERT_FALSE(read) << text;
+    EXPECT_TRUE(read.error().message.starts_with("some.json:" + std::to_string(line) + ":")) << read.error().message;
+    EXPECT_LT(read.error().message.size(), 300U);
   }
-  const JsonReader huge(std::string(1'000'000, 'x'), "some.json");
+  const Result<json> huge = parse_json("some.json", std::string(1'000'000, 'x'));
   EXPECT_LT(huge.error().message.size(), 300U) << huge.error().message;
 }
 

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "impinge/result.hpp"
+
+namespace impinge::report {
+
+/// What a JSON file (RFC 8259) may hold. Nothing nested deeper reaches a function that calls itself.
+inline constexpr std::size_t kDeepestJson = 64, kMostJsonValues = 50'000'000;
+
+/// The bytes of a file, of which there must be no more than so many. Errors: `bad_file`, with the name and the reason.
+Result<std::string> read_text_file(const std::string& name, std::uint64_t most_bytes);
+
+/// The value of a JSON text; `name` is its file's, for messages. Errors: `bad_file`, with line and column, if the text
+/// is no JSON, or has a key twice in one object, is nested too deep, or holds too many values.
+Result<nlohmann::json> parse_json(std::string_view name, const std::string& text);
+
+/// `bad_file` for a mistake at a JSON pointer (RFC 6901) into a text that `parse_json` has read:
+/// "clash.json:12: /tests/0/mode: what is wrong". The text is searched for the line.
+Error json_error(std::string_view name, const std::string& text, const std::string& pointer, std::string_view what);
+
+}  // namespace impinge::report
