@@ -15,14 +15,14 @@
 #include "clash/local_frame.hpp"
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
-#include "pipeline/alike.hpp"
 #include "pipeline/domain_error.hpp"
-#include "pipeline/known_clashes.hpp"
+#include "pipeline/equal_pairs.hpp"
 #include "pipeline/on_threads.hpp"
-#include "pipeline/pair_case.hpp"
+#include "pipeline/pair_judge.hpp"
+#include "pipeline/part.hpp"
 #include "pipeline/pipeline.hpp"
+#include "pipeline/previous_clashes.hpp"
 #include "pipeline/scene_state.hpp"
-#include "pipeline/seen_part.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "scene/validate_pose.hpp"
 
@@ -97,14 +97,13 @@ bool reaches_farther(const ClashTerms& terms, const ClashOptions& options) {
   return !is_within(terms.tolerance.value_or(0)) || !is_within(terms.clearance);
 }
 
-/// Judges each candidate that there are terms for, sorted as they are; `alike` has their places. Errors: `bad_option`,
-/// `cancelled`.
-Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& candidates, const AlikePairs& alike,
-                                          const std::vector<SeenPart>& parts, const KnownClashes& known,
+/// Judges each candidate that has terms, in their order; `equal` groups them. Errors: `bad_option`, `cancelled`.
+Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& candidates, const EqualPairs& equal,
+                                          const std::vector<Part>& parts, const PreviousClashes& previous,
                                           const ClashOptions& options) {
   std::vector<JudgedPair> pairs(candidates.size());
   std::atomic<bool> too_far = false;
-  const auto judge_one = [&](std::size_t i, PairCase& pair) {
+  const auto judge_one = [&](std::size_t i, PairJudge& pair) {
     const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
     JudgedPair& judged = pairs[i];
     judged.objects = candidates[i];
@@ -114,9 +113,9 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
       too_far = true;
       return;
     }
-    if (const JudgedPair* const same = known.find(candidates[i], judged.terms)) {
+    if (const JudgedPair* const same = previous.find(candidates[i], judged.terms)) {
       judged = *same;
-      judged.is_known = true;
+      judged.is_reused = true;
       Steps(options.progress).step();
       return;
     }
@@ -127,10 +126,10 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
     }
     Steps(options.progress).step();
   };
-  run_each(on_threads(options.threads), alike.size(), [&](std::size_t row) {
-    const std::uint64_t first = candidates[alike.row(row).front()];
-    PairCase pair(parts[first >> 32], parts[static_cast<std::uint32_t>(first)], options);
-    for (const std::size_t i : alike.row(row)) {
+  run_each(on_threads(options.threads), equal.size(), [&](std::size_t row) {
+    const std::uint64_t first = candidates[equal.row(row).front()];
+    PairJudge pair(parts[first >> 32], parts[static_cast<std::uint32_t>(first)], options);
+    for (const std::size_t i : equal.row(row)) {
       if (options.stop.stop_requested()) return;
       judge_one(i, pair);
     }
@@ -145,7 +144,7 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
   return pairs;
 }
 
-/// Lists what was judged; a memory that stays keeps its own.
+/// Lists the clashes of all pairs: copies them if the pairs stay in a memory, moves them otherwise.
 std::vector<Clash> list_clashes(std::vector<JudgedPair>& pairs, bool stays) {
   std::vector<Clash> clashes;
   for (JudgedPair& pair : pairs) {
@@ -157,66 +156,67 @@ std::vector<Clash> list_clashes(std::vector<JudgedPair>& pairs, bool stays) {
   return clashes;
 }
 
-/// `known` holds what the last query found out, and then what this one did; after an error, nothing.
-Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options, KnownClashes& known, bool stays) {
+/// `previous` holds the results of the last query, and afterwards those of this one; after an error, none.
+Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& options, PreviousClashes& previous,
+                           bool stays) {
   StageClock clock;
   Clashes result;
-  KnownClashes last = std::exchange(known, {});
+  PreviousClashes last = std::exchange(previous, {});
   std::vector<Placed> objects;
   for (std::size_t i = 0; i < scene.slots.size(); ++i)
     objects.push_back({scene.slots[i].mesh ? &*scene.slots[i].mesh : nullptr, scene.objects[i].pose});
   if (auto valid = check_domain(objects); !valid) return valid.error();
   const std::vector<Placed> others = last.forget_changed(objects, options);
   std::vector<solid::Body> bodies = bodies_of(others, options.threads);
-  const Checks checks = list_checks(others, options);
+  const DefectChecks checks = list_defect_checks(others, options);
   const std::vector<std::uint64_t> candidates = find_candidates(scene, last.boxes(bodies), options);
   result.candidates = candidates.size();
   const Steps steps(options.progress);
   steps.begin(checks.placed.size() + objects.size() + candidates.size());
-  const AlikePairs alike = alike_pairs(candidates, first_alike(objects));
-  auto parts = see_all(others, std::move(bodies), checks, options);
+  const EqualPairs equal = group_equal_pairs(candidates, first_equal(objects));
+  auto parts = make_parts(others, std::move(bodies), checks, options);
   if (!parts) return parts.error();
   last.move_parts_to(*parts);
-  for (const SeenPart& part : *parts) result.parts.push_back(part.known.facts);
+  for (const Part& part : *parts) result.parts.push_back(part.judged.facts);
   clock.charge(result.parts_seconds);
 
-  auto pairs = judge_all(candidates, alike, *parts, last, options);
+  auto pairs = judge_all(candidates, equal, *parts, last, options);
   if (!pairs) return pairs.error();
   result.candidates = pairs->size();
   result.pairs = list_clashes(*pairs, stays);
-  if (stays) known = KnownClashes(objects, *std::move(parts), *std::move(pairs), options);
+  if (stays) previous = PreviousClashes(objects, *std::move(parts), *std::move(pairs), options);
   clock.charge(result.pairs_seconds);
   return result;
 }
 
-Result<std::vector<SeenPart>> see_placed(const std::vector<Placed>& objects, const ClashOptions& options) {
+Result<std::vector<Part>> make_placed_parts(const std::vector<Placed>& objects, const ClashOptions& options) {
   if (auto valid = validate(options); !valid) return valid.error();
   for (const Placed& object : objects)
     if (auto valid = scene::validate(object.pose); !valid) return valid.error();
   if (auto valid = check_domain(objects); !valid) return valid.error();
-  return see_all(objects, bodies_of(objects, options.threads), list_checks(objects, options), options);
+  return make_parts(objects, bodies_of(objects, options.threads), list_defect_checks(objects, options), options);
 }
 
 }  // namespace
 
 Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory) {
   return guarded([&]() -> Result<Clashes> {
-    KnownClashes none;
-    KnownClashes& known = memory != nullptr ? memory->state_->clashes : none;
+    PreviousClashes none;
+    PreviousClashes& previous = memory != nullptr ? memory->state_->clashes : none;
     if (auto valid = validate(options); !valid) {
-      known = {};
+      previous = {};
       return valid.error();
     }
-    return clashes_of(*scene.state_, options, known, memory != nullptr);
+    return clashes_of(*scene.state_, options, previous, memory != nullptr);
   });
 }
 
 Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                     const ClashOptions& options) {
   return guarded([&]() -> Result<Clash> {
-    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
+    const auto parts = make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
     if (!parts) return parts.error();
-    Clash clash = PairCase((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
+    Clash clash = PairJudge((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
     if (options.stop.stop_requested()) return cancelled();
     clash.objects = {0, 1};
     return clash;
@@ -228,11 +228,11 @@ Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const
   return guarded([&]() -> Result<OverlapDepth> {
     if (!(precision > 0 && precision <= 1))
       return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
-    const auto parts = see_placed({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
-                                  {.tolerance = 0, .threads = options.threads, .stop = options.stop});
+    const auto parts = make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
+                                         {.tolerance = 0, .threads = options.threads, .stop = options.stop});
     if (!parts) return parts.error();
     for (std::size_t i = 0; i < 2; ++i)
-      if (!(*parts)[i].known.facts.closed)
+      if (!(*parts)[i].judged.facts.closed)
         return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
                                          " is not closed, so that nothing is inside of it; close it, or ask for the "
                                          "distance instead"};
@@ -244,9 +244,9 @@ Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const
 
 Result<PartFacts> examine(const Mesh& mesh, const Pose& pose, const ClashOptions& options) {
   return guarded([&]() -> Result<PartFacts> {
-    const auto parts = see_placed({{&mesh, pose}}, options);
+    const auto parts = make_placed_parts({{&mesh, pose}}, options);
     if (!parts) return parts.error();
-    return (*parts)[0].known.facts;
+    return (*parts)[0].judged.facts;
   });
 }
 

@@ -18,7 +18,7 @@ struct Defects {
 
 /// The defects of a mesh as it was made, kept for whoever asks next: they do not depend on where it stands. Those of
 /// the last tolerance alone. Safe from many threads.
-class KnownDefects {
+class DefectCache {
  public:
   /// Nothing if this was not the last tolerance.
   [[nodiscard]] std::optional<Defects> find(const std::optional<double>& tolerance) const {

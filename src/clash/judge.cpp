@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clash/local_frame.hpp"
-#include "clash/sheets/passing.hpp"
+#include "clash/sheets/surface_crossing.hpp"
 #include "clash/verdict.hpp"
 #include "exact/orientation.hpp"
 #include "exact/segment.hpp"
@@ -30,17 +30,17 @@ bool have_one_normal(const Triangle& a, const Triangle& b) {
 /// One pair of parts on its way to a verdict.
 class Case {
  public:
-  Case(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal)
-      : known_a_(a),
-        known_b_(b),
-        a_(a.linked),
-        b_(b.linked),
+  Case(const MeasuredPart& a, const MeasuredPart& b, const JudgeGoal& goal)
+      : measured_a_(a),
+        measured_b_(b),
+        a_(a.part),
+        b_(b.part),
         goal_(goal),
-        kinds_{a.linked.part.solid, b.linked.part.solid},
+        kinds_{a.part.solid, b.part.solid},
         thinnest_(thinnest(a, b)) {}
 
   Judgement judge() {
-    if (!is_empty(a_.part.body.box) && !is_empty(b_.part.body.box)) decide();
+    if (!is_empty(a_.body.box) && !is_empty(b_.body.box)) decide();
     judgement_.counts = met_.counts, judgement_.contacts = std::move(met_.contacts);
     return std::move(judgement_);
   }
@@ -48,11 +48,11 @@ class Case {
  private:
   void decide() {
     Judgement& j = judgement_;
-    const double largest = std::max(largest_coordinate(a_.part.body.box), largest_coordinate(b_.part.body.box));
+    const double largest = std::max(largest_coordinate(a_.body.box), largest_coordinate(b_.body.box));
     j.tolerance = goal_.tolerance.value_or(0x1p-20 * largest);
     const bool is_asked = j.tolerance > 0;
     if (j.tolerance > thinnest_ / 4) j.tolerance = 0;
-    met_ = find_encounter(a_.part.body, b_.part.body, {j.tolerance, goal_.all_contacts, goal_.stop});
+    met_ = find_contact_pairs(a_.body, b_.body, {j.tolerance, goal_.all_contacts, goal_.stop});
     if (goal_.stop.stop_requested() || (j.tolerance > 0 && judge_nearly()) || goal_.stop.stop_requested()) return;
     j.tolerance = 0;
     conclude(find_exactly(), !met_.contacts.empty());
@@ -60,9 +60,9 @@ class Case {
   }
 
   /// A surface has no wall; there its extent stands for it.
-  static double thinnest(const KnownPart& a, const KnownPart& b) {
-    const auto thickness = [](const KnownPart& known) {
-      const solid::Part& part = known.linked.part;
+  static double thinnest(const MeasuredPart& a, const MeasuredPart& b) {
+    const auto thickness = [](const MeasuredPart& known) {
+      const solid::Part& part = known.part;
       return part.solid ? known.thinnest_wall : norm(part.body.box.hi - part.body.box.lo);
     };
     return std::min(thickness(a), thickness(b));
@@ -77,15 +77,15 @@ class Case {
   }
 
   Finding find_exactly() {
-    const Cells cells = solid::cells_of(a_.part, b_.part, met_.contacts, enough());
-    const bool pass = !kinds_.a_is_solid && !kinds_.b_is_solid && pass_exactly(a_.part, b_.part, met_.contacts);
+    const Cells cells = solid::cells_of(a_, b_, met_.contacts, enough());
+    const bool pass = !kinds_.a_is_solid && !kinds_.b_is_solid && surfaces_cross_exactly(a_, b_, met_.contacts);
     return verdict_of(cells, kinds_, !met_.contacts.empty(), pass);
   }
   bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
   /// False where floating point, or the points that are looked at, cannot tell.
   bool judge_nearly() {
-    const auto found = near_cells(a_, b_, {judgement_.tolerance, met_, enough(), goal_.stop});
+    const auto found = cells_within(a_, b_, {judgement_.tolerance, met_, enough(), goal_.stop});
     if (!found) return false;
     Cells cells = *found;
     if (kinds_.a_is_solid && kinds_.b_is_solid) {
@@ -94,7 +94,7 @@ class Case {
       cells.a |= kSameSide, cells.b |= kSameSide;
     }
     const bool pass =
-        !kinds_.a_is_solid && !kinds_.b_is_solid && pass_through(a_, b_, judgement_.tolerance, met_, goal_.stop);
+        !kinds_.a_is_solid && !kinds_.b_is_solid && surfaces_cross(a_, b_, judgement_.tolerance, met_, goal_.stop);
     conclude(verdict_of(cells, kinds_, met_.is_near(), pass), met_.is_near());
     if (met_.is_near()) judgement_.note = note();
     return true;
@@ -105,7 +105,7 @@ class Case {
   /// False if no point tells, while all of both is near: they may be one or lie side by side.
   bool look_deep(Cells& cells) const {
     constexpr std::uint8_t kFarOff = solid::kInside | kOutside;
-    const Spread of_a = spread(known_a_, b_.part), of_b = spread(known_b_, a_.part);
+    const Spread of_a = spread(measured_a_, b_), of_b = spread(measured_b_, a_);
     if (of_a.inside || of_b.inside) cells.a |= kSameSide, cells.b |= kSameSide;
     if (of_a.outside) cells.a |= kOutside;
     if (of_b.outside) cells.b |= kOutside;
@@ -124,7 +124,7 @@ class Case {
       return differs;
     // Boundaries that are cut where they meet the other may go on beyond without a pair that crosses.
     const bool is_so = verdict == Verdict::touching && kinds_.a_is_solid && kinds_.b_is_solid
-                           ? are_parted() || !solid::reach_into_each_other(a_.part, b_.part, met_.contacts)
+                           ? are_parted() || !solid::reach_into_each_other(a_, b_, met_.contacts)
                            : is_exact(verdict);
     return is_so ? Note::none : differs;
   }
@@ -135,10 +135,10 @@ class Case {
     const auto flush = std::find_if(contacts.begin(), contacts.end(),
                                     [](const exact::Contact& contact) { return contact.kind == Kind::coplanar; });
     if (flush == contacts.end()) return false;
-    const Triangle plane = a_.part.body.triangle(flush->a);
-    const auto sides_of = [&](const LinkedPart& part) {
+    const Triangle plane = a_.body.triangle(flush->a);
+    const auto sides_of = [&](const solid::Part& part) {
       int lo = 0, hi = 0;
-      for (const Vec3& vertex : part.part.body.world) {
+      for (const Vec3& vertex : part.body.world) {
         const int side = exact::orient3d(plane[0], plane[1], plane[2], vertex);
         lo = std::min(lo, side), hi = std::max(hi, side);
         if (lo < hi - 1) break;
@@ -155,10 +155,10 @@ class Case {
 
   [[nodiscard]] bool has_interiors_on_one_side(const exact::Contact& contact) const {
     if (contact.kind != Kind::coplanar || !kinds_.a_is_solid || !kinds_.b_is_solid) return false;
-    const Triangle a = a_.part.body.triangle(contact.a), b = b_.part.body.triangle(contact.b);
+    const Triangle a = a_.body.triangle(contact.a), b = b_.body.triangle(contact.b);
     if (!exact::share_area(a, b)) return false;
-    const auto front = [](const LinkedPart& part, std::uint32_t t) {
-      return part.part.sides[part.part.topology.shell[t]].front;
+    const auto front = [](const solid::Part& part, std::uint32_t t) {
+      return part.sides[part.topology.shell[t]].front;
     };
     const bool same_way = have_one_normal(a, b);
     return (front(a_, contact.a) == front(b_, contact.b)) == same_way;
@@ -169,7 +169,7 @@ class Case {
   struct Spread {
     bool inside = false, outside = false;
   };
-  [[nodiscard]] Spread spread(const KnownPart& one, const solid::Part& other) const {
+  [[nodiscard]] Spread spread(const MeasuredPart& one, const solid::Part& other) const {
     Spread spread;
     for (const DeepPoint& deep : one.deep_points) {
       if (spread.inside && spread.outside) break;
@@ -182,17 +182,19 @@ class Case {
     return spread;
   }
 
-  const KnownPart &known_a_, &known_b_;
-  const LinkedPart &a_, &b_;
+  const MeasuredPart &measured_a_, &measured_b_;
+  const solid::Part &a_, &b_;
   const JudgeGoal& goal_;
   Kinds kinds_;
   double thinnest_;
-  Encounter met_;  ///< within the tolerance
+  ContactPairs met_;  ///< within the tolerance
   Judgement judgement_;
 };
 
 }  // namespace
 
-Judgement judge_pair(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal) { return Case(a, b, goal).judge(); }
+Judgement judge_pair(const MeasuredPart& a, const MeasuredPart& b, const JudgeGoal& goal) {
+  return Case(a, b, goal).judge();
+}
 
 }  // namespace impinge::clash

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "clash/known_part.hpp"
+#include "clash/measured_part.hpp"
 #include "exact/contact.hpp"
 #include "impinge/clash.hpp"
 
@@ -23,7 +23,7 @@ struct Judgement {
   bool touch = false;                     ///< they come as near as the tolerance
   std::array<std::uint64_t, 3> counts{};  ///< of pairs of triangles that share a point, by Kind
   std::vector<exact::Contact>
-      contacts;  ///< these pairs, sorted: all of them if that was asked for, or as an Encounter's
+      contacts;  ///< these pairs, sorted: all of them if that was asked for, or as an ContactPairs's
 };
 
 struct JudgeGoal {
@@ -32,6 +32,6 @@ struct JudgeGoal {
   std::stop_token stop{};  ///< then the judgement is worth nothing
 };
 
-Judgement judge_pair(const KnownPart& a, const KnownPart& b, const JudgeGoal& goal);
+Judgement judge_pair(const MeasuredPart& a, const MeasuredPart& b, const JudgeGoal& goal);
 
 }  // namespace impinge::clash

@@ -80,8 +80,8 @@ std::optional<Slab> make_slab(const Triangle& triangle, double tolerance, double
   return slab;
 }
 
-// A cube of half size t / 4: what pinching triangles share is within t / 8 of its middle, and they have a corner within
-// t / 4 of that, no farther from any point of the cube than t (1 + sqrt(3)) / 4.
+// A cube of half size t / 4: what triangles in vertex contact share is within t / 8 of its middle, and they have a
+// corner within t / 4 of that, no farther from any point of the cube than t (1 + sqrt(3)) / 4.
 Slab make_corner_slab(const Vec3& corner, double tolerance) {
   const double half = tolerance / 4;
   Slab slab;

@@ -29,8 +29,8 @@ inline constexpr double kLeastTolerance = 0x1p-36;
 /// the triangle is neither so narrow that it may be taken for a segment nor wide enough for its plane to be told.
 std::optional<Slab> make_slab(const Triangle& triangle, double tolerance, double scale);
 
-/// About a corner in which triangles pinch (clash/pinch.hpp): holds what they share, with a margin, and every point of
-/// it is within the tolerance of each of them.
+/// About a corner in which triangles vertex_contact (clash/vertex_contact.hpp): holds what they share, with a margin,
+/// and every point of it is within the tolerance of each of them.
 Slab make_corner_slab(const Vec3& corner, double tolerance);
 
 /// What of a convex polygon lies between the slab's sides: over its triangle, however far.

@@ -29,7 +29,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // Safe from many threads.
   mutable hierarchy::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
-  mutable clash::KnownDefects known_defects;
+  mutable clash::DefectCache defect_cache;
 };
 
 }  // namespace impinge

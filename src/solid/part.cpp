@@ -41,7 +41,8 @@ Part::Sides sides_of(const Body& body, const Topology& topology, std::uint32_t t
 }  // namespace
 
 Part make_part(Body body, Topology topology, bool solid) {
-  Part part{std::move(body), std::move(topology), solid, {}};
+  Fans fans = fans_of(body, topology);
+  Part part{std::move(body), std::move(topology), std::move(fans), solid, {}};
   if (!solid) return part;
   for (std::uint32_t t = 0; t < part.body.size(); ++t)  // shells are numbered by their first triangles
     if (part.topology.shell[t] == part.sides.size()) part.sides.push_back(sides_of(part.body, part.topology, t));

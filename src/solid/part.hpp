@@ -10,10 +10,11 @@
 
 namespace impinge::solid {
 
-/// What a body is to the verdicts.
+/// A body with what its triangles are to each other: vertices in common, open edges, and shells with their sides.
 struct Part {
   Body body;
   Topology topology;
+  Fans fans;
   bool solid = false;
   /// Per shell of a solid: whether the side that its triangles' normals point to, and the other one, are interior.
   /// Where both or neither are, the shell is no part of the boundary: it is left out of all that follows.

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "clash/encounter.hpp"
+#include "clash/contact_pairs.hpp"
 #include "impinge/clash.hpp"
 #include "measure/nearest.hpp"
 #include "pipeline/mesh_state.hpp"
@@ -167,7 +167,8 @@ TEST(Stop, EndsWhatAllTrianglesAboutOneVertexWouldTake) {
         placed, placed, 0, [](const TrianglePair&) { return true; }, stop);
   });
   const solid::Body body = solid::make_body(placed);
-  stop_soon([&](const std::stop_token& stop) { clash::find_encounter(body, body, {.within = 1e-6, .stop = stop}); });
+  stop_soon(
+      [&](const std::stop_token& stop) { clash::find_contact_pairs(body, body, {.within = 1e-6, .stop = stop}); });
   stop_soon([&](const std::stop_token& stop) {
     const auto clash = judge(middling, {}, middling, {}, {.threads = 1, .stop = stop});
     ASSERT_FALSE(clash);

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clash/regions/connected_patches.hpp"
 #include "clash/regions/grouping.hpp"
-#include "clash/regions/islands.hpp"
 #include "exact/segment.hpp"
 
 /// The surface of a body is cut into patches by the lines of contact. Where a patch lies inside the other body, its rim
 /// is one region. What holds a patch together is found on its edges: pieces of edges between two points of contact join
 /// these; pieces that end at a vertex join a point of contact and the vertex; whole edges join their vertices. That
-/// leaves contacts that reach no edge of a triangle: islands in it, which look for what is beside them.
+/// leaves contacts that reach no edge of a triangle: patches in it, which look for what is beside them.
 namespace impinge::clash {
 namespace {
 
@@ -139,20 +139,20 @@ class Surface {
     }
   }
   [[nodiscard]] bool is_joined(const Sight& sight) {
-    return sight.seen < Sight::kBorder && groups_.find(sight.seen) == groups_.find(sight.island);
+    return sight.seen < Sight::kBorder && groups_.find(sight.seen) == groups_.find(sight.patch);
   }
   /// A piece of the border is known by a point of contact at its end, or by a vertex.
   void join(const Sight& sight, const std::array<std::uint32_t, 3>& corners) {
-    if (sight.seen < Sight::kBorder) return groups_.join(sight.seen, sight.island);
+    if (sight.seen < Sight::kBorder) return groups_.join(sight.seen, sight.patch);
     const std::uint32_t e = sight.seen - Sight::kBorder, p = corners[e], q = corners[(e + 1) % 3];
     const std::pair at{edge_key(p, q), along(p, q, sight.to)};
     const auto next = std::lower_bound(points_.begin(), points_.end(), at, [](const OnEdge& x, const auto& key) {
       return std::pair(x.edge, x.along) < key;
     });
     if (next != points_.end() && next->edge == at.first) {
-      groups_.join(next->contact, sight.island);
+      groups_.join(next->contact, sight.patch);
     } else {
-      rims_.emplace_back(patches_.find(static_cast<std::uint32_t>(at.first)), sight.island);
+      rims_.emplace_back(patches_.find(static_cast<std::uint32_t>(at.first)), sight.patch);
     }
   }
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "clash/encounter.hpp"
+#include "clash/contact_pairs.hpp"
 #include "clash/regions/grouping.hpp"
 #include "clash/regions/near_corners.hpp"
 #include "clash/regions/region_measures.hpp"
 #include "clash/regions/resolution.hpp"
 #include "clash/regions/shared_parts.hpp"
-#include "clash/regions/snapped.hpp"
+#include "clash/regions/welded.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {
@@ -58,8 +58,8 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
   SharedParts parts = shared_parts(a, b, contacts, reach, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
   // Twice the distance over which points were moved, for lines have moved too.
-  const double within_line = tolerance > 0 ? 2 * snapping_distance(parts, reach) : 0;
-  if (tolerance > 0) parts = snapped(a, b, contacts, parts, reach);
+  const double within_line = tolerance > 0 ? 2 * welding_distance(parts, reach) : 0;
+  if (tolerance > 0) parts = welded(a, b, contacts, parts, reach);
   DisjointSets groups(contacts.size());
   if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
   join_neighbours(a, b, contacts, parts, groups);

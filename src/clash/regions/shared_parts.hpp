@@ -44,7 +44,7 @@ class SharedParts {
   std::array<std::uint64_t, 64> vertex_rows_{};  ///< of the last vertex on these edges
 };
 
-/// With a tolerance, what each pair shares within it (`near_part`). Incomplete if stopped.
+/// With a tolerance, what each pair shares within it (`shared_within`). Incomplete if stopped.
 SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const Reach& reach,
                          const ForEach& for_each, const std::stop_token& stop);
 

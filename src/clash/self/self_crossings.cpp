@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clash/local_frame.hpp"
-#include "clash/pinch.hpp"
+#include "clash/vertex_contact.hpp"
 #include "exact/triangle_pair.hpp"
 
 namespace impinge::clash {
@@ -66,7 +66,7 @@ double shared_length(const Triangle& a, const Triangle& b, const Heights& a_over
 
 bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance) {
   // Of the triangles about a vertex most share nothing but that, which is quicker to see.
-  if (kind == Kind::coplanar) return !find_pinch(a, b, 0) && exact::share_area(a, b);
+  if (kind == Kind::coplanar) return !find_vertex_contact(a, b, 0) && exact::share_area(a, b);
   if (kind != Kind::crossing) return false;
   if (tolerance == 0) return true;
   const Heights a_over_b(b, a), b_over_a(a, b);

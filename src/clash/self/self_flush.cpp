@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "clash/local_frame.hpp"
-#include "clash/regions/near_part.hpp"
+#include "clash/regions/shared_within.hpp"
 #include "clash/slab.hpp"
 #include "core/disjoint_sets.hpp"
 #include "measure/nearest.hpp"
@@ -99,7 +99,7 @@ class SelfFlush {
 
   [[nodiscard]] bool is_one(const TrianglePair& pair) const {
     if (!is_proper(pair.a) || !is_proper(pair.b)) return false;
-    NearSetting setting = setting_;
+    SharedWithinSetting setting = setting_;
     setting.tolerance = setting.resolution =
         std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
     const double least_width = kLeastWidth * setting.frame.unit * setting.tolerance;
@@ -110,7 +110,7 @@ class SelfFlush {
     if (is_beside(local_a, normal, local_b, least_width / 2)) return false;
     const double cosine = dot(normal, normal_of(local_b));
     if (std::abs(cosine) < kParallel || !is_told(setting.tolerance)) return false;
-    const NearPart near = flush_part(a, b, setting);
+    const SharedWithin near = shared_if_flush(a, b, setting);
     std::array<Vec3, 6> corners;
     for (std::size_t i = 0; i < near.shared.size; ++i)
       corners[i] = setting.frame.to_local(near.shared.corners[i].point);
@@ -135,7 +135,7 @@ class SelfFlush {
 
   const solid::Body& body_;
   const solid::Topology& topology_;
-  NearSetting setting_;
+  SharedWithinSetting setting_;
   bool is_outward_;  ///< normals point away from what is enclosed
   /// What the tolerance may be at most: of the whole's wall, which is that between a shell and its cavity; and of that
   /// of each piece, such as a foil on a block. A piece hangs together by positions, and is closed as the whole is.

@@ -15,7 +15,7 @@ struct Place {
 };
 
 bool has(const Ray& ray, bool a) {
-  return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) { return is_of_a(flap) == a; });
+  return std::any_of(ray.begin(), ray.end(), [&](const HalfPlane& half_plane) { return is_of_a(half_plane) == a; });
 }
 
 /// Which sheets a ray is in.
@@ -107,10 +107,10 @@ bool AroundLines::look_around(const std::vector<Ray>& rays) {
   std::optional<std::uint32_t> area;
   for (const Ray& ray : rays) {
     if (!has(ray, true) || !has(ray, false)) continue;
-    for (const Flap& flap : ray) {
-      if (!is_of_a(flap)) continue;
-      if (area) areas_.join(*area, flap.triangle / 2);
-      area = flap.triangle / 2;
+    for (const HalfPlane& half_plane : ray) {
+      if (!is_of_a(half_plane)) continue;
+      if (area) areas_.join(*area, half_plane.triangle / 2);
+      area = half_plane.triangle / 2;
     }
   }
   if (alternate(rays)) return true;
@@ -135,8 +135,8 @@ bool AroundLines::pass_at_areas() {
   });
 }
 
-std::uint32_t AroundLines::cluster_of(const Flap& flap) const {
-  return (is_of_a(flap) ? a_ : b_).cluster[flap.triangle / 2];
+std::uint32_t AroundLines::cluster_of(const HalfPlane& half_plane) const {
+  return (is_of_a(half_plane) ? a_ : b_).cluster[half_plane.triangle / 2];
 }
 
 /// Whether around a line there is, of some sheets, one, the other, the one and the other again. A ray in both counts as
@@ -145,7 +145,8 @@ std::uint32_t AroundLines::cluster_of(const Flap& flap) const {
 bool AroundLines::alternate(const std::vector<Ray>& rays) const {
   std::set<std::uint32_t> clusters_a, clusters_b;
   for (const Ray& ray : rays)
-    for (const Flap& flap : ray) (is_of_a(flap) ? clusters_a : clusters_b).insert(cluster_of(flap));
+    for (const HalfPlane& half_plane : ray)
+      (is_of_a(half_plane) ? clusters_a : clusters_b).insert(cluster_of(half_plane));
   for (const std::uint32_t cluster_a : clusters_a)
     for (const std::uint32_t cluster_b : clusters_b)
       if (alternate(rays, cluster_a, cluster_b)) return true;
@@ -156,8 +157,8 @@ bool AroundLines::alternate(const std::vector<Ray>& rays, std::uint32_t cluster_
   std::vector<Membership> order;
   for (const Ray& ray : rays) {
     const auto has = [&](bool a) {
-      return std::any_of(ray.begin(), ray.end(), [&](const Flap& flap) {
-        return is_of_a(flap) == a && cluster_of(flap) == (a ? cluster_a : cluster_b);
+      return std::any_of(ray.begin(), ray.end(), [&](const HalfPlane& half_plane) {
+        return is_of_a(half_plane) == a && cluster_of(half_plane) == (a ? cluster_a : cluster_b);
       });
     };
     const Membership in{has(true), has(false)};
@@ -183,9 +184,9 @@ void AroundLines::note_sides(const std::vector<Ray>& rays, std::size_t at, std::
   const std::size_t before = next(rays.size() - 1), after = next(1);
   if (before == after) return;
   for (const std::size_t i : {before, after})
-    for (const Flap& from : rays[i])
+    for (const HalfPlane& from : rays[i])
       if (is_of_a(from) != is_a)
-        for (const Flap& own : rays[at])
+        for (const HalfPlane& own : rays[at])
           seen_.push_back({area, own, from, is_a, from.ahead_is_front == (i == before) ? kAbove : kBelow});
 }
 

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "broad/box_tree.hpp"
-#include "clash/sheets/flaps.hpp"
+#include "clash/sheets/half_planes.hpp"
 #include "clash/sheets/sheets.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/shapes.hpp"
 
 /// Whether surfaces pass through each other, of what is around the lines that they have in common. Whoever knows the
-/// triangles' geometry, exactly or within a tolerance, names the flaps around each piece of such a line, in order.
+/// triangles' geometry, exactly or within a tolerance, names the half-planes around each piece of such a line, in
+/// order.
 namespace impinge::clash {
 
 /// A part's triangles that meet the other part's.
@@ -68,10 +69,10 @@ std::vector<std::uint32_t> triangles_of(const Uses& uses);
 std::vector<Uses> edges_of(const MetSide& side);
 
 /// Flaps are numbered by twice their triangle's index, and 1 for those of b.
-inline bool is_of_a(const Flap& flap) { return flap.triangle % 2 == 0; }
+inline bool is_of_a(const HalfPlane& half_plane) { return half_plane.triangle % 2 == 0; }
 
 /// Flaps in one half-plane.
-using Ray = std::vector<Flap>;
+using Ray = std::vector<HalfPlane>;
 
 class AroundLines {
  public:
@@ -93,23 +94,23 @@ class AroundLines {
     }
   }
 
-  /// Whether the surfaces pass through each other at a piece of a line, of the rays around it. Where they have flaps in
-  /// common, it is noted what the others are to their area.
+  /// Whether the surfaces pass through each other at a piece of a line, of the rays around it. Where they have
+  /// half-planes in common, it is noted what the others are to their area.
   bool look_around(const std::vector<Ray>& rays);
 
   /// Whether they do around some area, once all lines were looked at.
   bool pass_at_areas();
 
  private:
-  /// That a flap in one part alone is beside one of the other, where a common area ends.
+  /// That a half-plane in one part alone is beside one of the other, where a common area ends.
   struct Seen {
     std::uint32_t area;  ///< a triangle of a that is of it
-    Flap own, from;
+    HalfPlane own, from;
     bool is_a;  ///< the part that `own` is of
     std::uint8_t sides;
   };
 
-  [[nodiscard]] std::uint32_t cluster_of(const Flap& flap) const;
+  [[nodiscard]] std::uint32_t cluster_of(const HalfPlane& half_plane) const;
   [[nodiscard]] bool alternate(const std::vector<Ray>& rays) const;
   [[nodiscard]] bool alternate(const std::vector<Ray>& rays, std::uint32_t cluster_a, std::uint32_t cluster_b) const;
   void note_sides(const std::vector<Ray>& rays, std::size_t at, std::uint32_t area);

@@ -112,7 +112,7 @@ std::uint8_t FarSides::around(const Triangle& own, Slab slab, const PartTriangle
   if (piece.size() == 0) return 0;
   std::uint8_t found = 0;
   const auto try_at = [&](const Vec3& point) {
-    const std::uint8_t side = side_of_fold(other, point, frame_.unit * tolerance_);
+    const std::uint8_t side = edge_pseudonormal_side(other, point, frame_.unit * tolerance_);
     if ((side & ~(known | found)) != 0 && is_seen(point, other)) found |= side;
   };
   try_at(piece.middle());
@@ -141,7 +141,7 @@ std::array<HalfSpace, 3> FarSides::sides_of(const Triangle& t) const {
 /// wall that runs past a plate's end, flush with it or by less than the tolerance over it, is on both and does not go
 /// through.
 bool FarSides::is_seen(const Vec3& point, const PartTriangle& triangle) const {
-  const auto& body = triangle.part.part.body.placed;
+  const auto& body = triangle.part.body.placed;
   const Vec3 world = frame_.to_world(point);
   if (measure::nearest_point(body, world, tolerance_, tolerance_)) return false;
   constexpr double kNearer = 1 - 0x1p-20;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clash/local_frame.hpp"
-#include "clash/sheets/fold_side.hpp"
+#include "clash/sheets/edge_pseudonormal.hpp"
 #include "clash/sheets/sheets.hpp"
 #include "clash/slab.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "clash/sheets/flaps.hpp"
+#include "clash/sheets/half_planes.hpp"
 #include "core/vec3.hpp"
 
 /// What triangles around a line have of it if all of them lie in one plane: there are two half-planes, and where edges

@@ -56,9 +56,9 @@ double distance(const Vec3& point, const Segment& segment) {
 
 Vec3 normal(const Triangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
-/// A triangle's flap as it goes on from a point.
-struct NearFlap {
-  Flap flap;
+/// A triangle's half-plane as it goes on from a point.
+struct NearHalfPlane {
+  HalfPlane half_plane;
   Segment section;  ///< of the whole triangle
   double extent, angle;
 };
@@ -99,7 +99,7 @@ std::optional<NearStretch> NearGeometry::stretch(const NearLine& line, const Tri
 std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double at,
                                                    const std::vector<const NearStretch*>& near) const {
   const Vec3 point = line.from + at * line.along;
-  std::vector<NearFlap> flaps;
+  std::vector<NearHalfPlane> half_planes;
   for (const NearStretch* const stretch : near) {
     const auto found = section(stretch->triangle, point, line.along);
     if (!found || distance(point, *found) > kThere * tolerance_) continue;
@@ -111,36 +111,38 @@ std::optional<std::vector<Ray>> NearGeometry::rays(const NearLine& line, double 
       if (extent <= tolerance_) continue;
       if (!is_long(extent) && ends_on(point, (*found)[i], stretch->number % 2 == 0 ? b_ : a_)) return std::nullopt;
       const bool ahead_is_front = dot(normal(stretch->triangle), impinge::cross(line.along, way)) > 0;
-      flaps.push_back({{stretch->number, (*found)[i], ahead_is_front}, *found, extent, 0});
+      half_planes.push_back({{stretch->number, (*found)[i], ahead_is_front}, *found, extent, 0});
     }
   }
-  if (flaps.empty()) return std::vector<Ray>{};
-  const Vec3 right = flaps[0].flap.toward - point, up = impinge::cross(line.along, right);
-  for (NearFlap& flap : flaps)
-    flap.angle = std::atan2(dot(flap.flap.toward - point, up), dot(flap.flap.toward - point, right));
-  std::stable_sort(flaps.begin(), flaps.end(), [](const NearFlap& p, const NearFlap& q) { return p.angle < q.angle; });
-  const auto are_one = [&](const NearFlap& p, const NearFlap& q) {
+  if (half_planes.empty()) return std::vector<Ray>{};
+  const Vec3 right = half_planes[0].half_plane.toward - point, up = impinge::cross(line.along, right);
+  for (NearHalfPlane& half_plane : half_planes)
+    half_plane.angle =
+        std::atan2(dot(half_plane.half_plane.toward - point, up), dot(half_plane.half_plane.toward - point, right));
+  std::stable_sort(half_planes.begin(), half_planes.end(),
+                   [](const NearHalfPlane& p, const NearHalfPlane& q) { return p.angle < q.angle; });
+  const auto are_one = [&](const NearHalfPlane& p, const NearHalfPlane& q) {
     const auto& [shorter, longer] = p.extent < q.extent ? std::tie(p, q) : std::tie(q, p);
-    return dot(shorter.flap.toward - point, longer.flap.toward - point) > 0 &&
-           distance(shorter.flap.toward, longer.section) <= kWith * tolerance_;
+    return dot(shorter.half_plane.toward - point, longer.half_plane.toward - point) > 0 &&
+           distance(shorter.half_plane.toward, longer.section) <= kWith * tolerance_;
   };
-  for (std::size_t i = 0; flaps.size() > 1 && i < flaps.size(); ++i) {
-    const NearFlap &flap = flaps[i], &next = flaps[(i + 1) % flaps.size()];
-    if (!is_long(std::min(flap.extent, next.extent)) && are_one(flap, next)) return std::nullopt;
+  for (std::size_t i = 0; half_planes.size() > 1 && i < half_planes.size(); ++i) {
+    const NearHalfPlane &half_plane = half_planes[i], &next = half_planes[(i + 1) % half_planes.size()];
+    if (!is_long(std::min(half_plane.extent, next.extent)) && are_one(half_plane, next)) return std::nullopt;
   }
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < flaps.size(); ++i) {
-    if (i == 0 || !are_one(flaps[i - 1], flaps[i])) rays.emplace_back();
-    rays.back().push_back(flaps[i].flap);
+  for (std::size_t i = 0; i < half_planes.size(); ++i) {
+    if (i == 0 || !are_one(half_planes[i - 1], half_planes[i])) rays.emplace_back();
+    rays.back().push_back(half_planes[i].half_plane);
   }
-  if (rays.size() > 1 && are_one(flaps.back(), flaps.front())) {
+  if (rays.size() > 1 && are_one(half_planes.back(), half_planes.front())) {
     rays.front().insert(rays.front().end(), rays.back().begin(), rays.back().end());
     rays.pop_back();
   }
   return rays;
 }
 
-/// Whether a flap ends on the other part, and lies on it half-way.
+/// Whether a half-plane ends on the other part, and lies on it half-way.
 bool NearGeometry::ends_on(const Vec3& from, const Vec3& to, const solid::Body& other) const {
   const double within = tolerance_ / frame_.unit;
   const auto is_near = [&](const Vec3& point) {

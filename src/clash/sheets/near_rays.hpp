@@ -24,7 +24,7 @@ struct NearStretch {
   double lo, hi;                ///< elsewhere it is not near
   double surely_lo, surely_hi;  ///< there it is; empty around a point
   bool is_beside;               ///< nowhere surely, and as long whatever the distance that counts: beside each other
-  std::uint32_t number;         ///< as flaps are numbered
+  std::uint32_t number;         ///< as half-planes are numbered
   Triangle triangle;
 };
 

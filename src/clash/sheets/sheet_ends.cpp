@@ -16,28 +16,27 @@ namespace {
 
 /// Whether those of a part's triangles that have an edge in common with this one all go the same way from it as it
 /// does.
-bool is_end(const std::array<std::uint32_t, 2>& edge, const TriangleEdge& of, const LinkedPart& linked) {
-  const auto& [offsets, triangles] = linked.fans;
+bool is_end(const std::array<std::uint32_t, 2>& edge, const TriangleEdge& of, const solid::Part& part) {
+  const auto& [offsets, triangles] = part.fans;
   std::uint32_t at = edge[0], far = edge[1];
   if (offsets[far + 1] - offsets[far] < offsets[at + 1] - offsets[at]) std::swap(at, far);
   const auto fan = std::span(triangles).subspan(offsets[at], offsets[at + 1] - offsets[at]);
   return std::all_of(fan.begin(), fan.end(), [&](std::uint32_t t) {
-    if (t == of.triangle || !linked.part.is_boundary(t)) return true;
-    const auto corners = corners_of(linked.part, t);
+    if (t == of.triangle || !part.is_boundary(t)) return true;
+    const auto corners = corners_of(part, t);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
-      if (((from == at && to == far) || (from == far && to == at)) && !go_one_way(linked.part, of, {t, k}))
-        return false;
+      if (((from == at && to == far) || (from == far && to == at)) && !go_one_way(part, of, {t, k})) return false;
     }
     return true;
   });
 }
 
 /// Whether the surface ends there too as the whole part has it, which may go on in triangles that the sheets leave out.
-bool is_end(const Sheets::End& end, const LinkedPart& linked) {
-  const auto corners = corners_of(linked.part, end.of.triangle);
-  return is_end(end.positions, end.of, linked) &&
-         is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, linked);
+bool is_end(const Sheets::End& end, const solid::Part& part) {
+  const auto corners = corners_of(part, end.of.triangle);
+  return is_end(end.positions, end.of, part) &&
+         is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, part);
 }
 
 Box united(const Box& p, const Box& q) { return {min(p.lo, q.lo), max(p.hi, q.hi)}; }
@@ -50,11 +49,11 @@ Box widened(const Box& box, double by) {
 /// A part's open edges within a box. Where one runs along another the surface goes on, cut differently.
 class Borders {
  public:
-  Borders(const LinkedPart& linked, const Box& box, const CornerReach& reach) : linked_(linked), reach_(reach) {
+  Borders(const solid::Part& part, const Box& box, const CornerReach& reach) : part_(part), reach_(reach) {
     std::vector<broad::BoxTree::Entry> entries;
-    for (const auto& edge : linked.part.topology.open_edges)
+    for (const auto& edge : part.topology.open_edges)
       each_use(edge, [&](const TriangleEdge& use) {
-        const Triangle t = linked.part.body.triangle(use.triangle);
+        const Triangle t = part.body.triangle(use.triangle);
         const Segment at{t[use.corner], t[(use.corner + 1) % 3]};
         if (!overlap(box_of(at), box)) return;
         entries.emplace_back(box_of(at), static_cast<std::uint32_t>(edges_.size()));
@@ -74,7 +73,7 @@ class Borders {
     tree_.find(asked, boxes, search);
     for (const std::uint64_t key : search.found) {
       const auto& [at, use] = edges_[static_cast<std::uint32_t>(key)];
-      if (use.triangle != end.of.triangle && !go_one_way(linked_.part, end.of, use))
+      if (use.triangle != end.of.triangle && !go_one_way(part_, end.of, use))
         add_covered(end.piece, at, std::min(within, reach_.beside(norm(at[1] - at[0]))), covered);
     }
     std::sort(covered.begin(), covered.end());
@@ -98,12 +97,12 @@ class Borders {
   /// Calls `take` with each of a part's triangles that use an edge.
   template <class Take>
   void each_use(const std::array<std::uint32_t, 2>& edge, const Take& take) const {
-    const auto& [offsets, triangles] = linked_.fans;
+    const auto& [offsets, triangles] = part_.fans;
     const auto size = [&](std::uint32_t position) { return offsets[position + 1] - offsets[position]; };
     const std::uint32_t at = size(edge[0]) <= size(edge[1]) ? edge[0] : edge[1];
     for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
-      if (!linked_.part.is_boundary(triangles[i])) continue;
-      const auto corners = corners_of(linked_.part, triangles[i]);
+      if (!part_.is_boundary(triangles[i])) continue;
+      const auto corners = corners_of(part_, triangles[i]);
       for (std::uint32_t k = 0; k < 3; ++k)
         if (std::array{corners[k], corners[(k + 1) % 3]} == edge ||
             std::array{corners[(k + 1) % 3], corners[k]} == edge)
@@ -128,7 +127,7 @@ class Borders {
     covered.push_back({lo, hi});
   }
 
-  const LinkedPart& linked_;
+  const solid::Part& part_;
   CornerReach reach_;
   std::vector<Border> edges_;
   broad::BoxTree tree_;  ///< over them
@@ -136,12 +135,12 @@ class Borders {
 
 }  // namespace
 
-SheetEnds::SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance) {
+SheetEnds::SheetEnds(const solid::Part& part, const Sheets& sheets, const LocalFrame& frame, double tolerance) {
   std::vector<Sheets::End> open;
   Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (const Sheets::End& end : sheets.ends)
     if (is_end(end, part)) open.push_back(end), box = united(box, box_of(end.piece));
-  const Borders borders(part, widened(box, tolerance), {part.part, tolerance});
+  const Borders borders(part, widened(box, tolerance), {part, tolerance});
   std::vector<broad::BoxTree::Entry> entries;
   for (const Sheets::End& end : open)
     for (const Segment& piece : borders.left_of(end)) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "broad/box_tree.hpp"
+#include "clash/cells_within.hpp"
 #include "clash/local_frame.hpp"
-#include "clash/near_cells.hpp"
 #include "clash/sheets/sheets.hpp"
 
 namespace impinge::clash {
@@ -15,7 +15,7 @@ namespace impinge::clash {
 /// others too.
 class SheetEnds {
  public:
-  SheetEnds(const LinkedPart& part, const Sheets& sheets, const LocalFrame& frame, double tolerance);
+  SheetEnds(const solid::Part& part, const Sheets& sheets, const LocalFrame& frame, double tolerance);
 
   /// Whether the surface ends within a distance of a point; both local.
   [[nodiscard]] bool are_near(const Vec3& point, double distance) const;
