@@ -17,7 +17,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "report/bcf/zip.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -39,13 +38,9 @@ std::string what_would_be_lost(const std::filesystem::path& file, const Document
   std::array<char, 512> head{};
   const ssize_t got = ::read(descriptor, head.data(), head.size());
   const std::string_view text(head.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  const bool begins_one = kind.begins_one(text),
-             is_whole = begins_one && (kind.is_whole == nullptr || kind.is_whole(descriptor));
   ::close(descriptor);
   const bool is_empty = got >= 0 && text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-  if (is_empty || is_whole) return {};
-  if (!begins_one) return other;
-  return fmt::format("is no {} as impinge wrote it: another program has changed or made it", kind.noun);
+  return is_empty || kind.begins_one(text) ? std::string() : other;
 }
 
 /// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
@@ -62,7 +57,11 @@ bool begins_page(std::string_view head) {
   return head.starts_with("<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors;");
 }
 bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
-bool begins_bcf(std::string_view head) { return head.starts_with("PK\3\4"); }
+/// A zip archive whose first member is the version.
+bool begins_bcf(std::string_view head) {
+  constexpr std::size_t kBeforeTheName = 30;
+  return head.starts_with("PK\3\4") && head.find("bcf.version") == kBeforeTheName;
+}
 /// Other models are somebody's own.
 bool begins_gltf(std::string_view head) {
   return head.starts_with("glTF") && head.find("{\"asset\":{\"generator\":\"impinge\"") != std::string_view::npos;
@@ -78,7 +77,7 @@ mode_t usual_mode() {
 }  // namespace
 
 const DocumentKind kJson{"--json", "JSON", begins_json}, kPage{"--html", "page", begins_page},
-    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf, is_untouched},
+    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf},
     kGltf{"--gltf", "binary glTF", begins_gltf};
 
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}

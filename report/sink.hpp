@@ -39,11 +39,10 @@ class Sink {
 };
 
 /// A kind of document: the option that asks for one, what it is called, and whether a file that begins so is one, so
-/// that replacing it loses nothing but an earlier document. Of an archive the whole file tells.
+/// that replacing it loses nothing but an earlier document.
 struct DocumentKind {
   std::string_view option, noun;
   bool (*begins_one)(std::string_view head);
-  bool (*is_whole)(int descriptor) = nullptr;
 };
 extern const DocumentKind kJson, kPage, kCsv, kBcf, kGltf;
 

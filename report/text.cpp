@@ -26,9 +26,10 @@ bool contains(const auto& ranges, char32_t code) {
   return after != std::begin(ranges) && code <= std::prev(after)->last;
 }
 
-/// Controls (C0, DEL, C1), line and paragraph separators, direction marks, the byte order mark and language tags.
+/// Controls (C0, DEL, C1), line and paragraph separators, direction marks, the byte order mark, language tags, and
+/// U+FFFE and U+FFFF, which are no characters and which XML 1.0 does not allow.
 bool steers_a_terminal(char32_t code) {
-  static constexpr std::array<Range, 10> kSteering{{{0x00, 0x1F},
+  static constexpr std::array<Range, 11> kSteering{{{0x00, 0x1F},
                                                     {0x7F, 0x9F},
                                                     {0x061C, 0x061C},
                                                     {0x200E, 0x200F},
@@ -36,6 +37,7 @@ bool steers_a_terminal(char32_t code) {
                                                     {0x2066, 0x2069},
                                                     {0xFEFF, 0xFEFF},
                                                     {0xFFF9, 0xFFFB},
+                                                    {0xFFFE, 0xFFFF},
                                                     {0xE0000, 0xE007F},
                                                     {0x110000, 0xFFFFFFFF}}};
   return contains(kSteering, code);

@@ -3,6 +3,7 @@
 #include "report/bcf/bcf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <thread>
 
@@ -12,11 +13,6 @@
 
 namespace impinge::report {
 namespace {
-
-/// What a topic's folder holds.
-struct Files {
-  std::string markup, viewpoint, snapshot;
-};
 
 Scenery scenery_of(const Review& review, const Clash& clash, const Place& place) {
   Scenery scenery;
@@ -40,7 +36,9 @@ Scenery scenery_of(const Review& review, const Clash& clash, const Place& place)
   return scenery;
 }
 
-Files files_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank) {
+/// The three files of a topic's folder.
+std::array<Member, 3> files_of(const Review& review, const ClashArguments& arguments, std::size_t pair,
+                               std::size_t rank) {
   const Clash& clash = review.clashes.pairs[pair];
   const Place place = place_of(review, pair);
   const Scenery scenery = scenery_of(review, clash, place);
@@ -49,8 +47,10 @@ Files files_of(const Review& review, const ClashArguments& arguments, std::size_
     return review.assembly.objects[clash.objects[side]].mesh.sphere_radius();
   };
   const View view = clearest(scenery, views_of(place, {radius(0), radius(1)}, conventions.y_up));
-  return {markup_of(review, arguments, pair, rank), viewpoint_of(review, pair, view, scenery.lines, conventions),
-          png_of(draw(scenery, view))};
+  const std::string& id = review.ids[pair];
+  return {Member{id + "/markup.bcf", markup_of(review, arguments, pair, rank)},
+          Member{id + "/viewpoint.bcfv", viewpoint_of(review, pair, view, scenery.lines, conventions)},
+          Member{id + "/snapshot.png", png_of(draw(scenery, view)), false}};
 }
 
 /// Calls `work(i)` for each number below `count`, on several threads.
@@ -63,12 +63,6 @@ void share(std::size_t count, int threads, const std::function<void(std::size_t)
   std::vector<std::jthread> helpers;
   for (std::size_t i = 1; i < std::min(all, count); ++i) helpers.emplace_back(run);
   run();
-}
-
-Result<void> add_topic(Zip& zip, const std::string& id, const Files& files) {
-  if (auto added = zip.add(id + "/markup.bcf", files.markup, true); !added) return added;
-  if (auto added = zip.add(id + "/viewpoint.bcfv", files.viewpoint, true); !added) return added;
-  return zip.add(id + "/snapshot.png", files.snapshot, false);
 }
 
 }  // namespace
@@ -85,21 +79,16 @@ Topics topics_of(const Review& review, const ClashArguments& arguments) {
 
 Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& arguments, const Topics& topics,
                        const std::function<void()>& done, const std::stop_token& stop) {
-  constexpr std::size_t kAtOnce = 64;  // pictures in memory
-  Zip zip(sink);
-  if (auto added = zip.add("bcf.version", version_document(), true); !added) return added;
-  for (std::size_t first = 0; first < topics.pairs.size() && !sink.failed(); first += kAtOnce) {
-    std::vector<Files> some(std::min(kAtOnce, topics.pairs.size() - first));
-    share(some.size(), arguments.threads, [&](std::size_t i) {
-      if (stop.stop_requested()) return;
-      some[i] = files_of(review, arguments, topics.pairs[first + i], first + i + 1);
-      done();
-    });
-    if (stop.stop_requested()) return interrupted();
-    for (std::size_t i = 0; i < some.size(); ++i)
-      if (auto added = add_topic(zip, review.ids[topics.pairs[first + i]], some[i]); !added) return added;
-  }
-  return zip.finish();
+  std::vector<Member> members(1 + 3 * topics.pairs.size());
+  members[0] = {"bcf.version", version_document()};
+  share(topics.pairs.size(), arguments.threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    std::array<Member, 3> files = files_of(review, arguments, topics.pairs[i], i + 1);
+    std::move(files.begin(), files.end(), members.begin() + 1 + 3 * static_cast<std::ptrdiff_t>(i));
+    done();
+  });
+  if (stop.stop_requested()) return interrupted();
+  return write_zip(sink, members, stop);
 }
 
 }  // namespace impinge::report

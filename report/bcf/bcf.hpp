@@ -21,7 +21,7 @@ struct Topics {
 };
 Topics topics_of(const Review& review, const ClashArguments& arguments);
 
-/// Writes the archive; `done` is called after each topic. Errors: `bad_file` where it gets too large; `cancelled`.
+/// Writes the archive; `done` is called after each topic. Errors: as `write_zip`.
 Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& arguments, const Topics& topics,
                        const std::function<void()>& done, const std::stop_token& stop);
 

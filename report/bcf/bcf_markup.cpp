@@ -14,7 +14,7 @@
 namespace impinge::report {
 namespace {
 
-constexpr std::string_view kAuthor = "impinge";
+constexpr const char* kAuthor = "impinge";
 
 /// Texts on one line can be long; the JSON has them whole.
 std::string in_short(std::string_view text) { return fit(printable(text), 100); }
@@ -25,7 +25,7 @@ struct Topic {
   const Clash& clash;
   const Standing& standing;
   const std::string& id;
-  std::string_view date;
+  const std::string& date;
   Conventions conventions;
 
   [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
@@ -47,7 +47,7 @@ std::string title(const Topic& topic) {
   return fmt::format("{}: {}", pair, name(clash.verdict));
 }
 
-std::string_view priority(Verdict verdict) {
+const char* priority(Verdict verdict) {
   switch (verdict) {
     case Verdict::duplicate:
     case Verdict::inside:
@@ -67,11 +67,10 @@ std::string test_of(const Topic& topic) {
   return tests.empty() ? "" : in_short(tests[topic.clash.test].name);
 }
 
-std::string labels(const Topic& topic) {
-  std::string text = xml_element("Labels", name(topic.clash.verdict));
-  if (const std::string test = test_of(topic); !test.empty()) text += xml_element("Labels", test);
-  if (topic.standing.change != Change::unknown) text += xml_element("Labels", change_text(topic.clash, topic.standing));
-  return text;
+void add_labels(pugi::xml_node parent, const Topic& topic) {
+  add_element(parent, "Labels", std::string(name(topic.clash.verdict)));
+  if (const std::string test = test_of(topic); !test.empty()) add_element(parent, "Labels", test);
+  if (topic.standing.change != Change::unknown) add_element(parent, "Labels", change_text(topic.clash, topic.standing));
 }
 
 std::string triage(const Topic& topic) {
@@ -119,15 +118,16 @@ std::string description(const Topic& topic) {
   return text;
 }
 
-std::string header(const Topic& topic) {
-  std::string files;
+void add_header(pugi::xml_node parent, const Topic& topic) {
+  pugi::xml_node header = parent.append_child("Header");
   const auto& [a, b] = topic.clash.objects;
   const std::vector<std::uint32_t>& file_of = topic.review.assembly.file_of;
   for (const std::uint32_t object : {a, b}) {
     if (object != a && file_of[object] == file_of[a]) continue;
-    files += "<File isExternal=\"true\">\n" + xml_element("Filename", file_name_of(topic.review, object)) + "</File>\n";
+    pugi::xml_node file = header.append_child("File");
+    file.append_attribute("isExternal") = true;
+    add_element(file, "Filename", file_name_of(topic.review, object));
   }
-  return "<Header>\n" + files + "</Header>\n";
 }
 
 /// Each of its lines printable. Some editors end lines with CR LF, or with CR alone.
@@ -143,17 +143,19 @@ std::string printable_lines(std::string_view text) {
 }
 
 /// What people wrote about the pair and its regions. When, and who, the JSON does not say: the date is the topic's.
-std::string comments(const Topic& topic) {
-  std::string text;
+void add_comments(pugi::xml_node parent, const Topic& topic) {
   std::unordered_set<std::string> used;
   const auto add = [&](const std::string& about, const std::string& comment) {
     std::string guid = guid_of(fmt::format("{} comment {}", topic.id, about));
     // Regions of a file that was written by hand may have one id.
     for (std::size_t i = 2; !used.insert(guid).second; ++i)
       guid = guid_of(fmt::format("{} comment {} {}", topic.id, about, i));
-    text += fmt::format("<Comment Guid=\"{}\">\n", guid) + xml_element("Date", topic.date) +
-            xml_element("Author", kAuthor) + xml_element("Comment", comment) +
-            fmt::format("<Viewpoint Guid=\"{}\"/>\n</Comment>\n", guid_of_viewpoint(topic.id));
+    pugi::xml_node element = parent.append_child("Comment");
+    element.append_attribute("Guid") = guid.c_str();
+    add_element(element, "Date", topic.date);
+    add_element(element, "Author", kAuthor);
+    add_element(element, "Comment", comment);
+    element.append_child("Viewpoint").append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
   };
   if (const std::string& comment = topic.standing.remark.comment; !comment.empty()) add("", printable_lines(comment));
   for (std::size_t i = 0; i < topic.standing.regions.size(); ++i) {
@@ -164,7 +166,6 @@ std::string comments(const Topic& topic) {
     if (!region.remark.comment.empty()) comment += ": " + printable_lines(region.remark.comment);
     add(region.id, comment);
   }
-  return text;
 }
 
 }  // namespace
@@ -173,21 +174,27 @@ std::string markup_of(const Review& review, const ClashArguments& arguments, std
   const Topic topic{review,         review.clashes.pairs[pair], review.standings[pair], review.ids[pair],
                     arguments.date, conventions_of(arguments)};
   const std::string& status = topic.standing.remark.status;
-  std::string text = std::string(kXmlDeclaration) + "<Markup>\n" + header(topic);
-  text += fmt::format("<Topic Guid=\"{}\" TopicType=\"Clash\" TopicStatus=\"{}\">\n", topic.id,
-                      status.empty() ? "Open" : xml_text(in_short(status)));
-  text += xml_element("Title", title(topic));
-  text += xml_element("Priority", priority(topic.clash.verdict));
-  text += xml_element("Index", fmt::format("{}", rank));
-  text += labels(topic);
-  text += xml_element("CreationDate", arguments.date);
-  text += xml_element("CreationAuthor", kAuthor);
-  text += xml_element("Description", description(topic));
-  text += "</Topic>\n" + comments(topic);
-  text += fmt::format("<Viewpoints Guid=\"{}\">\n{}{}{}</Viewpoints>\n", guid_of_viewpoint(topic.id),
-                      xml_element("Viewpoint", "viewpoint.bcfv"), xml_element("Snapshot", "snapshot.png"),
-                      xml_element("Index", "0"));
-  return text + "</Markup>\n";
+  pugi::xml_document document;
+  pugi::xml_node markup = begin_document(document, "Markup");
+  add_header(markup, topic);
+  pugi::xml_node about = markup.append_child("Topic");
+  about.append_attribute("Guid") = topic.id.c_str();
+  about.append_attribute("TopicType") = "Clash";
+  about.append_attribute("TopicStatus") = status.empty() ? "Open" : in_short(status).c_str();
+  add_element(about, "Title", title(topic));
+  add_element(about, "Priority", priority(topic.clash.verdict));
+  add_element(about, "Index", fmt::format("{}", rank));
+  add_labels(about, topic);
+  add_element(about, "CreationDate", topic.date);
+  add_element(about, "CreationAuthor", kAuthor);
+  add_element(about, "Description", description(topic));
+  add_comments(markup, topic);
+  pugi::xml_node views = markup.append_child("Viewpoints");
+  views.append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
+  add_element(views, "Viewpoint", "viewpoint.bcfv");
+  add_element(views, "Snapshot", "snapshot.png");
+  add_element(views, "Index", "0");
+  return text_of(document);
 }
 
 }  // namespace impinge::report

@@ -4,71 +4,108 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <sstream>
 
 #include "report/bcf/snapshot.hpp"
 #include "report/identity.hpp"
-#include "report/json_writer.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
 namespace {
 
-std::string vector(std::string_view name, const Point& p) {
-  return fmt::format("<{0}>\n{1}{2}{3}</{0}>\n", name, xml_element("X", json_number(p.x)),
-                     xml_element("Y", json_number(p.y)), xml_element("Z", json_number(p.z)));
+void add_number(pugi::xml_node parent, const char* name, double value) {
+  add_element(parent, name, fmt::format("{}", value + 0.0));  // -0 becomes 0
+}
+
+void add_vector(pugi::xml_node parent, const char* name, const Point& p) {
+  pugi::xml_node vector = parent.append_child(name);
+  add_number(vector, "X", p.x);
+  add_number(vector, "Y", p.y);
+  add_number(vector, "Z", p.z);
+}
+
+std::string guid_of_product(const Review& review, std::uint32_t object) {
+  return std::string(ifc_guid(review.assembly.objects[object]));
 }
 
 /// A product by its GlobalId; anything else by its file and its name, which no other object of the file has.
-std::string component(const Review& review, std::uint32_t object) {
-  const io::Object& about = review.assembly.objects[object];
-  if (const std::string_view guid = ifc_guid(about); !guid.empty())
-    return fmt::format("<Component IfcGuid=\"{}\"/>\n", guid);
-  return "<Component>\n" + xml_element("OriginatingSystem", file_name_of(review, object)) +
-         xml_element("AuthoringToolId", printable(about.name)) + "</Component>\n";
+void add_component(pugi::xml_node parent, const Review& review, std::uint32_t object) {
+  pugi::xml_node component = parent.append_child("Component");
+  if (const std::string guid = guid_of_product(review, object); !guid.empty()) {
+    component.append_attribute("IfcGuid") = guid.c_str();
+    return;
+  }
+  add_element(component, "OriginatingSystem", file_name_of(review, object));
+  add_element(component, "AuthoringToolId", printable(review.assembly.objects[object].name));
 }
 
-std::string components(const Review& review, const Clash& clash) {
-  std::vector<std::string> parts{component(review, clash.objects[0])};
+void add_components(pugi::xml_node parent, const Review& review, const Clash& clash) {
+  const std::array guids{guid_of_product(review, clash.objects[0]), guid_of_product(review, clash.objects[1])};
+  std::vector<std::uint32_t> parts{clash.objects[0]};
   // Two parts of one product are one component.
-  if (std::string second = component(review, clash.objects[1]); second != parts[0]) parts.push_back(std::move(second));
-  std::string all, colours;
+  if (guids[1].empty() || guids[1] != guids[0]) parts.push_back(clash.objects[1]);
+
+  pugi::xml_node components = parent.append_child("Components");
+  pugi::xml_node selection = components.append_child("Selection");
+  pugi::xml_node visibility = components.append_child("Visibility");
+  pugi::xml_node colouring = components.append_child("Coloring");
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    all += parts[i];
-    colours += fmt::format("<Color Color=\"{:06X}\">\n{}</Color>\n", kPartColours[i], parts[i]);
+    add_component(selection, review, parts[i]);
+    pugi::xml_node colour = colouring.append_child("Color");
+    colour.append_attribute("Color") = fmt::format("{:06X}", kPartColours[i]).c_str();
+    add_component(colour, review, parts[i]);
   }
-  const bool known = std::all_of(clash.objects.begin(), clash.objects.end(), [&](std::uint32_t object) {
-    return !ifc_guid(review.assembly.objects[object]).empty();
-  });
   // A viewer that finds neither part would show nothing if the others were hidden.
-  const std::string visibility =
-      known
-          ? fmt::format("<Visibility DefaultVisibility=\"false\">\n<Exceptions>\n{}</Exceptions>\n</Visibility>\n", all)
-          : "<Visibility DefaultVisibility=\"true\"/>\n";
-  return fmt::format("<Components>\n<Selection>\n{}</Selection>\n{}<Coloring>\n{}</Coloring>\n</Components>\n", all,
-                     visibility, colours);
+  const bool all_visible = guids[0].empty() || guids[1].empty();
+  visibility.append_attribute("DefaultVisibility") = all_visible;
+  if (all_visible) return;
+  pugi::xml_node exceptions = visibility.append_child("Exceptions");
+  for (const std::uint32_t object : parts) add_component(exceptions, review, object);
 }
 
 /// Whole lines as long as they are few enough: viewers make an object of each piece.
-std::string lines_element(const std::vector<std::vector<Point>>& lines, const Conventions& conventions) {
+void add_lines(pugi::xml_node parent, const std::vector<std::vector<Point>>& lines, const Conventions& conventions) {
   constexpr std::size_t kMostPieces = 500;
-  std::string text;
+  pugi::xml_node list;
   std::size_t pieces = 0;
   for (const auto& line : lines) {
     if (line.size() < 2 || pieces + line.size() - 1 > kMostPieces) continue;
     pieces += line.size() - 1;
-    for (std::size_t i = 1; i < line.size(); ++i)
-      text += "<Line>\n" + vector("StartPoint", place_in_bcf(conventions, line[i - 1])) +
-              vector("EndPoint", place_in_bcf(conventions, line[i])) + "</Line>\n";
+    if (!list) list = parent.append_child("Lines");
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      pugi::xml_node piece = list.append_child("Line");
+      add_vector(piece, "StartPoint", place_in_bcf(conventions, line[i - 1]));
+      add_vector(piece, "EndPoint", place_in_bcf(conventions, line[i]));
+    }
   }
-  return text.empty() ? text : "<Lines>\n" + text + "</Lines>\n";
 }
 
 }  // namespace
 
+pugi::xml_node begin_document(pugi::xml_document& document, const char* root) {
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  return document.append_child(root);
+}
+
+std::string text_of(const pugi::xml_document& document) {
+  std::ostringstream text;
+  document.save(text, "");
+  return std::move(text).str();
+}
+
+void add_element(pugi::xml_node parent, const char* name, const std::string& text) {
+  parent.append_child(name).text().set(text.c_str());
+}
+
 std::string version_document() {
-  return std::string(kXmlDeclaration) + "<Version VersionId=\"2.1\">\n" + xml_element("DetailedVersion", "2.1") +
-         "</Version>\n";
+  pugi::xml_document document;
+  pugi::xml_node version = begin_document(document, "Version");
+  version.append_attribute("VersionId") = "2.1";
+  add_element(version, "DetailedVersion", "2.1");
+  return text_of(document);
 }
 
 std::string guid_of_viewpoint(const std::string& pair) { return guid_of(pair + " viewpoint"); }
@@ -77,45 +114,19 @@ std::string file_name_of(const Review& review, std::uint32_t object) {
   return printable(review.file_names[review.assembly.file_of[object]]);
 }
 
-std::string xml_element(std::string_view name, std::string_view text) {
-  return fmt::format("<{0}>{1}</{0}>\n", name, xml_text(text));
-}
-
 std::string viewpoint_of(const Review& review, std::size_t pair, const View& view,
                          const std::vector<std::vector<Point>>& lines, const Conventions& conventions) {
-  std::string text = std::string(kXmlDeclaration) +
-                     fmt::format("<VisualizationInfo Guid=\"{}\">\n", guid_of_viewpoint(review.ids[pair])) +
-                     components(review, review.clashes.pairs[pair]) + "<PerspectiveCamera>\n" +
-                     vector("CameraViewPoint", place_in_bcf(conventions, view.eye)) +
-                     vector("CameraDirection", direction_in_bcf(conventions, view.forward)) +
-                     vector("CameraUpVector", direction_in_bcf(conventions, view.up)) +
-                     xml_element("FieldOfView", json_number(kFieldOfView)) + "</PerspectiveCamera>\n";
-  return text + lines_element(lines, conventions) + "</VisualizationInfo>\n";
-}
-
-std::string xml_text(std::string_view text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const Character character = decode(text, at);
-    const char32_t code = character.code;
-    const bool allowed =
-        character.valid && (code >= 0x20 || code == '\t' || code == '\n') && code != 0xFFFE && code != 0xFFFF;
-    if (code == '&') {
-      result += "&amp;";
-    } else if (code == '<') {
-      result += "&lt;";
-    } else if (code == '>') {
-      result += "&gt;";
-    } else if (code == '"') {
-      result += "&quot;";
-    } else if (allowed) {
-      result += text.substr(at, character.length);
-    } else {
-      result += "\xEF\xBF\xBD";
-    }
-    at += character.length;
-  }
-  return result;
+  pugi::xml_document document;
+  pugi::xml_node info = begin_document(document, "VisualizationInfo");
+  info.append_attribute("Guid") = guid_of_viewpoint(review.ids[pair]).c_str();
+  add_components(info, review, review.clashes.pairs[pair]);
+  pugi::xml_node camera = info.append_child("PerspectiveCamera");
+  add_vector(camera, "CameraViewPoint", place_in_bcf(conventions, view.eye));
+  add_vector(camera, "CameraDirection", direction_in_bcf(conventions, view.forward));
+  add_vector(camera, "CameraUpVector", direction_in_bcf(conventions, view.up));
+  add_number(camera, "FieldOfView", kFieldOfView);
+  add_lines(info, lines, conventions);
+  return text_of(document);
 }
 
 }  // namespace impinge::report

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <pugixml.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "report/bcf/camera.hpp"
@@ -14,8 +14,6 @@
 
 /// The XML of BCF 2.1, with its elements in the order of the published schemas: version.xsd, markup.xsd, visinfo.xsd.
 namespace impinge::report {
-
-constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
 std::string version_document();
 
@@ -32,9 +30,10 @@ std::string guid_of_viewpoint(const std::string& pair);
 /// What files and parts are called in a topic: printable.
 std::string file_name_of(const Review& review, std::uint32_t object);
 
-/// An element with a text in it.
-std::string xml_element(std::string_view name, std::string_view text);
-/// A text within an element or an attribute; what XML 1.0 cannot hold is spelled out.
-std::string xml_text(std::string_view text);
+/// Gives a document its declaration and its root, which is returned.
+pugi::xml_node begin_document(pugi::xml_document& document, const char* root);
+std::string text_of(const pugi::xml_document& document);
+/// Appends an element with a text in it, which is printable: XML has no control characters.
+void add_element(pugi::xml_node parent, const char* name, const std::string& text);
 
 }  // namespace impinge::report

@@ -35,6 +35,7 @@ TEST(Text, PrintableSpellsOutWhatSteersATerminal) {
   EXPECT_EQ(printable("\xc2\x9b"), "\\u009b");
   EXPECT_EQ(printable("\xe2\x80\xae\xe2\x80\xa8"), "\\u202e\\u2028");
   EXPECT_EQ(printable("\xf3\xa0\x81\x81"), "\\ue0041");
+  EXPECT_EQ(printable("\xef\xbf\xbe"), "\\ufffe");
 }
 
 TEST(Text, ColumnsCountWideAndCombiningCharacters) {

@@ -12,6 +12,7 @@
 
 #include "bcf_reader.hpp"
 #include "models.hpp"
+#include "report/text.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
 
@@ -224,6 +225,15 @@ TEST_F(Bcf, AnyNameIsHarmless) {
   const std::string title = all[0].topic().child("Title").text().get();
   EXPECT_TRUE(title.starts_with("a / <Title><x a=\"&amp;\\x1b[2J\\n")) << title;
   EXPECT_LT(title.size(), 300U);
+  // XML 1.0 holds neither control characters nor U+FFFE.
+  for (const Member& member : unzip(folder.read("out.bcf"))) {
+    if (member.name.ends_with(".png")) continue;
+    EXPECT_EQ(report::valid_utf8(member.bytes), member.bytes) << member.name;
+    EXPECT_EQ(member.bytes.find("\xEF\xBF\xBE"), std::string::npos) << member.name;
+    EXPECT_TRUE(std::all_of(member.bytes.begin(), member.bytes.end(), [](unsigned char c) {
+      return c == '\n' || (c >= 0x20 && c != 0x7F);
+    })) << member.name;
+  }
 }
 
 TEST_F(Bcf, OfAnIfcFileNamesGlobalIdsAndTheFilesOwnAxes) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Several outputs in one run: each appears whole or not at all, and is the same bytes each time.
 #include <gtest/gtest.h>
-#include <zip.h>
 
 #include <chrono>
 #include <csignal>
@@ -92,44 +91,6 @@ TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
   folder.write("model.glb", model);
   EXPECT_EQ(clash({"--gltf", "model.glb"}).code, 2);
   EXPECT_EQ(folder.read("model.glb"), model);
-}
-
-TEST_F(Files, ABcfThatAnotherToolHasWrittenToIsNotReplaced) {
-  ASSERT_EQ(clash({"--bcf", "out.bcf"}).code, 1);
-  const std::string ours = folder.read("out.bcf");
-  const auto expect_kept = [&](const std::string& way) {
-    SCOPED_TRACE(way);
-    const std::string theirs = folder.read("out.bcf");
-    EXPECT_NE(theirs, ours);
-    const Ended ended = clash({"--bcf", "out.bcf"});
-    EXPECT_EQ(ended.code, 2);
-    EXPECT_NE(ended.err.find("'out.bcf' exists and is no BCF as impinge wrote it: another program has changed or made "
-                             "it, so it is not replaced; the word after --bcf is the file to write"),
-              std::string::npos)
-        << ended.err;
-    EXPECT_TRUE(folder.read("out.bcf") == theirs);
-    folder.write("out.bcf", ours);
-  };
-  const std::string place = (folder.path() / "out.bcf").string();
-  const std::string markup = "<Markup/>";
-  for (const bool is_new : {true, false}) {
-    zip_t* const archive = zip_open(place.c_str(), 0, nullptr);
-    ASSERT_NE(archive, nullptr);
-    zip_source_t* const text = zip_source_buffer(archive, markup.data(), markup.size(), 0);
-    const zip_int64_t first = zip_name_locate(archive, "markup.bcf", ZIP_FL_NODIR);
-    ASSERT_GE(first, 0);
-    if (is_new)
-      ASSERT_GE(zip_file_add(archive, "more/markup.bcf", text, 0), 0);
-    else
-      ASSERT_EQ(zip_file_replace(archive, static_cast<zip_uint64_t>(first), text, 0), 0);
-    ASSERT_EQ(zip_close(archive), 0);
-    expect_kept(is_new ? "a topic more" : "a topic changed");
-  }
-  folder.write("out.bcf", ours + " ");
-  expect_kept("longer");
-  folder.write("out.bcf", ours.substr(0, ours.size() / 2));
-  expect_kept("cut short");
-  EXPECT_EQ(clash({"--bcf", "out.bcf"}).code, 1) << "nobody has written to it";
 }
 
 TEST_F(Files, OnePlaceTakesOneDocument) {
