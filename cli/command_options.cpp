@@ -2,247 +2,374 @@
 // SPDX-License-Identifier: MIT
 #include "command_options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "help.hpp"
+#include "numbers.hpp"
+#include "report/date.hpp"
 
 namespace impinge::cli {
 namespace {
 
-void add_files(CLI::App& command, std::vector<std::string>& files) {
-  command.set_help_flag("--help,-h", "this page");
-  command.add_option("FILE", files, "")->required()->type_name("");
+constexpr std::uint64_t kMostWhole = std::numeric_limits<std::uint64_t>::max();
+constexpr double kMostLength = std::numeric_limits<double>::max();
+
+[[noreturn]] void refuse(std::string sentence) { throw CLI::ValidationError(std::move(sentence)); }
+
+/// An option that takes a number from `least` to `most`, or the word for what holds by default.
+template <class T, class To>
+CLI::Option* add_number(CLI::App& command, const std::string& name, To& to, T least, T most, const std::string& about,
+                        const std::string& word = {}) {
+  const auto take = [=, &to](const std::string& text) {
+    if (!word.empty() && text == word) return;
+    const std::optional<T> number = parse_number<T>(text);
+    if (!number || !(*number >= least && *number <= most))
+      refuse(fmt::format("{} takes {}a {}number from {} {}, not '{}'", name, word.empty() ? "" : word + " or ",
+                         std::is_integral_v<T> ? "whole " : "", least,
+                         most == std::numeric_limits<T>::max() ? "up" : fmt::format("to {}", most), text));
+    to = static_cast<To>(*number + T{});  // which makes 0 of -0
+  };
+  return command.add_option_function<std::string>(name, take, about)->type_name("N");
 }
 
-void add_json(CLI::App& command, Raw& raw, const std::string& what) {
+/// An option that takes one of a few words, each of which stands for a value.
+template <class T, class To>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, To& to,
+                        const std::vector<std::pair<std::string, T>>& choices, const std::string& about) {
+  std::string words;
+  for (const auto& [word, _] : choices) words += (words.empty() ? "" : "|") + word;
+  const auto take = [=, &to](const std::string& text) {
+    const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == text; });
+    if (chosen == choices.end()) refuse(fmt::format("{} takes {}, not '{}'", name, words, text));
+    to = chosen->second;
+  };
+  return command.add_option_function<std::string>(name, take, about)->type_name(words);
+}
+
+CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files) {
+  return command.add_option("FILE", files, "meshes, read as one scene in the coordinates that they have")
+      ->type_name("...")
+      ->required();
+}
+
+void add_json(CLI::App& command, std::optional<std::string>& json, const std::string& what) {
   command
-      .add_option("--json", raw.json,
+      .add_option("--json", json,
                   "write the " + what + " as JSON to a file, or to standard output (-) in place of the table")
       ->type_name("FILE|-");
 }
 
-void add_threads(CLI::App& command, Raw& raw) {
-  command.add_option("--threads", raw.threads, "work on N threads, 0 for as many as the machine has (default: 0)")
-      ->type_name("N");
+void add_output(CLI::App& command, const std::string& name, std::optional<std::string>& file,
+                const std::string& about) {
+  command.add_option(name, file, about)->type_name(name == "--csv" ? "FILE|-" : "FILE");
 }
 
-void add_tolerance(CLI::App& command, Raw& raw, const std::string& what) {
-  command.add_option("--tolerance", raw.tolerance, what + " (default: auto)")->type_name("auto|0|D");
+void add_threads(CLI::App& command, int& threads) {
+  add_number(command, "--threads", threads, 0, 1024,
+             "work on N threads, 0 for as many as the machine has (default: 0)");
+}
+
+void add_tolerance(CLI::App& command, std::optional<double>& tolerance) {
+  add_number(command, "--tolerance", tolerance, 0.0, kMostLength,
+             "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, 2^-20 "
+             "of a pair's largest coordinate (default: auto)",
+             "auto")
+      ->type_name("auto|0|D");
 }
 
 void add_depth(CLI::App& command, bool& depth) {
   command.add_flag("--depth", depth, "measure how deep the solids that overlap reach into each other");
 }
 
-/// `words` are those that the command takes.
-void add_fail_on(CLI::App& command, Raw& raw, const std::string& words, const std::string& more) {
+void add_fail_on(CLI::App& command, FailOn& to, const std::vector<std::string>& names, const std::string& about) {
+  const auto take = [&to](const std::vector<std::string>& words) {
+    const auto given = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    to = {given("contact"), given("penetration"), given("inside"), given("clearance"), given("new")};
+  };
   command
-      .add_option(
-          "--fail-on", raw.fail_on,
-          words + ", or several with commas between them; may be given again (default: penetration,inside)" + more)
+      .add_option_function<std::vector<std::string>>(
+          "--fail-on", take,
+          fmt::format("{}, one or several with commas between them: {} (default: penetration,inside)", about,
+                      fmt::join(names, ", ")))
       ->type_name("LIST")
-      ->allow_extra_args(false);
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(names).description(""));
 }
 
-void add_ignore(CLI::App& command, Raw& raw) {
+void add_ignore(CLI::App& command, SceneArguments& to) {
   command
-      .add_option("--ignore", raw.ignored,
+      .add_option("--ignore", to.ignored,
                   "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
                   "may be given again")
       ->type_name("A B")
-      ->type_size(2)
       ->allow_extra_args(false);
 }
 
-void add_scale(CLI::App& command, Raw& raw) {
-  command.add_option("--scale", raw.scales, "multiply the coordinates of one of the files by S; may be given again")
+void add_scale(CLI::App& command, SceneArguments& to) {
+  const auto take = [&to](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::size_t at = text.rfind('=');
+      if (at == std::string::npos) refuse(fmt::format("--scale takes FILE=S, such as plate.stl=25.4, not '{}'", text));
+      const std::string file = text.substr(0, at), number = text.substr(at + 1);
+      const std::optional<double> factor = parse_number<double>(number);
+      if (!factor || !(*factor > 0 && *factor <= kMostLength))
+        refuse(fmt::format("--scale {}: '{}' is not a positive number such as 25.4", text, number));
+      for (const auto& [other, _] : to.scales)
+        if (other == file) refuse(fmt::format("--scale is given twice for '{}'", file));
+      to.scales.emplace_back(file, *factor);
+    }
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--scale", take, "multiply the coordinates of one of the files by S; may be given again")
       ->type_name("FILE=S")
       ->allow_extra_args(false);
 }
 
-void add_max_file(CLI::App& command, Raw& raw) {
-  command.add_option("--max-file", raw.max_file, "refuse larger files unread: bytes, or 500M, 2G (default: 2G)")
+void check_scales(const SceneArguments& arguments) {
+  for (const auto& [file, _] : arguments.scales)
+    if (std::find(arguments.files.begin(), arguments.files.end(), file) == arguments.files.end())
+      refuse(fmt::format("--scale {}: it is none of the files to read; write it as it stands among them", file));
+}
+
+void add_max_file(CLI::App& command, std::uint64_t& bytes) {
+  command.add_option("--max-file", bytes, "refuse larger files unread: bytes, or 500M, 2G (default: 2G)")
+      ->transform(CLI::AsSizeValue(true).description(""))
+      ->check([](const std::string& text) { return text.starts_with('-') ? "Value " + text + " is negative" : ""; })
       ->type_name("BYTES");
 }
 
-void add_page_triangles(CLI::App& command, Raw& raw) {
-  command
-      .add_option("--page-triangles", raw.page_triangles,
-                  "draw about N triangles at most on the page; larger meshes are simplified there (default: 1000000)")
-      ->type_name("N");
+CLI::Option* add_page_triangles(CLI::App& command, PageArguments& to) {
+  return add_number(
+      command, "--page-triangles", to.page_triangles, std::uint64_t{0}, kMostWhole,
+      "draw about N triangles at most on the page; larger meshes are simplified there (default: 1000000)");
 }
 
-void add_up(CLI::App& command, Raw& raw, const std::string& outputs) {
-  command
-      .add_option(
-          "--up", raw.up,
-          "which of the coordinates' axes is up, for " + outputs +
-              ": y or z (default: by the formats: z if all files are OBJ, OFF, PLY, STL or AMF, else that of the "
-              "first other one: z for 3MF and Blender, y for the rest)")
-      ->type_name("y|z");
-}
-
-void add_exports(CLI::App& command, Raw& raw) {
-  command
-      .add_option("--csv", raw.csv,
-                  "write a table for spreadsheets, a row for each pair; includes --depth and --regions")
-      ->type_name("FILE|-");
-  command
-      .add_option("--bcf", raw.bcf,
-                  "write BCF 2.1 for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
-                  "--depth and --regions")
-      ->type_name("FILE");
-  command
-      .add_option("--gltf", raw.gltf,
-                  "write the regions of contact as binary glTF, lines and points for other viewers; includes --depth "
-                  "and --regions")
-      ->type_name("FILE");
-  command
-      .add_option("--unit", raw.unit,
-                  "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres: m, cm, mm, in or ft "
-                  "(default: m)")
-      ->type_name("UNIT");
-  command
-      .add_option("--date", raw.date,
-                  "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: SOURCE_DATE_EPOCH, or the "
-                  "start of 1970)")
-      ->type_name("DATE");
-  command.add_option("--bcf-topics", raw.topics, "the worst N pairs at most become topics of the BCF (default: 1000)")
-      ->type_name("N");
+CLI::Option* add_up(CLI::App& command, PageArguments& to, const std::string& outputs) {
+  return add_choice<bool>(command, "--up", to.y_up, {{"y", true}, {"z", false}},
+                          "which of the coordinates' axes is up, for " + outputs +
+                              " (default: by the formats: z if all files are OBJ, OFF, PLY, STL or AMF, else that of "
+                              "the first other one: z for 3MF and Blender, y for the rest)");
 }
 
 void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
 }
 
-}  // namespace
+/// The options that follow stand under this heading of the help page.
+void begin_group(CLI::App& command, const std::string& heading) { command.option_defaults()->group(heading); }
 
-void add_check(CLI::App& command, Raw& raw) {
-  CheckArguments& to = raw.check;
+void add_check(CLI::App& command, CheckArguments& to) {
   add_files(command, to.files);
-  add_json(command, raw, "answer");
+  begin_group(command, "Answer");
+  add_json(command, to.json, "answer");
   command.add_flag("--triangles", to.triangles, "list every pair of triangles in the JSON")->needs("--json");
   command.add_flag("--first", to.first,
                    "only whether objects touch, with one pair of triangles as the witness; faster, and without a hash");
-  command
-      .add_option("--limit", raw.limit, "keep only the first N pairs of triangles, in order of objects and triangles")
-      ->type_name("N");
-  add_threads(command, raw);
-  command
-      .add_option(
-          "--backend", to.backend,
-          "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
-          "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is the "
-          "same")
-      ->type_name("NAME");
-  command
-      .add_option(
-          "--device", to.device,
-          "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices (default: "
-          "IMPINGE_DEVICE, or the first)")
-      ->type_name("N|NAME");
-  command
-      .add_option("--device-share", raw.device_share,
-                  "how much of the work hybrid gives to the device, from 0 to 1 (default: what ends soonest)")
-      ->type_name("S");
-  add_ignore(command, raw);
-  add_scale(command, raw);
-  add_max_file(command, raw);
+  add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
+             "keep only the first N pairs of triangles, in order of objects and triangles");
+  add_ignore(command, to);
   add_quiet(command, to.quiet);
   command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
+  begin_group(command, "Reading");
+  add_scale(command, to);
+  add_max_file(command, to.max_file_bytes);
+  begin_group(command, "Work");
+  add_threads(command, to.threads);
+  command
+      .add_option("--backend", to.backend,
+                  "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
+                  "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is "
+                  "the same")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "simd", "scalar", "gpu", "raster", "hybrid"}).description(""));
+  command
+      .add_option("--device", to.device,
+                  "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices "
+                  "(default: IMPINGE_DEVICE, or the first)")
+      ->type_name("N|NAME");
+  add_number(command, "--device-share", to.device_share, 0.0, 1.0,
+             "how much of the work hybrid gives to the device, from 0 to 1 (default: what ends soonest)")
+      ->type_name("S");
+  command.final_callback([&to] {
+    if (to.device_share >= 0 && to.backend != "hybrid") refuse("--device-share is for --backend hybrid");
+    check_scales(to);
+  });
 }
 
-void add_clash(CLI::App& command, Raw& raw) {
-  ClashArguments& to = raw.clash;
-  add_files(command, to.files);
-  command.get_option("FILE")->required(false);  // a configuration may name them
+/// What the options of `clash` ask of each other, and what some of them include.
+void complete(ClashArguments& to, bool fail_on_given) {
+  if (to.files.empty() && !to.config) refuse("no file to read is named");
+  if (to.group_by == GroupBy::test && !to.config)
+    refuse("--group-by test needs tests: name their file with --config FILE");
+  const bool names_verdicts = to.fail_on.contact || to.fail_on.penetration || to.fail_on.inside || to.fail_on.clearance;
+  if (to.config && fail_on_given && names_verdicts)
+    refuse("with --config, the mode of each test says what fails, and --fail-on takes new alone");
+  if (to.fail_on.fresh && !to.previous)
+    refuse("--fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON");
+  if (to.fail_on.clearance && to.clearance == 0)
+    refuse("--fail-on clearance needs the distance to keep: add --clearance C, with C above 0");
+  // The tests of a configuration say themselves what fails; "new" alone is of what fails by default.
+  if (to.config || !names_verdicts) to.fail_on.penetration = to.fail_on.inside = !to.config;
+  if (!to.csv && !to.bcf && !to.gltf && to.metres)
+    refuse("--unit is for --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
+  if (!to.html && !to.csv && !to.bcf && !to.gltf && to.y_up)
+    refuse("--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
+  if (to.bcf && to.date.empty()) {
+    Result<std::string> date = usual_date();
+    if (!date) refuse(date.error().message);
+    to.date = *std::move(date);
+  }
+  // These outputs tell the depths and regions of each clash.
+  if (to.html || to.csv || to.bcf || to.gltf) to.depth = to.regions = true;
+  if (to.previous) to.regions = true;
+  if (!to.config) check_scales(to);  // a configuration names files too; they are read later
+}
+
+void add_exports(CLI::App& command, ClashArguments& to) {
+  add_output(command, "--csv", to.csv,
+             "write a table for spreadsheets, a row for each pair; includes --depth and --regions");
+  add_output(command, "--bcf", to.bcf,
+             "write BCF 2.1 for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
+             "--depth and --regions");
+  constexpr std::uint64_t kMostTopics = 20'000;  // a zip archive counts its members in 16 bits
+  add_number(command, "--bcf-topics", to.topics, std::uint64_t{0}, kMostTopics,
+             "the worst N pairs at most become topics of the BCF (default: 1000)")
+      ->needs("--bcf");
+  const auto take_date = [&to](const std::string& text) {
+    const std::optional<std::string> date = parse_date(text);
+    if (!date) refuse(fmt::format("--date takes now, or a date such as 2024-05-31, not '{}'", text));
+    to.date = *date;
+  };
   command
-      .add_option(
-          "--config", raw.config,
-          "named tests between groups of parts, each with its mode, tolerance, clearance and exceptions, from a "
-          "file (docs/triage.md); clash sets of IfcClash are read too")
-      ->type_name("FILE");
-  add_tolerance(
-      command, raw,
-      "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, 2^-20 "
-      "of a pair's largest coordinate");
-  command
-      .add_option("--clearance", raw.clearance,
-                  "list parts that are nearer to each other than C as well, with their distance")
+      .add_option_function<std::string>("--date", take_date,
+                                        "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: "
+                                        "SOURCE_DATE_EPOCH, or the start of 1970)")
+      ->type_name("DATE")
+      ->needs("--bcf");
+  add_output(command, "--gltf", to.gltf,
+             "write the regions of contact as binary glTF, lines and points for other viewers; includes --depth and "
+             "--regions");
+  add_choice<double>(command, "--unit", to.metres,
+                     {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}},
+                     "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres (default: m)");
+  add_up(command, to, "the page, CSV, BCF and glTF");
+}
+
+void add_clash(CLI::App& command, ClashArguments& to) {
+  add_files(command, to.files)->required(false);  // a configuration may name them
+  begin_group(command, "What is a clash");
+  add_output(command, "--config", to.config,
+             "named tests between groups of parts, each with its mode, tolerance, clearance and exceptions, from a "
+             "file (docs/triage.md); clash sets of IfcClash are read too");
+  add_tolerance(command, to.tolerance);
+  add_number(command, "--clearance", to.clearance, 0.0, kMostLength,
+             "list parts that are nearer to each other than C as well, with their distance")
       ->type_name("C");
+  add_ignore(command, to);
+  command.add_flag("--within-products", to.within_products,
+                   "test the parts of one IFC product against each other as well");
+  add_fail_on(command, to.fail_on, {"contact", "penetration", "inside", "clearance", "new"},
+              "what makes the exit code 1");
+  add_output(command, "--previous", to.previous,
+             "the JSON of an earlier run: say what is new, what persists and what is resolved since then, and keep the "
+             "status and comments written in it; includes --regions");
+  begin_group(command, "What is told of it");
   add_depth(command, to.depth);
   command.add_flag("--regions", to.regions,
                    "find the regions of contact, with place, area, normal and lines in the JSON");
-  add_fail_on(command, raw, "what makes the exit code 1: contact, penetration, inside, clearance",
-              "; with new, only what is new since --previous");
-  add_json(command, raw, "verdicts");
-  command
-      .add_option("--html", raw.html,
-                  "write a page to look at: the assembly, the list of clashes, each in its place; includes --depth and "
-                  "--regions")
-      ->type_name("FILE");
-  add_page_triangles(command, raw);
-  command
-      .add_option("--previous", raw.previous,
-                  "the JSON of an earlier run: say what is new, what persists and what is resolved since then, and "
-                  "keep the status and comments written in it; includes --regions")
-      ->type_name("FILE");
-  command
-      .add_option("--group-by", raw.group_by,
-                  "a row for each part, each two types of part (instances of one mesh) or each test, and what clashes "
-                  "there: part, type, test or none (default: none)")
-      ->type_name("WHAT");
-  add_exports(command, raw);
-  add_up(command, raw, "the page, CSV, BCF and glTF");
-  command.add_option("--limit", raw.limit, "print only the first N rows of the table; the JSON stays whole")
-      ->type_name("N");
-  add_ignore(command, raw);
-  command.add_flag("--within-products", to.within_products,
-                   "test the parts of one IFC product against each other as well");
-  add_scale(command, raw);
-  add_threads(command, raw);
-  add_max_file(command, raw);
+  add_choice<GroupBy>(
+      command, "--group-by", to.group_by,
+      {{"part", GroupBy::part}, {"type", GroupBy::type}, {"test", GroupBy::test}, {"none", GroupBy::none}},
+      "a row for each part, each two types of part (instances of one mesh) or each test, and what clashes there "
+      "(default: none)");
+  add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
+             "print only the first N rows of the table; the JSON stays whole");
   add_quiet(command, to.quiet);
+  begin_group(command, "Files to write");
+  add_json(command, to.json, "verdicts");
+  add_output(command, "--html", to.html,
+             "write a page to look at: the assembly, the list of clashes, each in its place; includes --depth and "
+             "--regions");
+  add_page_triangles(command, to)->needs("--html");
+  add_exports(command, to);
+  begin_group(command, "Reading and work");
+  add_scale(command, to);
+  add_max_file(command, to.max_file_bytes);
+  add_threads(command, to.threads);
+  command.final_callback([&] { complete(to, command.count("--fail-on") > 0); });
 }
 
-void add_motion(CLI::App& command, Raw& raw) {
-  MotionArguments& to = raw.motion;
-  add_files(command, to.files);
+void add_motion(CLI::App& command, MotionArguments& to) {
+  add_files(command, to.files)->description("one file with an animation, of glTF or another format");
+  begin_group(command, "What is looked at");
+  add_number(command, "--frames", to.frames, 1U, 1'000'000U,
+             "look at N steps of equal length; what is over within one of them may be missed (default: 120)");
   command
-      .add_option("--frames", raw.frames,
-                  "look at N steps of equal length; what is over within one of them may be missed (default: 120)")
-      ->type_name("N");
-  command
-      .add_option("--animation", raw.animation,
-                  "which of the file's animations, by name or number (default: the first)")
+      .add_option("--animation", to.animation, "which of the file's animations, by name or number (default: the first)")
       ->type_name("NAME|N");
-  add_tolerance(command, raw, "as with impinge clash");
+  add_ignore(command, to);
+  begin_group(command, "What is a clash");
+  add_tolerance(command, to.tolerance);
   add_depth(command, to.depth);
-  add_fail_on(command, raw, "what is a clash: contact, penetration, inside", "");
-  add_json(command, raw, "times");
-  command.add_option("--html", raw.html, "write a page to look at, with the motion on a timeline")->type_name("FILE");
-  add_page_triangles(command, raw);
-  add_up(command, raw, "the page");
-  add_ignore(command, raw);
-  add_threads(command, raw);
-  add_max_file(command, raw);
+  add_fail_on(command, to.fail_on, {"contact", "penetration", "inside"}, "what is a clash");
+  begin_group(command, "Output");
+  add_json(command, to.json, "times");
+  add_output(command, "--html", to.html, "write a page to look at, with the motion on a timeline; includes --depth");
+  add_page_triangles(command, to)->needs("--html");
+  add_up(command, to, "the page")->needs("--html");
   add_quiet(command, to.quiet);
+  begin_group(command, "Reading and work");
+  add_max_file(command, to.max_file_bytes);
+  add_threads(command, to.threads);
+  command.final_callback([&to] {
+    if (to.files.size() > 1) refuse("impinge motion takes one file; what stands still beside it belongs into it");
+    if (to.html) to.depth = true;  // the page tells how deep each clash is
+  });
 }
 
-void add_view(CLI::App& command, Raw& raw) {
-  ViewArguments& to = raw.view;
+void add_view(CLI::App& command, ViewArguments& to) {
   add_files(command, to.files);
-  command.add_option("--html", raw.html, "the page to write (default: the first file's name with .html after it)")
-      ->type_name("FILE");
-  add_page_triangles(command, raw);
-  add_up(command, raw, "the page");
-  add_scale(command, raw);
-  add_max_file(command, raw);
+  begin_group(command, "Options");
+  add_output(command, "--html", to.html, "the page to write (default: the first file's name with .html after it)");
+  add_page_triangles(command, to);
+  add_up(command, to, "the page");
+  add_scale(command, to);
+  add_max_file(command, to.max_file_bytes);
   add_quiet(command, to.quiet);
+  command.final_callback([&to] {
+    if (!to.html) to.html = std::filesystem::path(to.files.front()).filename().string() + ".html";
+    check_scales(to);
+  });
 }
 
-void add_info(CLI::App& command, Raw& raw) {
-  add_files(command, raw.info.files);
-  add_json(command, raw, "list");
-  add_max_file(command, raw);
+void add_info(CLI::App& command, InfoArguments& to) {
+  add_files(command, to.files)->description("meshes");
+  begin_group(command, "Options");
+  add_json(command, to.json, "list");
+  add_max_file(command, to.max_file_bytes);
+}
+
+}  // namespace
+
+void add_commands(CLI::App& program, AllArguments& to) {
+  const auto add = [&](const char* name, const HelpPage& page) -> CLI::App& {
+    return *program.add_subcommand(name, page.about)->group("Commands")->footer(page.end);
+  };
+  add_check(add("check", kCheckHelp), to.check);
+  add_clash(add("clash", kClashHelp), to.clash);
+  add_motion(add("motion", kMotionHelp), to.motion);
+  add_view(add("view", kViewHelp), to.view);
+  add_info(add("info", kInfoHelp), to.info);
+  add("devices", kDevicesHelp);
+  for (CLI::App* command : program.get_subcommands({})) command->set_help_flag("-h,--help", "print this page");
 }
 
 }  // namespace impinge::cli

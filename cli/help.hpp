@@ -2,27 +2,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <CLI/Formatter.hpp>
 #include <string>
-#include <vector>
 
-/// The help pages: what the program tells about itself, laid out for the width of the terminal.
 namespace impinge::cli {
 
-/// A left part that is never broken and its explanation.
-struct HelpEntry {
-  std::string left;
-  std::string explanation;
+/// What a help page says around the list of options. The first line of `about` stands in the list of commands too.
+struct HelpPage {
+  std::string about, end;
 };
 
-std::string general_help(std::size_t width);
-/// `options` are those that the command line knows, so that the page lists no other and forgets none.
-std::string check_help(const std::vector<HelpEntry>& options, std::size_t width);
-std::string clash_help(const std::vector<HelpEntry>& options, std::size_t width);
-std::string motion_help(const std::vector<HelpEntry>& options, std::size_t width);
-std::string view_help(const std::vector<HelpEntry>& options, std::size_t width);
-std::string info_help(const std::vector<HelpEntry>& options, std::size_t width);
+extern const HelpPage kProgramHelp, kCheckHelp, kClashHelp, kMotionHelp, kViewHelp, kInfoHelp, kDevicesHelp;
 
-std::string devices_help(std::size_t width);
+/// CLI11's help pages with descriptions that are broken to fit 80 columns.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+};
 
 }  // namespace impinge::cli

@@ -51,7 +51,7 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
     return Error{Code::bad_option,
                  fmt::format("--animation {}: {} has {} animations of that name; choose one by its number: {}",
                              *arguments.animation, arguments.files.front(), named.size(), fmt::join(named, ", "))};
-  const auto number = parse_whole(*arguments.animation);
+  const auto number = parse_number<std::size_t>(*arguments.animation);
   if (number && *number < model.animations.size()) return &model.animations[*number];
   std::string names;
   for (std::size_t i = 0; i < model.animations.size(); ++i)

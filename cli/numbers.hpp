@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-/// Numbers on the command line: the whole text must be the number, in every locale.
 namespace impinge::cli {
 
-/// Decimal digits alone, below 2^64.
-std::optional<std::uint64_t> parse_whole(std::string_view text);
+/// The decimal number that the whole text is, in every locale; nothing for any other text. CLI11's own conversions take
+/// "010" for 8 and round twice.
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
-/// A size in bytes: digits, and K, M, G or T for powers of 1000, small or capital, with or without a B: "500M", "2GB".
-std::optional<std::uint64_t> parse_bytes(std::string_view text);
-
-/// A positive finite number: "0.001", "1e-3", "25.4".
-std::optional<double> parse_positive(std::string_view text);
-
-/// The same, or 0.
-std::optional<double> parse_length(std::string_view text);
+inline std::optional<std::uint64_t> parse_whole(std::string_view text) { return parse_number<std::uint64_t>(text); }
 
 }  // namespace impinge::cli

@@ -114,20 +114,20 @@ TEST_F(Advice, UnknownOptionsAndCommandsHaveTheNearestNamed) {
     const std::string text = error(words);
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  suggests({"clash", "pipe1.off", "--htlm", "r.html"}, "'--htlm' here (did you mean --html?)");
+  suggests({"clash", "pipe1.off", "--htlm", "r.html"},
+           "'--htlm' is no option of impinge clash (did you mean --html?); see impinge clash --help");
   suggests({"clash", "pipe1.off", "--hlep"}, "(did you mean --help?)");
   suggests({"clash", "pipe1.off", "--tol", "1"}, "(did you mean --tolerance?)");
   suggests({"clash", "pipe1.off", "-json", "r.json"}, "(did you mean --json?)");
-  suggests({"clash", "pipe1.off", "--clerance=1"}, "'--clerance' here (did you mean --clearance?)");
+  suggests({"clash", "pipe1.off", "--clerance=1"},
+           "'--clerance' is no option of impinge clash (did you mean --clearance?)");
   suggests({"motion", "pipe1.off", "--farmes", "1"}, "(did you mean --frames?)");
   suggests({"info", "pipe1.off", "--jsn", "-"}, "(did you mean --json?)");
   suggests({"devices", "--hepl"}, "(did you mean --help?)");
   suggests({"--verison"}, "(did you mean --version?)");
-  suggests({"check", "pipe1.off", "--html", "r.html"}, "'--html' here (impinge clash, motion and view have it); see");
-  suggests({"check", "pipe1.off", "--previous", "r.json"}, "(impinge clash has it)");
-  suggests({"--html", "r.html", "clash", "pipe1.off"}, "'--html' stands before the command; options come after it");
-  suggests({"clahs", "pipe1.off"}, "no command 'clahs' (did you mean clash?)");
-  suggests({"pipe1.off", "clash", "pipe2.off"}, "'pipe1.off' stands before the command; write impinge clash pipe1.off");
+  suggests({"--html", "r.html", "clash", "pipe1.off"}, "'--html' is no option of impinge; see impinge --help");
+  suggests({"clahs", "pipe1.off"}, "'clahs' is no command of impinge (did you mean clash?)");
+  suggests({"pipe1.off", "clash", "pipe2.off"}, "'pipe1.off' is no command of impinge");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"clash", "pipe1.off", "-x"}, {"clash", "pipe1.off", "--frobnicate"}, {"pipe1.off"}})
     EXPECT_EQ(error(words).find("did you mean"), std::string::npos) << words.back() << " is no slip of anything";

@@ -331,7 +331,7 @@ TEST_F(MotionPage, SaysWhichAxisIsUp) {
   EXPECT_EQ(up({"--up", "z"}), 'z');
   const Ended refused = impinge(folder, {"motion", "case.glb", "--up", "z"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("--up is for the page"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--up requires --html"), std::string::npos) << refused.err;
 }
 
 TEST_F(MotionPage, ItsPosesPutWhatIsDrawnWhereItIs) {

@@ -419,7 +419,8 @@ TEST_F(Previous, ThatIsNoReportIsAnError) {
                 .err.find("larger than"),
             std::string::npos);
   EXPECT_EQ(impinge(folder, {"clash", "bar.off", "prongs.off", "--fail-on", "new"}).err,
-            "impinge: --fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON\n");
+            "impinge: --fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON; see "
+            "impinge clash --help\n");
 }
 
 }  // namespace

@@ -201,8 +201,8 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
     EXPECT_EQ(run.code, 2) << part;
     EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
   };
-  refused({"--date", "2024-01-01"}, "--bcf FILE");
-  refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf FILE");
+  refused({"--date", "2024-01-01"}, "--date requires --bcf");
+  refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf-topics requires --bcf");
   refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "x", "--html", "out.html"}, "'x'");
