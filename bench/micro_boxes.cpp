@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kPairs = 1024;
 
-using BoxPair = std::array<hierarchy::Obb, 2>;
+using BoxPair = std::array<paper::Obb, 2>;
 
 /// Boxes around eight triangles in a row of a torus knot, and of the same one turned: pairs that overlap, and pairs
 /// that do not though their neighbourhoods meet, which is what a walk down two trees asks about.
 struct Boxes {
   Mesh mesh = make_mesh(scenes::torus_knot_of(7590));
-  hierarchy::RelativePose relative;
+  paper::RelativePose relative;
   std::vector<BoxPair> overlapping, apart;
 
   explicit Boxes(scenes::Random& random)
@@ -34,11 +34,11 @@ struct Boxes {
     std::iota(triangles.begin(), triangles.end(), 0U);
     const auto any_box = [&] {
       const int first = random.integer(0, static_cast<int>(triangles.size()) - 8);
-      return hierarchy::fit_obb(mesh.state().data, std::span(triangles).subspan(static_cast<std::size_t>(first), 8));
+      return paper::fit_obb(mesh.state().data, std::span(triangles).subspan(static_cast<std::size_t>(first), 8));
     };
     while (overlapping.size() < kPairs || apart.size() < kPairs) {
       const BoxPair pair{any_box(), any_box()};
-      const bool overlap = hierarchy::may_overlap(pair[0], relative.moved(pair[1]), relative.margin);
+      const bool overlap = paper::may_overlap(pair[0], relative.moved(pair[1]), relative.margin);
       const double distance = norm(pair[0].center - relative.moved(pair[1]).center);
       const bool near = distance < norm(pair[0].half) + norm(pair[1].half);
       auto& list = overlap ? overlapping : apart;
@@ -56,10 +56,10 @@ void register_box_benchmarks() {
     benchmark::RegisterBenchmark(
         overlapping ? "box test: overlapping" : "box test: near but apart",
         [boxes, &pairs = overlapping ? boxes->overlapping : boxes->apart](benchmark::State& state) {
-          const hierarchy::RelativePose& relative = boxes->relative;
+          const paper::RelativePose& relative = boxes->relative;
           for (auto _ : state)
             for (const auto& [a, b] : pairs)
-              benchmark::DoNotOptimize(hierarchy::may_overlap(a, relative.moved(b), relative.margin));
+              benchmark::DoNotOptimize(paper::may_overlap(a, relative.moved(b), relative.margin));
           state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPairs));
         });
 }

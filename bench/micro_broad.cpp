@@ -114,7 +114,7 @@ void add_frames(int n) {
   add_part("candidates updated", &FrameSeconds::update);
   add_part("pairs found", &FrameSeconds::find);
   const auto crowd = std::make_shared<DriftingCrowd>(n);
-  add(name + "the paper's sweep", [crowd, borders = std::make_shared<broad::SweepAndPrune>()] {
+  add(name + "the paper's sweep", [crowd, borders = std::make_shared<paper::SweepAndPrune>()] {
     crowd->move();
     crowd->place([](std::uint32_t, const scene::PlacedObject&) {});
     return seconds_of([&] {
@@ -141,7 +141,7 @@ void add_first(const std::string& name, const std::vector<scene::PlacedObject>& 
   });
   add(name + " from nothing: the paper's sweep", [shared] {
     return seconds_of([&] {
-      broad::SweepAndPrune borders;
+      paper::SweepAndPrune borders;
       borders.update({*shared});
       benchmark::DoNotOptimize(borders.find({*shared}));
     });

@@ -26,7 +26,7 @@ IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);  // in Hit::a: left to exact arithmet
 IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);      // Hit::pair of a place that nothing was written to
 IMPINGE_CONSTANT(kRasterWidth, 2048);       // tests in a row of an image; its edge texture has two texels a test
 IMPINGE_CONSTANT(kRasterHeight, 16);
-IMPINGE_CONSTANT(kTestApart, 0);  // as narrow::Verdict
+IMPINGE_CONSTANT(kTestApart, 0);  // as paper::Verdict
 IMPINGE_CONSTANT(kTestUnsure, 1);
 IMPINGE_CONSTANT(kTestCrossing, 2);
 

@@ -5,9 +5,9 @@
 #include "broad/object_pairs.hpp"
 #include "scene/scene_view.hpp"
 
-namespace impinge::broad {
+namespace impinge::paper {
 
 /// The broad phase by brute force: the twin that sweep and prune is held against.
-ObjectPairs all_pairs(const scene::SceneView& view);
+broad::ObjectPairs all_pairs(const scene::SceneView& view);
 
-}  // namespace impinge::broad
+}  // namespace impinge::paper

@@ -7,16 +7,15 @@
 #include <vector>
 
 #include "paper/batch.hpp"
-#include "paper/verdict.hpp"
 
-namespace impinge::narrow {
+namespace impinge::paper {
 
 /// A way to run the streams. One thread uses it at a time.
 class Backend {
  public:
   virtual ~Backend() = default;
   /// Starts on the batch's tests. The batch stays as it is until `wait` has returned.
-  virtual void submit(const partition::Batch& batch) = 0;
+  virtual void submit(const Batch& batch) = 0;
   /// A verdict a test. They stay until the next `submit`.
   virtual std::span<const Verdict> wait() = 0;
 };
@@ -26,6 +25,6 @@ std::unique_ptr<Backend> make_scalar_backend();
 
 /// Folds the tests' verdicts into one a candidate pair. A pair is `crossing` only if both triangles are certainly
 /// proper as well.
-void fold(const partition::Batch& batch, std::span<const Verdict> tests, std::vector<Verdict>& pairs);
+void fold(const Batch& batch, std::span<const Verdict> tests, std::vector<Verdict>& pairs);
 
-}  // namespace impinge::narrow
+}  // namespace impinge::paper

@@ -8,7 +8,7 @@
 
 #include "core/shapes.hpp"
 
-namespace impinge::partition {
+namespace impinge::paper {
 
 /// Two triangles that one of the tests may prove to touch.
 struct CandidatePair {
@@ -41,4 +41,12 @@ struct Batch {
   void clear() { vertices.clear(), edges.clear(), triangles.clear(), tests.clear(), pairs.clear(); }
 };
 
-}  // namespace impinge::partition
+/// What certified floating point says of an edge and a triangle, or of two triangles. In order of precedence: a pair of
+/// triangles has the greatest verdict of its tests.
+enum class Verdict : std::uint8_t {
+  no,        ///< certainly apart
+  unsure,    ///< left to exact arithmetic
+  crossing,  ///< certainly: the edge passes through the interior of the triangle, with an end strictly on either side
+};
+
+}  // namespace impinge::paper

@@ -8,13 +8,11 @@
 
 #include "exact/contact.hpp"
 #include "paper/batch.hpp"
-#include "paper/verdict.hpp"
 
-namespace impinge::exact {
+namespace impinge::paper {
 
 /// Appends the contacts of a batch: `crossing` pairs as they are, `unsure` ones decided by exact arithmetic. Returns
 /// how many of those there were.
-std::uint64_t decide(const partition::Batch& batch, std::span<const narrow::Verdict> pairs,
-                     std::vector<Contact>& contacts);
+std::uint64_t decide(const Batch& batch, std::span<const Verdict> pairs, std::vector<exact::Contact>& contacts);
 
-}  // namespace impinge::exact
+}  // namespace impinge::paper

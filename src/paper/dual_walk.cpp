@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "paper/dual_walk.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 DualWalk::DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& overlap)
     : a_(a),
@@ -12,7 +12,7 @@ DualWalk::DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& ov
       rounding_b_(rounding_radius(b.pose, b.mesh)),
       overlap_(overlap) {}
 
-void DualWalk::start(std::vector<NodePair>& stack, WalkCounts& counts) const {
+void DualWalk::start(std::vector<NodePair>& stack, hierarchy::WalkCounts& counts) const {
   counts.nodes_made += a_.tree.prepare() + b_.tree.prepare();
   stack.push_back({ObbTree::kRoot, ObbTree::kRoot});
 }
@@ -25,7 +25,7 @@ bool DualWalk::worth_splitting(const PlacedObbTree& placed, const Node& node, co
 }
 
 void DualWalk::advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std::size_t max_leaf_pairs,
-                       std::uint64_t max_box_tests, WalkCounts& counts) const {
+                       std::uint64_t max_box_tests, hierarchy::WalkCounts& counts) const {
   const std::size_t enough = leaf_pairs.size() + max_leaf_pairs;
   const std::uint64_t last_test = counts.box_tests + max_box_tests;
   std::uint32_t moved_node = ObbTree::kLeaf;  // of B; pairs with the same one often follow each other
@@ -59,4 +59,4 @@ void DualWalk::advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std:
   }
 }
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

@@ -7,11 +7,11 @@
 
 #include "core/pose.hpp"
 #include "hierarchy/walk_counts.hpp"
-#include "paper/leaf_pairs.hpp"
+#include "paper/leaf_block.hpp"
 #include "paper/obb_overlap.hpp"
 #include "paper/obb_tree.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 /// A tree as placed in the world.
 struct PlacedObbTree {
@@ -32,11 +32,11 @@ class DualWalk {
   DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& overlap);
 
   /// Prepares both roots and puts them on the stack.
-  void start(std::vector<NodePair>& stack, WalkCounts& counts) const;
+  void start(std::vector<NodePair>& stack, hierarchy::WalkCounts& counts) const;
 
   /// Walks until the stack is empty, `max_leaf_pairs` have been appended or `max_box_tests` made.
   void advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std::size_t max_leaf_pairs,
-               std::uint64_t max_box_tests, WalkCounts& counts) const;
+               std::uint64_t max_box_tests, hierarchy::WalkCounts& counts) const;
 
  private:
   bool worth_splitting(const PlacedObbTree& placed, const Node& node, const Vec3& rounding) const;
@@ -47,4 +47,4 @@ class DualWalk {
   Box overlap_;
 };
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

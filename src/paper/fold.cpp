@@ -4,7 +4,7 @@
 
 #include "paper/backend.hpp"
 
-namespace impinge::narrow {
+namespace impinge::paper {
 namespace {
 
 /// By the filter of orient2d (exact/orientation.cpp) in each coordinate plane: the triangle's normal is not zero.
@@ -18,19 +18,19 @@ bool certainly_proper(const Triangle& t) {
 
 }  // namespace
 
-void fold(const partition::Batch& batch, std::span<const Verdict> tests, std::vector<Verdict>& pairs) {
+void fold(const Batch& batch, std::span<const Verdict> tests, std::vector<Verdict>& pairs) {
   pairs.assign(batch.pairs.size(), Verdict::no);
   for (std::size_t i = 0; i < tests.size(); ++i) {
     if (tests[i] == Verdict::no) continue;
     for (const std::uint32_t pair : {batch.tests[i].first_pair, batch.tests[i].second_pair})
-      if (pair != partition::ElementTest::kNone) pairs[pair] = std::max(pairs[pair], tests[i]);
+      if (pair != ElementTest::kNone) pairs[pair] = std::max(pairs[pair], tests[i]);
   }
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i] != Verdict::crossing) continue;
-    const partition::CandidatePair& pair = batch.pairs[i];
+    const CandidatePair& pair = batch.pairs[i];
     if (!certainly_proper(batch.triangle(pair.triangle_a)) || !certainly_proper(batch.triangle(pair.triangle_b)))
       pairs[i] = Verdict::unsure;
   }
 }
 
-}  // namespace impinge::narrow
+}  // namespace impinge::paper

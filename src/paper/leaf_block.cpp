@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 namespace {
 
 /// Two triangles may share an edge; a third one brings an edge of its own, so that an edge's record stays small.
@@ -46,4 +46,4 @@ LeafBlock make_leaf_block(const MeshData& mesh, std::span<const std::uint32_t> t
   return block;
 }
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

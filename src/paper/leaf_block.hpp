@@ -9,7 +9,7 @@
 
 #include "core/mesh_data.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 /// An edge between two of a block's vertices and the one or two of its triangles that have it.
 struct LeafEdge {
@@ -28,4 +28,12 @@ struct LeafBlock {
 
 LeafBlock make_leaf_block(const MeshData& mesh, std::span<const std::uint32_t> triangles);
 
-}  // namespace impinge::hierarchy
+/// Two leaves whose boxes may overlap.
+struct LeafPair {
+  const LeafBlock* a;
+  const LeafBlock* b;
+};
+
+using LeafPairs = std::vector<LeafPair>;
+
+}  // namespace impinge::paper

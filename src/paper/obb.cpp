@@ -6,7 +6,7 @@
 
 #include "core/number.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 namespace {
 
 template <class Visit>
@@ -83,4 +83,4 @@ Obb fit_obb(const MeshData& mesh, std::span<const std::uint32_t> triangles) {
   return box;
 }
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

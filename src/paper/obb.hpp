@@ -9,7 +9,7 @@
 #include "core/mesh_data.hpp"
 #include "core/vec3.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 /// {center + axesᵀ u : |u| <= half}, in the mesh's frame; the rows of `axes` are orthonormal to within 24 eps.
 struct Obb {
@@ -22,4 +22,4 @@ struct Obb {
 /// where their projections end. Holds every vertex for certain. `triangles` is not empty.
 Obb fit_obb(const MeshData& mesh, std::span<const std::uint32_t> triangles);
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

@@ -4,7 +4,7 @@
 
 #include "core/pose.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 // A shared point is R_A x + t_A + e = R_B y + t_B + f with x and y in the two boxes and e, f the rounding of world
 // vertices (contract 1.1): x = M y + t + R_A⁻¹(f - e), M = R_A⁻¹ R_B, t = R_A⁻¹(t_B - t_A). With u = 2^-53, S the sum
 // of both meshes' and both translations' magnitudes (1-norms), and all matrices within 1e-6 of rotations, at most
@@ -68,4 +68,4 @@ bool may_reach(const Obb& box, const Pose& pose, const Vec3& rounding, const Box
   return overlap({center - reach, center + reach}, region);
 }
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

@@ -6,7 +6,7 @@
 #include "core/shapes.hpp"
 #include "paper/obb.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 /// The map from B's frame to A's, x -> M x + t, and how far apart boxes of the two must appear to be apart for certain.
 struct RelativePose {
@@ -27,4 +27,4 @@ bool may_overlap(const Obb& a, const Obb& b, double margin);
 /// Whether the box, posed, may hold a triangle that reaches `region`. Conservative too.
 bool may_reach(const Obb& box, const Pose& pose, const Vec3& rounding, const Box& region);
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 namespace {
 
 /// Below this depth nodes are halved by count, so the depth is at most this and log2 of the triangles, even where each
@@ -119,4 +119,4 @@ std::uint32_t ObbTree::partition(const Node& node) {
   return node.count / 2;
 }
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

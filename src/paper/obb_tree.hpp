@@ -14,7 +14,7 @@
 #include "paper/leaf_block.hpp"
 #include "paper/obb.hpp"
 
-namespace impinge::hierarchy {
+namespace impinge::paper {
 
 struct Node {
   Obb box;
@@ -73,4 +73,4 @@ class ObbTree {
   tbb::concurrent_vector<LeafBlock> blocks_;
 };
 
-}  // namespace impinge::hierarchy
+}  // namespace impinge::paper

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace impinge::partition {
+namespace impinge::paper {
 namespace {
 
 /// Adds up the sizes of the boxes that meet the region and lists them.
@@ -21,13 +21,12 @@ void select(const std::vector<Box>& boxes, const Box& region, Elements& elements
 template <class Elements>
 void select_all(const std::vector<Box>& boxes, Elements& elements) {
   elements.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) elements.push_back({i, ~Cells{0}});
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) elements.push_back({i, ~partition::Cells{0}});
 }
 
 }  // namespace
 
-void Partitioner::pose(const hierarchy::LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed,
-                       Batch& batch) {
+void Partitioner::pose(const LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed, Batch& batch) {
   if (posed.leaf == &leaf) return;
   posed.leaf = &leaf;
   const auto first_vertex = static_cast<std::uint32_t>(batch.vertices.size());
@@ -38,7 +37,7 @@ void Partitioner::pose(const hierarchy::LeafBlock& leaf, const MeshData& mesh, c
   pose_vertices(pose, mesh.vertices, leaf.vertices, vertices);
 
   posed.edge_boxes.clear();
-  for (const hierarchy::LeafEdge& edge : leaf.edges) {
+  for (const LeafEdge& edge : leaf.edges) {
     batch.edges.push_back({first_vertex + edge.from, first_vertex + edge.to});
     posed.edge_boxes.push_back(box_of(Segment{vertices[edge.from], vertices[edge.to]}));
   }
@@ -61,7 +60,7 @@ void Partitioner::map_to_cells(const Box& region) {
     select(leaf->triangle_boxes, region, leaf->triangles, total_size);
   }
   const std::size_t count = a_.edges.size() + a_.triangles.size() + b_.edges.size() + b_.triangles.size();
-  const Grid grid(region, 1.0 / static_cast<double>(std::max<std::size_t>(count, 1)) * total_size);
+  const partition::Grid grid(region, 1.0 / static_cast<double>(std::max<std::size_t>(count, 1)) * total_size);
   for (PosedLeaf* leaf : {&a_, &b_}) {
     for (Element& edge : leaf->edges) edge.cells = grid.cells_of(leaf->edge_boxes[edge.index]);
     for (Element& triangle : leaf->triangles) triangle.cells = grid.cells_of(leaf->triangle_boxes[triangle.index]);
@@ -81,7 +80,7 @@ std::uint32_t Partitioner::candidate(std::uint32_t a, std::uint32_t b, Batch& ba
 /// meet.
 void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch) {
   const auto pair_of = [&](std::uint16_t owner, std::uint32_t triangle) {
-    if (owner == hierarchy::LeafEdge::kNone) return ElementTest::kNone;
+    if (owner == LeafEdge::kNone) return ElementTest::kNone;
     return edges_are_a ? candidate(owner, triangle, batch) : candidate(triangle, owner, batch);
   };
   for (const Element& triangle : triangles.triangles) {
@@ -90,14 +89,14 @@ void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, boo
       if ((element.cells & triangle.cells) == 0) continue;
       const std::uint32_t e = element.index;
       if (partition_ != Partition::all && !overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
-      const hierarchy::LeafEdge& edge = edges.leaf->edges[e];
+      const LeafEdge& edge = edges.leaf->edges[e];
       batch.tests.push_back(
           {edges.first_edge + e, triangles.first_triangle + t, pair_of(edge.left, t), pair_of(edge.right, t)});
     }
   }
 }
 
-void Partitioner::append(const hierarchy::LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
+void Partitioner::append(const LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
   pose(*pair.a, placed.mesh_a, placed.pose_a, a_, batch);
   pose(*pair.b, placed.mesh_b, placed.pose_b, b_, batch);
   const Box region = intersection(a_.box, b_.box);
@@ -115,4 +114,4 @@ void Partitioner::append(const hierarchy::LeafPair& pair, const PlacedMeshes& pl
   stream(b_, a_, false, batch);
 }
 
-}  // namespace impinge::partition
+}  // namespace impinge::paper

@@ -11,10 +11,10 @@
 #include "shaders/raster.frag.h"
 #include "shaders/raster_probe.frag.h"
 
-namespace impinge::gpu {
+namespace impinge::paper {
+using namespace gpu;  // buffers, images, drawings and the layouts that are shared with shaders
 namespace {
 
-using narrow::Verdict;
 static_assert(static_cast<uint>(Verdict::no) == kTestApart && static_cast<uint>(Verdict::unsure) == kTestUnsure &&
               static_cast<uint>(Verdict::crossing) == kTestCrossing);
 
@@ -70,7 +70,7 @@ RasterBackend::RasterBackend(const Drawing& drawing)
       bindings_(drawing, edges_, runs_, found_),
       commands_(drawing.device()) {}
 
-void RasterBackend::submit(const partition::Batch& batch) {
+void RasterBackend::submit(const Batch& batch) {
   batch_ = &batch;
   verdicts_.clear();
   if (!batch.tests.empty()) start_image();
@@ -103,7 +103,7 @@ void RasterBackend::start_image() {
 /// 2^300 and multiples of 2^-358 (contract 1.3), so are their rounded differences but for a factor of 2, and no
 /// scaling of those leaves the range of doubles.
 std::uint32_t RasterBackend::lay_out(std::size_t begin, std::size_t end) {
-  const partition::Batch& batch = *batch_;
+  const Batch& batch = *batch_;
   auto* const texels = edge_upload_.mapped<EdgeTexels>();
   auto* const runs = run_upload_.mapped<RasterRun>();
   std::uint32_t count = 0;
@@ -201,7 +201,7 @@ std::string probe_arithmetic(Device& device) {
 /// One edge of many pierces the triangle, the first, one in the midst, the last, or none.
 std::string probe_query(const Drawing& drawing) {
   constexpr std::size_t kTests = 3000;
-  partition::Batch batch;
+  Batch batch;
   batch.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};
   batch.triangles = {{0, 1, 2}};
   batch.edges = {{4, 5}, {3, 4}};
@@ -226,4 +226,4 @@ std::string probe_fragments(const Drawing& drawing) {
   return wrong;
 }
 
-}  // namespace impinge::gpu
+}  // namespace impinge::paper

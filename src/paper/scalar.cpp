@@ -3,7 +3,7 @@
 #include "core/vec3.hpp"
 #include "paper/backend.hpp"
 
-namespace impinge::narrow {
+namespace impinge::paper {
 namespace {
 
 // det(a, b, c) of rounded differences is off by at most (7 + 56 eps) eps times the sum of the absolute products, eps =
@@ -48,7 +48,7 @@ Verdict test_edge(const Vec3& from, const Vec3& to, const Triangle& t, const Cer
 
 class ScalarBackend final : public Backend {
  public:
-  void submit(const partition::Batch& batch) override {
+  void submit(const Batch& batch) override {
     verdicts_.clear();
     for (std::size_t i = 0; i < batch.tests.size();) {
       const std::uint32_t triangle = batch.tests[i].triangle;
@@ -70,4 +70,4 @@ class ScalarBackend final : public Backend {
 
 std::unique_ptr<Backend> make_scalar_backend() { return std::make_unique<ScalarBackend>(); }
 
-}  // namespace impinge::narrow
+}  // namespace impinge::paper

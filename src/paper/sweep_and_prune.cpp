@@ -6,7 +6,7 @@
 
 #include "broad/may_touch.hpp"
 
-namespace impinge::broad {
+namespace impinge::paper {
 namespace {
 
 // Projections are closed: where one starts at the value at which another ends, they overlap.
@@ -91,14 +91,14 @@ void SweepAndPrune::update(const scene::SceneView& view) {
   }
 }
 
-ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_token& stop,
-                                std::uint64_t* comparisons) const {
+broad::ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_token& stop,
+                                       std::uint64_t* comparisons) const {
   // Along any other axis than the one with the fewest overlaps a thousand pipes side by side would all be open at once.
   const std::array<std::uint64_t, 3> overlaps{count_overlaps(axes_[0]), count_overlaps(axes_[1]),
                                               count_overlaps(axes_[2])};
   const auto axis = std::min_element(overlaps.begin(), overlaps.end()) - overlaps.begin();
 
-  ObjectPairs pairs;
+  broad::ObjectPairs pairs;
   OpenObjects open(view.objects.size());
   for (const Border& border : axes_[axis]) {
     if (stop.stop_requested()) return {};
@@ -110,15 +110,15 @@ ObjectPairs SweepAndPrune::find(const scene::SceneView& view, const std::stop_to
     if (comparisons != nullptr) *comparisons += open.size();
     const Box& box = view.objects[object].box;
     open.visit_overlapping(box, [&](std::uint32_t other) {
-      if (!may_touch(view, object, other)) return;
+      if (!broad::may_touch(view, object, other)) return;
       pairs.push_back({std::min(object, other), std::max(object, other)});
     });
     open.open(object, box);
   }
-  std::sort(pairs.begin(), pairs.end(), [](const ObjectPair& p, const ObjectPair& q) {
+  std::sort(pairs.begin(), pairs.end(), [](const broad::ObjectPair& p, const broad::ObjectPair& q) {
     return scene::pair_key(p.a, p.b) < scene::pair_key(q.a, q.b);
   });
   return pairs;
 }
 
-}  // namespace impinge::broad
+}  // namespace impinge::paper

@@ -10,7 +10,7 @@
 #include "broad/object_pairs.hpp"
 #include "scene/scene_view.hpp"
 
-namespace impinge::broad {
+namespace impinge::paper {
 
 /// One end of an object's projection on an axis.
 struct Border {
@@ -30,11 +30,11 @@ class SweepAndPrune {
   /// The pairs whose projections overlap on all three axes and whose spheres meet. The borders must be up to date. Ends
   /// early, with no pairs, when asked to stop. `comparisons`, if given, is raised by the pairs of objects that were
   /// held against each other.
-  [[nodiscard]] ObjectPairs find(const scene::SceneView& view, const std::stop_token& stop = {},
-                                 std::uint64_t* comparisons = nullptr) const;
+  [[nodiscard]] broad::ObjectPairs find(const scene::SceneView& view, const std::stop_token& stop = {},
+                                        std::uint64_t* comparisons = nullptr) const;
 
  private:
   std::array<std::vector<Border>, 3> axes_;
 };
 
-}  // namespace impinge::broad
+}  // namespace impinge::paper

@@ -27,7 +27,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   const MeshData data;
   const TreeConfig config;
   // Safe from many threads.
-  mutable hierarchy::ObbTree tree;
+  mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
   mutable clash::DefectCache defect_cache;
 };

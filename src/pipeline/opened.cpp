@@ -70,21 +70,21 @@ const Drawing& Opened::raster_drawing() {
     if (!device.physical().fragments_store) drawing_complaint_ = "its fragments write to no buffers";
   }
   if (drawing_complaint_.empty()) {
-    auto drawing = make_raster_drawing(device);
-    drawing_complaint_ = with_room([&] { return probe_fragments(*drawing); });
+    auto drawing = paper::make_raster_drawing(device);
+    drawing_complaint_ = with_room([&] { return paper::probe_fragments(*drawing); });
     if (drawing_complaint_.empty()) drawing_ = std::move(drawing);
   }
   if (!drawing_) throw Failure(drawing_complaint_);
   return *drawing_;
 }
 
-std::unique_ptr<RasterBackend> Opened::take_raster() {
+std::unique_ptr<paper::RasterBackend> Opened::take_raster() {
   const Drawing& drawing = raster_drawing();
   if (auto kept = take_from(rasters_, mutex_)) return kept;
-  return with_room([&] { return std::make_unique<RasterBackend>(drawing); });
+  return with_room([&] { return std::make_unique<paper::RasterBackend>(drawing); });
 }
 
-void Opened::give_back(std::unique_ptr<RasterBackend> raster) {
+void Opened::give_back(std::unique_ptr<paper::RasterBackend> raster) {
   const std::lock_guard lock(mutex_);
   rasters_.push_back(std::move(raster));
 }

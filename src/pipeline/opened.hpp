@@ -30,8 +30,8 @@ class Opened {
 
   /// The same of what draws the plain stages' tests. Throws a Failure if the device does not draw, or does so wrongly:
   /// that is tried once.
-  std::unique_ptr<RasterBackend> take_raster();
-  void give_back(std::unique_ptr<RasterBackend> raster);
+  std::unique_ptr<paper::RasterBackend> take_raster();
+  void give_back(std::unique_ptr<paper::RasterBackend> raster);
 
  private:
   /// Makes it, however many meshes must make way for it: they may be uploaded again.
@@ -43,7 +43,7 @@ class Opened {
   std::unique_ptr<Drawing> drawing_;  ///< tried out; null: not yet, or in vain
   std::string drawing_complaint_;
   std::vector<std::unique_ptr<DeviceWalk>> walks_;
-  std::vector<std::unique_ptr<RasterBackend>> rasters_;
+  std::vector<std::unique_ptr<paper::RasterBackend>> rasters_;
 };
 
 /// What there is, and what became of it when it was tried.

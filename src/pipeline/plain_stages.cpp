@@ -13,7 +13,7 @@ constexpr std::uint64_t kBoxTestsPerSlice = 8192;
 // A batch is closed when it has so many tests: it stays in cache, and memory stays bounded with large leaves.
 constexpr std::size_t kTestsPerBatch = 16384;
 
-hierarchy::PlacedObbTree placed_tree(const Query& query, std::uint32_t object) {
+paper::PlacedObbTree placed_tree(const Query& query, std::uint32_t object) {
   const scene::PlacedObject& placed = query.view.objects[object];
   return {query.meshes[object]->tree, *placed.mesh, placed.pose};
 }
@@ -26,10 +26,10 @@ PlainStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
       placed{*query.view.objects[objects.a].mesh, query.view.objects[objects.a].pose,
              *query.view.objects[objects.b].mesh, query.view.objects[objects.b].pose} {}
 
-PlainStages::PlainStages() : partitioner_(Partition::automatic), scalar_(narrow::make_scalar_backend()) {}
+PlainStages::PlainStages() : partitioner_(Partition::automatic), scalar_(paper::make_scalar_backend()) {}
 
 void PlainStages::configure(const Options& options, gpu::Opened* device) {
-  partitioner_ = partition::Partitioner(options.partition);
+  partitioner_ = paper::Partitioner(options.partition);
   first_only_ = options.find == Options::Find::first;
   device_ = device;
   complaint_.clear();
@@ -39,10 +39,10 @@ void PlainStages::configure(const Options& options, gpu::Opened* device) {
 void PlainStages::test_batch() {
   if (device_ != nullptr && !batch_.tests.empty()) {
     try {
-      std::unique_ptr<gpu::RasterBackend> raster = device_->take_raster();
+      std::unique_ptr<paper::RasterBackend> raster = device_->take_raster();
       raster->ask_first(first_only_);
       raster->submit(batch_);
-      narrow::fold(batch_, raster->wait(), verdicts_);
+      paper::fold(batch_, raster->wait(), verdicts_);
       device_->give_back(std::move(raster));
       return;
     } catch (const gpu::Failure& failure) {
@@ -51,7 +51,7 @@ void PlainStages::test_batch() {
     }
   }
   scalar_->submit(batch_);
-  narrow::fold(batch_, scalar_->wait(), verdicts_);
+  paper::fold(batch_, scalar_->wait(), verdicts_);
 }
 
 void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
@@ -78,7 +78,7 @@ void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& sta
     clock.charge(statistics.narrow_seconds);
 
     contacts_.clear();
-    statistics.exact_calls += exact::decide(batch_, verdicts_, contacts_);
+    statistics.exact_calls += paper::decide(batch_, verdicts_, contacts_);
     for (const exact::Contact& contact : contacts_)
       keys_.push_back(results::contact_key(contact.a, contact.b, contact.kind));
     clock.charge(statistics.exact_seconds);

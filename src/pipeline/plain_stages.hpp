@@ -25,13 +25,13 @@ namespace impinge {
 class PlainStages {
  public:
   /// What remains to be walked is a stack of these.
-  using Step = hierarchy::NodePair;
+  using Step = paper::NodePair;
 
   /// What the stages need of one pair of objects.
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
-    hierarchy::DualWalk walk;
-    partition::PlacedMeshes placed;
+    paper::DualWalk walk;
+    paper::PlacedMeshes placed;
   };
 
   PlainStages();
@@ -48,14 +48,14 @@ class PlainStages {
  private:
   void test_batch();
 
-  hierarchy::LeafPairs leaf_pairs_;
-  partition::Partitioner partitioner_;
-  partition::Batch batch_;
-  std::unique_ptr<narrow::Backend> scalar_;
+  paper::LeafPairs leaf_pairs_;
+  paper::Partitioner partitioner_;
+  paper::Batch batch_;
+  std::unique_ptr<paper::Backend> scalar_;
   gpu::Opened* device_ = nullptr;
   bool first_only_ = false;
   std::string complaint_;
-  std::vector<narrow::Verdict> verdicts_;
+  std::vector<paper::Verdict> verdicts_;
   std::vector<exact::Contact> contacts_;
   std::vector<results::ContactKey> keys_;
 };

@@ -26,7 +26,7 @@ struct Found {
   std::uint64_t comparisons;
 };
 Found find(const std::vector<PlacedObject>& objects) {
-  broad::SweepAndPrune borders;
+  paper::SweepAndPrune borders;
   borders.update({objects, nullptr});
   std::uint64_t comparisons = 0;
   const std::size_t pairs = borders.find({objects, nullptr}, {}, &comparisons).size();
@@ -39,7 +39,7 @@ TEST(SweepAndPrune, FindsTheNeighboursOfAHundredThousandBoxes) {
 
 TEST(SweepAndPrune, EndsEarlyWhenAskedToStop) {
   const std::vector<PlacedObject> objects = lattice(3, 3, 3);
-  broad::SweepAndPrune borders;
+  paper::SweepAndPrune borders;
   borders.update({objects, nullptr});
   std::stop_source stop;
   std::uint64_t comparisons = 0;

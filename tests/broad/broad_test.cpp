@@ -97,11 +97,11 @@ RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
   const scene::IgnoredPairs ignored = ignoring(ignored_pairs, 12);
   std::vector<PlacedObject> objects(12);
   broad::NearPairs near_pairs;
-  broad::SweepAndPrune borders;
+  paper::SweepAndPrune borders;
   for (const std::vector<Step>& frame : frames) {
     for (const Step& step : frame) objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
     const SceneView view{objects, &ignored};
-    const broad::ObjectPairs expected = broad::all_pairs(view);
+    const broad::ObjectPairs expected = paper::all_pairs(view);
     broad::NearPairs copy = near_pairs;
     test::update(near_pairs, objects);
     RC_ASSERT(test::pairs_of(near_pairs, view) == expected);
@@ -124,7 +124,7 @@ RC_GTEST_PROP(NearPairs, NeedToHearOfChangesOnly, (const std::vector<std::vector
       near_pairs.place(step.object, objects[step.object]);
     }
     near_pairs.update();
-    RC_ASSERT(test::pairs_of(near_pairs, {objects}) == broad::all_pairs({objects}));
+    RC_ASSERT(test::pairs_of(near_pairs, {objects}) == paper::all_pairs({objects}));
   }
 }
 
@@ -135,7 +135,7 @@ RC_GTEST_PROP(AllPairs, HoldBoxesAndSpheresAndGroupsAndIgnoredPairs,
   for (const Place& place : places) objects.push_back(placed(place));
   scene::IgnoredPairs ignored;
   if (ignored_a % 8 != ignored_b % 8) ignored.insert(ignored_a % 8, ignored_b % 8);
-  const broad::ObjectPairs pairs = broad::all_pairs({objects, &ignored});
+  const broad::ObjectPairs pairs = paper::all_pairs({objects, &ignored});
   auto next = pairs.begin();
   for (std::uint32_t a = 0; a < places.size(); ++a) {
     for (std::uint32_t b = a + 1; b < places.size(); ++b) {
@@ -176,7 +176,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
       put(objects[i], anywhere());
       velocities[i] = 0.002 * (anywhere() - Vec3{4, 4, 4});
     }
-    broad::SweepAndPrune borders;
+    paper::SweepAndPrune borders;
     for (int frame = 0; frame < 60; ++frame) {
       for (std::size_t i = 0; i < objects.size(); ++i) {
         if (objects[i].mesh != nullptr) put(objects[i], objects[i].sphere.center + velocities[i]);
@@ -188,7 +188,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
       const SceneView view{objects, nullptr};
       borders.update(view);
       const broad::ObjectPairs pairs = borders.find(view);
-      ASSERT_TRUE(pairs == broad::all_pairs(view)) << "frame " << frame;
+      ASSERT_TRUE(pairs == paper::all_pairs(view)) << "frame " << frame;
       ASSERT_GT(pairs.size(), 20u);
     }
   }
@@ -196,7 +196,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
 
 TEST(SweepAndPrune, CopesWithAllInOnePlaceAndWithNone) {
   std::vector<PlacedObject> objects(50, placed({{1, 2, 3}, {0, 0, 0}, 0, 0}));
-  broad::SweepAndPrune borders;
+  paper::SweepAndPrune borders;
   borders.update({objects, nullptr});
   EXPECT_EQ(borders.find({objects, nullptr}).size(), 50u * 49 / 2);
   objects.clear();

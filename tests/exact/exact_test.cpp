@@ -160,14 +160,14 @@ TEST(Classify, PlainCases) {
 
 /// What the backends call certain is taken as it is, the rest decided here.
 TEST(Decide, TrustsTheCertainAndDecidesTheUnsure) {
-  using narrow::Verdict;
-  partition::Batch batch;
+  using paper::Verdict;
+  paper::Batch batch;
   batch.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, 1}, {9, 9, 1}, {1, 1, 2}, {2, 2, 2}, {1, 2, 2}};
   batch.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
   batch.pairs = {{10, 20, 0, 1}, {11, 21, 0, 2}, {12, 22, 0, 1}, {13, 23, 0, 2}, {14, 24, 0, 1}};
   const std::array verdicts{Verdict::unsure, Verdict::unsure, Verdict::crossing, Verdict::no, Verdict::no};
   std::vector<exact::Contact> contacts{{2, 3, Kind::coplanar}};
-  EXPECT_EQ(exact::decide(batch, verdicts, contacts), 2u);
+  EXPECT_EQ(paper::decide(batch, verdicts, contacts), 2u);
   ASSERT_EQ(contacts.size(), 3u);
   EXPECT_EQ(contacts[0].a, 2u);  // appended to
   const auto is = [](const exact::Contact& c, std::uint32_t a, std::uint32_t b, Kind kind) {

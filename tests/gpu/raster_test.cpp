@@ -16,9 +16,9 @@
 namespace impinge {
 namespace {
 
-using narrow::Verdict;
-using partition::Batch;
-using partition::ElementTest;
+using paper::Batch;
+using paper::ElementTest;
+using paper::Verdict;
 using scenes::Random;
 
 /// What `crossing` claims: an end strictly on either side, the line strictly through the interior.

@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
       "exact/", "gpu/", "shaders/"}},
     {"hierarchy", {}},
     {"partition",
-     {"hierarchy/leaf_pairs.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/frame.hpp", "hierarchy/tree_relation.hpp",
+     {"hierarchy/wide_leaf.hpp", "hierarchy/frame.hpp", "hierarchy/tree_relation.hpp",
       "hierarchy/frame_relation-inl.hpp"}},
     {"narrow", {"partition/pair_stream.hpp"}},
     {"exact", {}},

@@ -99,7 +99,7 @@ TEST(NearPairs, AreRightAfterMemoryRanOut) {
         for (std::uint32_t i = 0; i < n; ++i) near_pairs.place(i, objects[i]);
       }
       near_pairs.update();
-      ASSERT_TRUE(test::pairs_of(near_pairs, {objects}) == broad::all_pairs({objects}))
+      ASSERT_TRUE(test::pairs_of(near_pairs, {objects}) == paper::all_pairs({objects}))
           << "after the failure of allocation " << allowed << " after " << frames << " frames";
     }
   }

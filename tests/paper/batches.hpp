@@ -23,28 +23,28 @@ class LeavesOf {
       for (const auto& b : leaves_b_) pairs_.push_back({&a, &b});
   }
 
-  [[nodiscard]] const hierarchy::LeafPairs& pairs() const { return pairs_; }
-  [[nodiscard]] partition::PlacedMeshes placed() const {
+  [[nodiscard]] const paper::LeafPairs& pairs() const { return pairs_; }
+  [[nodiscard]] paper::PlacedMeshes placed() const {
     return {numbers_of(mesh_a_), pose_a_, numbers_of(mesh_b_), pose_b_};
   }
-  [[nodiscard]] partition::Batch batch(Partition how) const {
-    partition::Partitioner partitioner(how);
-    partition::Batch batch;
-    for (const hierarchy::LeafPair& pair : pairs_) partitioner.append(pair, placed(), batch);
+  [[nodiscard]] paper::Batch batch(Partition how) const {
+    paper::Partitioner partitioner(how);
+    paper::Batch batch;
+    for (const paper::LeafPair& pair : pairs_) partitioner.append(pair, placed(), batch);
     return batch;
   }
   [[nodiscard]] std::vector<Triangle> world_a() const { return world_triangles(mesh_a_, pose_a_); }
   [[nodiscard]] std::vector<Triangle> world_b() const { return world_triangles(mesh_b_, pose_b_); }
 
  private:
-  static std::vector<hierarchy::LeafBlock> cut(const Mesh& mesh, std::uint32_t leaf_size) {
-    std::vector<hierarchy::LeafBlock> leaves;
+  static std::vector<paper::LeafBlock> cut(const Mesh& mesh, std::uint32_t leaf_size) {
+    std::vector<paper::LeafBlock> leaves;
     std::vector<std::uint32_t> ids;
     const auto n = static_cast<std::uint32_t>(mesh.triangle_count());
     for (std::uint32_t t = 0; t < n; ++t) {
       ids.push_back(t);
       if (ids.size() < leaf_size && t + 1 < n) continue;
-      leaves.push_back(hierarchy::make_leaf_block(numbers_of(mesh), ids));
+      leaves.push_back(paper::make_leaf_block(numbers_of(mesh), ids));
       ids.clear();
     }
     return leaves;
@@ -53,8 +53,8 @@ class LeavesOf {
   std::vector<Mesh> meshes_;
   Mesh mesh_a_, mesh_b_;
   Pose pose_a_, pose_b_;
-  std::vector<hierarchy::LeafBlock> leaves_a_, leaves_b_;
-  hierarchy::LeafPairs pairs_;
+  std::vector<paper::LeafBlock> leaves_a_, leaves_b_;
+  paper::LeafPairs pairs_;
 };
 
 }  // namespace impinge::test

@@ -13,15 +13,15 @@
 #include "paper/decide.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
-#include "tests/partition/batches.hpp"
+#include "tests/paper/batches.hpp"
 
 namespace impinge {
 namespace {
 
-using narrow::Verdict;
-using partition::Batch;
-using partition::CandidatePair;
-using partition::ElementTest;
+using paper::Batch;
+using paper::CandidatePair;
+using paper::ElementTest;
+using paper::Verdict;
 
 std::uint32_t add_triangle(Batch& batch, const Triangle& t) {
   const auto first = static_cast<std::uint32_t>(batch.vertices.size());
@@ -37,7 +37,7 @@ Verdict verdict(const Segment& edge, const Triangle& t) {
   batch.vertices.insert(batch.vertices.end(), edge.begin(), edge.end());
   batch.edges.push_back({3, 4});
   batch.tests.push_back({0, 0, ElementTest::kNone, ElementTest::kNone});
-  const auto backend = narrow::make_scalar_backend();
+  const auto backend = paper::make_scalar_backend();
   backend->submit(batch);
   EXPECT_EQ(backend->wait().size(), 1u);
   return backend->wait()[0];
@@ -134,14 +134,14 @@ TEST(Scalar, DecidesPlainCases) {
 /// against brute force.
 void expect_true_batch(const test::LeavesOf& leaves, Partition partition, const std::vector<test::Contact>& expected) {
   const Batch batch = leaves.batch(partition);
-  const auto backend = narrow::make_scalar_backend();
+  const auto backend = paper::make_scalar_backend();
   backend->submit(batch);
   const std::vector<Verdict> tests(backend->wait().begin(), backend->wait().end());
   ASSERT_EQ(tests.size(), batch.tests.size());
   backend->submit(batch);
   ASSERT_TRUE(std::equal(tests.begin(), tests.end(), backend->wait().begin(), backend->wait().end()));
   std::vector<Verdict> pairs{Verdict::crossing};
-  narrow::fold(batch, tests, pairs);
+  paper::fold(batch, tests, pairs);
   ASSERT_EQ(pairs.size(), batch.pairs.size());
   std::uint64_t unsure = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -151,7 +151,7 @@ void expect_true_batch(const test::LeavesOf& leaves, Partition partition, const 
     unsure += pairs[i] == Verdict::unsure;
   }
   std::vector<exact::Contact> contacts;
-  EXPECT_EQ(exact::decide(batch, pairs, contacts), unsure);
+  EXPECT_EQ(paper::decide(batch, pairs, contacts), unsure);
   std::vector<test::Contact> found;
   for (const exact::Contact& c : contacts) {
     found.push_back({0, 1, c.a, c.b, static_cast<std::uint32_t>(c.kind)});
@@ -184,10 +184,10 @@ TEST(Fold, IsUnsureOfACrossingByADegenerateTriangle) {
     batch.tests.push_back({0, a, 0, ElementTest::kNone});
     std::vector<Verdict> pairs;
     const std::array<Verdict, 1> tests{Verdict::crossing};
-    narrow::fold(batch, tests, pairs);
+    paper::fold(batch, tests, pairs);
     EXPECT_EQ(pairs, (std::vector<Verdict>{expected, Verdict::no}));
     batch.pairs[0].triangle_a = b, batch.pairs[0].triangle_b = a;
-    narrow::fold(batch, tests, pairs);
+    paper::fold(batch, tests, pairs);
     EXPECT_EQ(pairs[0], expected);
   }
 }
@@ -200,7 +200,7 @@ TEST(Fold, TakesTheGreatestVerdictOfEachPairsTests) {
   batch.tests = {{0, 0, 0, ElementTest::kNone}, {1, 0, 0, 1}, {2, 0, 1, 2}, {3, 0, 2, ElementTest::kNone}};
   const std::array tests{Verdict::no, Verdict::unsure, Verdict::crossing, Verdict::no};
   std::vector<Verdict> pairs;
-  narrow::fold(batch, tests, pairs);
+  paper::fold(batch, tests, pairs);
   EXPECT_EQ(pairs, (std::vector<Verdict>{Verdict::unsure, Verdict::crossing, Verdict::crossing}));
 }
 

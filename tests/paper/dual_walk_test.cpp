@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include "paper/dual_walk.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "broad/may_touch.hpp"
 #include "paper/all_pairs.hpp"
-#include "paper/dual_walk.hpp"
 #include "scene/scene_view.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
@@ -17,8 +18,8 @@
 namespace impinge {
 namespace {
 
-using hierarchy::LeafPairs;
-using hierarchy::NodePair;
+using paper::LeafPairs;
+using paper::NodePair;
 using TrianglePairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
@@ -37,12 +38,12 @@ struct Walked {
         overlap(intersection(placed[0].box, placed[1].box)) {}
 
   [[nodiscard]] bool reached() const { return broad::may_touch({placed, nullptr}, 0, 1); }
-  hierarchy::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, overlap}; }
+  paper::DualWalk walk() { return {{tree_a, a, pose_a}, {tree_b, b, pose_b}, overlap}; }
 
   std::vector<Mesh> meshes;
   Pose pose_a, pose_b;
   const MeshData &a, &b;
-  hierarchy::ObbTree tree_a, tree_b;
+  paper::ObbTree tree_a, tree_b;
   std::array<scene::PlacedObject, 2> placed;
   Box overlap;
 };
@@ -50,7 +51,7 @@ struct Walked {
 /// The triangles that the leaves hold; fails where a pair of them comes twice.
 TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
   TrianglePairs pairs;
-  for (const hierarchy::LeafPair& leaves : leaf_pairs) {
+  for (const paper::LeafPair& leaves : leaf_pairs) {
     for (const std::uint32_t a : leaves.a->triangles)
       for (const std::uint32_t b : leaves.b->triangles) EXPECT_TRUE(pairs.emplace(a, b).second);
   }
@@ -58,15 +59,15 @@ TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
 }
 
 /// Only nodes that reach the region have been split.
-void expect_split_in_region(hierarchy::ObbTree& tree, const MeshData& mesh, const Pose& pose, const Box& region) {
-  std::vector<std::uint32_t> open{hierarchy::ObbTree::kRoot};
+void expect_split_in_region(paper::ObbTree& tree, const MeshData& mesh, const Pose& pose, const Box& region) {
+  std::vector<std::uint32_t> open{paper::ObbTree::kRoot};
   std::uint64_t nodes_made = 0;
   while (!open.empty()) {
     const std::uint32_t index = open.back();
     open.pop_back();
-    const hierarchy::Node& node = tree.node(index);
-    if (!hierarchy::ObbTree::is_split(node)) continue;
-    ASSERT_TRUE(hierarchy::may_reach(node.box, pose, rounding_radius(pose, mesh), region));
+    const paper::Node& node = tree.node(index);
+    if (!paper::ObbTree::is_split(node)) continue;
+    ASSERT_TRUE(paper::may_reach(node.box, pose, rounding_radius(pose, mesh), region));
     const std::uint32_t child = tree.children(index, nodes_made);
     open.insert(open.end(), {child, child + 1});
   }
@@ -81,7 +82,7 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
     for (const std::uint32_t leaf_size : {1u, 8u}) {
       Walked walked(named.scene, leaf_size);
       ASSERT_TRUE(walked.reached() || expected.empty());
-      const hierarchy::DualWalk walk = walked.walk();
+      const paper::DualWalk walk = walked.walk();
       std::vector<NodePair> stack;
       hierarchy::WalkCounts counts;
       LeafPairs leaf_pairs;
@@ -118,7 +119,7 @@ TEST(DualWalk, SplitsNodesInTheRegionAlone) {
     Walked walked(scene, 2);
     if (!walked.reached()) continue;
     ++reached;
-    const hierarchy::DualWalk walk = walked.walk();
+    const paper::DualWalk walk = walked.walk();
     std::vector<NodePair> stack;
     hierarchy::WalkCounts counts;
     LeafPairs leaf_pairs;
@@ -137,7 +138,7 @@ TEST(DualWalk, MayBeCutIntoSlices) {
   for (const test::NamedScene& named : test::hard_scenes(seeded.random, 30)) {
     SCOPED_TRACE(named.name);
     Walked walked(named.scene, 2);
-    const hierarchy::DualWalk walk = walked.walk();
+    const paper::DualWalk walk = walked.walk();
     const auto whole = [&] {
       std::vector<NodePair> stack;
       hierarchy::WalkCounts counts;

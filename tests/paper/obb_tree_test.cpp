@@ -10,7 +10,7 @@
 
 #include "scenes/hard.hpp"
 #include "scenes/shapes.hpp"
-#include "tests/hierarchy/trees.hpp"
+#include "tests/paper/trees.hpp"
 
 namespace impinge {
 namespace {
@@ -77,15 +77,15 @@ RC_GTEST_PROP(LeafBlock, HasEveryEdgeOfEveryTriangle, ()) {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t t = 0; t < n; t += 1 + t % 2) ids.push_back(t);
   std::reverse(ids.begin(), ids.end());
-  const hierarchy::LeafBlock block = hierarchy::make_leaf_block(test::numbers_of(mesh), ids);
+  const paper::LeafBlock block = paper::make_leaf_block(test::numbers_of(mesh), ids);
 
   std::set<std::array<std::uint32_t, 3>> owned;  // triangle and its edge's ends
-  for (const hierarchy::LeafEdge& edge : block.edges) {
+  for (const paper::LeafEdge& edge : block.edges) {
     const auto [low, high] = std::minmax({block.vertices[edge.from], block.vertices[edge.to]});
-    RC_ASSERT(edge.left != hierarchy::LeafEdge::kNone);
+    RC_ASSERT(edge.left != paper::LeafEdge::kNone);
     RC_ASSERT(edge.left != edge.right);
     owned.insert({block.triangles[edge.left], low, high});
-    if (edge.right != hierarchy::LeafEdge::kNone) owned.insert({block.triangles[edge.right], low, high});
+    if (edge.right != paper::LeafEdge::kNone) owned.insert({block.triangles[edge.right], low, high});
   }
   std::set<std::array<std::uint32_t, 3>> expected;
   for (const std::uint32_t t : ids) {
@@ -106,7 +106,7 @@ RC_GTEST_PROP(LeafBlock, HasEveryEdgeOfEveryTriangle, ()) {
 TEST(LeafBlock, CountsSharedEdgesOnce) {
   const Mesh cube = test::mesh_of(scenes::cube());
   const std::array<std::uint32_t, 12> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  EXPECT_EQ(hierarchy::make_leaf_block(test::numbers_of(cube), all).edges.size(), 18u);
+  EXPECT_EQ(paper::make_leaf_block(test::numbers_of(cube), all).edges.size(), 18u);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace impinge {
 namespace {
 
-using hierarchy::Obb;
+using paper::Obb;
 
 using Rational3 = std::array<mpq_class, 3>;
 Rational3 rational(const Vec3& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> all_triangles(const Mesh& mesh) {
 }
 
 void expect_true_box(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  const Obb box = hierarchy::fit_obb(test::numbers_of(mesh), triangles);
+  const Obb box = paper::fit_obb(test::numbers_of(mesh), triangles);
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) ASSERT_NEAR(dot(box.axes[i], box.axes[j]), i == j ? 1 : 0, 0x1p-49);
   for (const std::uint32_t t : triangles)
@@ -86,7 +86,7 @@ TEST(FitObb, IsTightAroundATurnedBox) {
     const auto bar =
         scenes::baked(scenes::box({-4, -2, -0.5}, {4, 2, 0.5}, 4), scenes::random_motion(seeded.random, 9));
     const Mesh mesh = test::mesh_of(bar);
-    const Obb box = hierarchy::fit_obb(test::numbers_of(mesh), all_triangles(mesh));
+    const Obb box = paper::fit_obb(test::numbers_of(mesh), all_triangles(mesh));
     const double volume = 8 * box.half.x * box.half.y * box.half.z;
     EXPECT_GE(volume, 32 * (1 - 1e-9));
     EXPECT_LE(volume, 32 * 1.5);  // the faces' diagonals turn the covariance a little
@@ -95,8 +95,8 @@ TEST(FitObb, IsTightAroundATurnedBox) {
 
 bool may_overlap(const Obb& a, const Pose& pose_a, const MeshData& mesh_a, const Obb& b, const Pose& pose_b,
                  const MeshData& mesh_b) {
-  const hierarchy::RelativePose relative(pose_a, mesh_a, pose_b, mesh_b);
-  return hierarchy::may_overlap(a, relative.moved(b), relative.margin);
+  const paper::RelativePose relative(pose_a, mesh_a, pose_b, mesh_b);
+  return paper::may_overlap(a, relative.moved(b), relative.margin);
 }
 
 struct Placed {
@@ -150,11 +150,11 @@ TEST(MayOverlap, NeverPartsTrianglesThatShareAPoint) {
         intersects(test::world_triangles(flat->mesh, poses[0])[0], test::world_triangles(other->mesh, poses[1])[0]));
     const std::array<std::uint32_t, 1> first{0};
     const MeshData &a = test::numbers_of(flat->mesh), &b = test::numbers_of(other->mesh);
-    const Obb box_a = hierarchy::fit_obb(a, first), box_b = hierarchy::fit_obb(b, first);
+    const Obb box_a = paper::fit_obb(a, first), box_b = paper::fit_obb(b, first);
     EXPECT_TRUE(may_overlap(box_a, poses[0], a, box_b, poses[1], b));
     EXPECT_TRUE(may_overlap(box_b, poses[1], b, box_a, poses[0], a));
-    EXPECT_TRUE(hierarchy::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {corner, corner}));
-    EXPECT_TRUE(hierarchy::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {corner, corner}));
+    EXPECT_TRUE(paper::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {corner, corner}));
+    EXPECT_TRUE(paper::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {corner, corner}));
     ++attacks;
   }
   EXPECT_GT(attacks, 1500);
@@ -183,10 +183,10 @@ TEST(MayOverlap, NeverPartsPointsThatRoundToOneWorldVertex) {
     };
     const Mesh mesh_a = point_box(one->mesh), mesh_b = point_box(other->mesh);
     const MeshData &a = test::numbers_of(mesh_a), &b = test::numbers_of(mesh_b);
-    const Obb box_a = hierarchy::fit_obb(a, first), box_b = hierarchy::fit_obb(b, first);
+    const Obb box_a = paper::fit_obb(a, first), box_b = paper::fit_obb(b, first);
     EXPECT_TRUE(may_overlap(box_a, poses[0], a, box_b, poses[1], b));
-    EXPECT_TRUE(hierarchy::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {p, p}));
-    EXPECT_TRUE(hierarchy::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {p, p}));
+    EXPECT_TRUE(paper::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {p, p}));
+    EXPECT_TRUE(paper::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {p, p}));
     for (const char* backend : {"simd", "scalar"})
       EXPECT_EQ(collide(mesh_a, poses[0], mesh_b, poses[1], {.backend = backend})->triangles.size(), 1u) << backend;
     ++attacks;
@@ -206,13 +206,13 @@ TEST(MayReach, HoldsTheWorldVerticesOfASegment) {
     numbers.add_triangle({p.x, p.y, p.z, q.x, q.y, q.z, p.x, p.y, p.z});
     const Mesh mesh = test::mesh_of(numbers);
     const std::array<std::uint32_t, 1> first{0};
-    const Obb box = hierarchy::fit_obb(test::numbers_of(mesh), first);
+    const Obb box = paper::fit_obb(test::numbers_of(mesh), first);
     for (const Vec3& v : {p, q}) {
       const Point w = world_vertex(pose, v);
-      EXPECT_TRUE(hierarchy::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {w, w}));
+      EXPECT_TRUE(paper::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {w, w}));
     }
     const Point far = world_vertex(pose, p) + Vec3{3, 0, 0};
-    EXPECT_FALSE(hierarchy::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {far, far}));
+    EXPECT_FALSE(paper::may_reach(box, pose, rounding_radius(pose, test::numbers_of(mesh)), {far, far}));
   }
 }
 
@@ -220,7 +220,7 @@ TEST(MayOverlap, PartsBoxesThatAreClearlyApart) {
   test::Seeded seeded(4);
   const Mesh bar = test::mesh_of(scenes::box({-4, -1, -1}, {4, 1, 1}));
   const MeshData& numbers = test::numbers_of(bar);
-  const Obb box = hierarchy::fit_obb(numbers, all_triangles(bar));
+  const Obb box = paper::fit_obb(numbers, all_triangles(bar));
   const double half_diagonal = std::sqrt(18.0);
   int parted = 0;
   for (int i = 0; i < 300; ++i) {

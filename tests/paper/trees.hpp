@@ -14,32 +14,32 @@ namespace impinge::test {
 /// Splits every node and holds the tree against its promises: each triangle in exactly one leaf, leaves no larger than
 /// asked for, depth bounded, no node without triangles. Returns the number of nodes.
 inline std::size_t expect_whole_tree(const MeshData& mesh, std::uint32_t leaf_size) {
-  hierarchy::ObbTree tree(mesh, leaf_size);
+  paper::ObbTree tree(mesh, leaf_size);
   const auto n = static_cast<std::uint32_t>(mesh.triangles.size());
   std::uint64_t nodes_made = tree.prepare();
   EXPECT_EQ(nodes_made, 1u);
   EXPECT_EQ(tree.prepare(), 0u);
   const std::uint32_t deepest = 40 + std::bit_width(n) + 1;
   std::vector<std::uint32_t> times_in_leaf(n);
-  std::vector<std::uint32_t> open{hierarchy::ObbTree::kRoot};
+  std::vector<std::uint32_t> open{paper::ObbTree::kRoot};
   std::size_t nodes = 0;
   while (!open.empty()) {
     const std::uint32_t index = open.back();
     open.pop_back();
     ++nodes;
-    const hierarchy::Node& node = tree.node(index);
+    const paper::Node& node = tree.node(index);
     EXPECT_GT(node.count, 0u);
     EXPECT_LE(node.depth, deepest);
-    if (hierarchy::ObbTree::is_leaf(node)) {
+    if (paper::ObbTree::is_leaf(node)) {
       EXPECT_LE(node.count, leaf_size);
       EXPECT_EQ(tree.block(node).triangles.size(), node.count);
       for (const std::uint32_t t : tree.block(node).triangles) ++times_in_leaf[t];
       continue;
     }
     EXPECT_GT(node.count, leaf_size);
-    EXPECT_FALSE(hierarchy::ObbTree::is_split(node));
+    EXPECT_FALSE(paper::ObbTree::is_split(node));
     const std::uint32_t child = tree.children(index, nodes_made);
-    EXPECT_TRUE(hierarchy::ObbTree::is_split(node));
+    EXPECT_TRUE(paper::ObbTree::is_split(node));
     EXPECT_EQ(tree.children(index, nodes_made), child);
     EXPECT_EQ(tree.node(child).count + tree.node(child + 1).count, node.count);
     open.insert(open.end(), {child, child + 1});

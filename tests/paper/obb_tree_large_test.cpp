@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include "scenes/shapes.hpp"
-#include "tests/hierarchy/trees.hpp"
+#include "tests/paper/trees.hpp"
 
 namespace impinge {
 namespace {

@@ -7,14 +7,14 @@
 #include <set>
 
 #include "scenes/shapes.hpp"
-#include "tests/partition/batches.hpp"
+#include "tests/paper/batches.hpp"
 
 namespace impinge {
 namespace {
 
-using partition::Batch;
-using partition::CandidatePair;
-using partition::ElementTest;
+using paper::Batch;
+using paper::CandidatePair;
+using paper::ElementTest;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 bool has_edge(const Triangle& t, const Segment& edge) {
@@ -103,8 +103,8 @@ TEST(Partition, KeepsAPosedLeafWithoutChangingAnything) {
     const test::LeavesOf leaves(named.scene, 5);
     const Batch kept = leaves.batch(Partition::grid);
     std::size_t next_test = 0, next_pair = 0;
-    for (const hierarchy::LeafPair& pair : leaves.pairs()) {
-      partition::Partitioner fresh(Partition::grid);
+    for (const paper::LeafPair& pair : leaves.pairs()) {
+      paper::Partitioner fresh(Partition::grid);
       Batch batch;
       fresh.append(pair, leaves.placed(), batch);
       ASSERT_LE(next_test + batch.tests.size(), kept.tests.size());
@@ -123,7 +123,7 @@ TEST(Partition, KeepsAPosedLeafWithoutChangingAnything) {
 
 TEST(Partition, StartsAnewAfterTheBatchWasCleared) {
   const test::LeavesOf leaves({{scenes::cube()}, {{.mesh = 0}, {.mesh = 0, .pose = {.t = {0.5, 0.5, 0.5}}}}}, 12);
-  partition::Partitioner partitioner(Partition::grid);
+  paper::Partitioner partitioner(Partition::grid);
   Batch batch;
   partitioner.append(leaves.pairs()[0], leaves.placed(), batch);
   const std::size_t tests = batch.tests.size(), vertices = batch.vertices.size();
