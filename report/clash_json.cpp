@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/clash_json.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "report/json_writer.hpp"
 #include "report/triage_json.hpp"
@@ -14,131 +12,126 @@
 namespace impinge::report {
 namespace {
 
-void write_settings(Sink& sink, const ClashArguments& arguments) {
-  sink.write(fmt::format("\"settings\":{{\"tolerance\":{},\"clearance\":{},\"depth\":{},\"regions\":{},\"fail_on\":{},",
-                         arguments.tolerance ? json_number(*arguments.tolerance) : "\"auto\"",
-                         json_number(arguments.clearance), arguments.depth, arguments.regions,
-                         json_list(words_of(arguments.fail_on), json_string)));
-  sink.write(fmt::format("\"ignore\":{},\"within_products\":{},\"scale\":{},\"config\":{},\"previous\":{}}},\n",
-                         json_list(arguments.ignored,
-                                   [](const auto& pair) {
-                                     return fmt::format("[{},{}]", json_string(pair.first), json_string(pair.second));
-                                   }),
-                         arguments.within_products,
-                         json_list(arguments.scales,
-                                   [](const auto& scale) {
-                                     return fmt::format("[{},{}]", json_string(scale.first), json_number(scale.second));
-                                   }),
-                         arguments.config ? json_string(*arguments.config) : "null",
-                         arguments.previous ? json_string(*arguments.previous) : "null"));
+Json json_settings(const ClashArguments& arguments) {
+  return {{"tolerance", json_tolerance(arguments.tolerance)},
+          {"clearance", arguments.clearance},
+          {"depth", arguments.depth},
+          {"regions", arguments.regions},
+          {"fail_on", words_of(arguments.fail_on)},
+          {"ignore", arguments.ignored},
+          {"within_products", arguments.within_products},
+          {"scale", arguments.scales},
+          {"config", or_null(arguments.config)},
+          {"previous", or_null(arguments.previous)}};
 }
 
-void write_files(Sink& sink, const Review& review) {
-  sink.write("\"files\":[");
-  for (std::size_t i = 0; i < review.file_names.size(); ++i)
-    sink.write(fmt::format("{}\n{{\"file\":{},\"name\":{},\"known_as\":{}}}", i > 0 ? "," : "",
-                           json_string(review.assembly.files[i]), json_string(review.file_names[i]),
-                           json_string(review.known_names.known_as[i])));
-  sink.write("],\n");
-}
-
-void write_parts(Sink& sink, const Review& review) {
-  sink.write("\"objects\":[");
-  for (std::size_t i = 0; i < review.parts.size(); ++i)
-    sink.write(fmt::format("{}\n{{{},\"placed\":\"{}\",\"closed\":{},\"open_edges\":{},{},\"type\":{}}}",
-                           i > 0 ? "," : "", json_identity(review.assembly, i), review.identities[i].placed,
-                           review.parts[i].facts.closed, review.parts[i].facts.open_edges, json_facts(review.parts[i]),
-                           review.types.of_object[i]));
-  sink.write("\n],\n" + json_missing(review.assembly));
+Json json_part(const Review& review, std::size_t i) {
+  Json part = json_identity(review.assembly, i);
+  part.update(Json{{"placed", review.identities[i].placed},
+                   {"closed", review.parts[i].facts.closed},
+                   {"open_edges", review.parts[i].facts.open_edges}});
+  part.update(json_facts(review.parts[i]));
+  part["type"] = review.types.of_object[i];
+  return part;
 }
 
 /// Members of a pair. Null of what touches: where it does, the regions tell.
-std::string json_distance(const Clash& pair) {
-  if (!pair.nearest) return "\"distance\":null,\"distance_error\":null,\"nearest\":null";
-  const Nearest& nearest = *pair.nearest;
-  return fmt::format("\"distance\":{},\"distance_error\":{},\"nearest\":[{},{}]", json_number(nearest.distance),
-                     json_number(nearest.error), json_point(nearest.a), json_point(nearest.b));
+Json json_distance(const std::optional<Nearest>& nearest) {
+  if (!nearest) return {{"distance", nullptr}, {"distance_error", nullptr}, {"nearest", nullptr}};
+  return {{"distance", nearest->distance},
+          {"distance_error", nearest->error},
+          {"nearest", {json_point(nearest->a), json_point(nearest->b)}}};
 }
 
-void write_region(Sink& sink, const Region& region, const RegionStanding& standing) {
-  const auto number = [](std::uint32_t triangle) { return fmt::format("{}", triangle); };
-  sink.write(fmt::format(
-      "{{\"id\":\"{}\",{},\"pairs\":{},\"box\":{},\"area\":{},\"length\":{},\"centroid\":{},\"normal\":{},\"lines\":[",
-      standing.id, json_standing(standing.change, standing.remark), region.pairs, json_list(region.box, json_point),
-      json_number(region.area), json_number(region.length), json_point(region.centroid), json_point(region.normal)));
-  for (std::size_t i = 0; i < region.lines.size(); ++i)
-    sink.write((i > 0 ? "," : "") + json_list(region.lines[i], json_point));
-  sink.write(fmt::format("],\"triangles_a\":{},\"triangles_b\":{}}}", json_list(region.triangles_a, number),
-                         json_list(region.triangles_b, number)));
+Json json_region(const Region& region, const RegionStanding& standing) {
+  Json lines = Json::array();
+  for (const std::vector<Point>& line : region.lines) lines.push_back(json_points(line));
+  Json json{{"id", standing.id}};
+  json.update(json_standing(standing.change, standing.remark));
+  json.update(Json{{"pairs", region.pairs},
+                   {"box", json_points(region.box)},
+                   {"area", region.area},
+                   {"length", region.length},
+                   {"centroid", json_point(region.centroid)},
+                   {"normal", json_point(region.normal)},
+                   {"lines", std::move(lines)},
+                   {"triangles_a", region.triangles_a},
+                   {"triangles_b", region.triangles_b}});
+  return json;
 }
 
-void write_pair(Sink& sink, const Review& review, std::size_t number, const ClashArguments& arguments) {
+Json json_pair(const Review& review, std::size_t number, const ClashArguments& arguments) {
   const Clash& pair = review.clashes.pairs[number];
   const Standing& standing = review.standings[number];
-  const std::string inner = pair.verdict == Verdict::inside && pair.inner >= 0
-                                ? fmt::format("{}", pair.objects[static_cast<std::size_t>(pair.inner)])
-                                : "null";
-  sink.write(fmt::format("{{\"id\":\"{}\",\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{},",
-                         review.ids[number], pair.objects[0], pair.objects[1], pair.contacts[0], pair.contacts[1],
-                         pair.contacts[2]));
-  sink.write(fmt::format("\"verdict\":\"{}\",\"inner\":{},\"note\":{},\"tolerance\":{},\"fails\":{}",
-                         name(pair.verdict), inner, pair.note == Note::none ? "null" : json_string(sentence(pair.note)),
-                         json_number(pair.tolerance), standing.fails));
-  sink.write("," + json_triage(review, number));
-  if (arguments.depth) sink.write(",\"overlap_depth\":" + json_depth(pair.overlap_depth));
-  if (arguments.clearance > 0) sink.write("," + json_distance(pair));
-  if (arguments.regions) {
-    sink.write(",\"regions\":[");
-    for (std::size_t i = 0; i < pair.regions.size(); ++i) {
-      if (i > 0) sink.write(",");
-      write_region(sink, pair.regions[i], standing.regions[i]);
-    }
-    sink.write("]");
-  }
-  sink.write("}");
+  const bool has_inner = pair.verdict == Verdict::inside && pair.inner >= 0;
+  Json json{{"id", review.ids[number]},
+            {"a", pair.objects[0]},
+            {"b", pair.objects[1]},
+            {"crossing", pair.contacts[0]},
+            {"touching", pair.contacts[1]},
+            {"coplanar", pair.contacts[2]},
+            {"verdict", name(pair.verdict)},
+            {"inner", has_inner ? Json(pair.objects[static_cast<std::size_t>(pair.inner)]) : Json()},
+            {"note", pair.note == Note::none ? Json() : Json(sentence(pair.note))},
+            {"tolerance", pair.tolerance},
+            {"fails", standing.fails}};
+  json.update(json_triage(review, number));
+  if (arguments.depth) json["overlap_depth"] = json_depth(pair.overlap_depth);
+  if (arguments.clearance > 0) json.update(json_distance(pair.nearest));
+  if (!arguments.regions) return json;
+  Json& regions = json["regions"] = Json::array();
+  for (std::size_t i = 0; i < pair.regions.size(); ++i)
+    regions.push_back(json_region(pair.regions[i], standing.regions[i]));
+  return json;
 }
 
-void write_counts(Sink& sink, const Review& review) {
+Json json_counts(const Review& review) {
   std::array<std::uint64_t, 6> counts{};
   for (const Clash& pair : review.clashes.pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
-  sink.write("\"counts\":{");
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    sink.write(fmt::format("\"{}\":{},", name(static_cast<Verdict>(i)), counts[i]));
-  sink.write(fmt::format("\"fail\":{},\"candidates\":{}}}", count_failing(review), review.clashes.candidates));
+  Json json;
+  for (std::size_t i = 0; i < counts.size(); ++i) json[std::string(name(static_cast<Verdict>(i)))] = counts[i];
+  json["fail"] = count_failing(review);
+  json["candidates"] = review.clashes.candidates;
+  return json;
 }
 
 }  // namespace
 
 Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArguments& arguments,
                               const std::stop_token& stop) {
-  sink.write("{\"version\":1,\n");
-  write_settings(sink, arguments);
-  write_tests(sink, review);
-  write_types(sink, review);
-  write_files(sink, review);
-  write_parts(sink, review);
-  sink.write("\"pairs\":[");
-  for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
-    if (sink.failed()) break;
-    if (stop.stop_requested()) return interrupted();
-    sink.write(i == 0 ? "\n" : ",\n");
-    write_pair(sink, review, i, arguments);
-  }
-  sink.write("\n],\n");
-  write_resolved(sink, review);
-  write_groups(sink, review, arguments.group_by);
-  write_counts(sink, review);
-  sink.write("}\n");
-  return {};
+  JsonDocument document(sink, stop);
+  document.member("version", 1);
+  document.member("settings", json_settings(arguments));
+  write_tests(document, review);
+  write_types(document, review);
+  document.list("files", review.file_names.size(), [&](std::size_t i) {
+    return Json{{"file", review.assembly.files[i]},
+                {"name", review.file_names[i]},
+                {"known_as", review.known_names.known_as[i]}};
+  });
+  document.list("objects", review.parts.size(), [&](std::size_t i) { return json_part(review, i); });
+  write_missing(document, review.assembly);
+  document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i, arguments); });
+  write_resolved(document, review);
+  write_groups(document, review, arguments.group_by);
+  document.member("counts", json_counts(review));
+  return document.end();
 }
 
 Result<void> write_view_json(Sink& sink, const Assembly& assembly) {
-  sink.write("{\"version\":1,\n\"settings\":null,\n\"objects\":[");
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i)
-    sink.write(fmt::format("{}\n{{{},\"closed\":null,\"open_edges\":null,{}}}", i > 0 ? "," : "",
-                           json_identity(assembly, i), json_facts(std::nullopt)));
-  sink.write("\n],\n" + json_missing(assembly) + "\"pairs\":[],\n\"counts\":null}\n");
-  return {};
+  JsonDocument document(sink);
+  document.member("version", 1);
+  document.member("settings", nullptr);
+  document.list("objects", assembly.objects.size(), [&](std::size_t i) {
+    Json object = json_identity(assembly, i);
+    object.update(Json{{"closed", nullptr}, {"open_edges", nullptr}});
+    object.update(json_facts(std::nullopt));
+    return object;
+  });
+  write_missing(document, assembly);
+  document.member("pairs", Json::array());
+  document.member("counts", nullptr);
+  return document.end();
 }
 
 }  // namespace impinge::report

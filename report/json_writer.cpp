@@ -4,24 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
-
-#include "report/text.hpp"
 
 namespace impinge::report {
 namespace {
 
-void write_objects(Sink& sink, const Assembly& assembly) {
-  sink.write("\"objects\":[");
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    sink.write(fmt::format("{}\n{{{}}}", i > 0 ? "," : "", json_identity(assembly, i)));
-  }
-  sink.write("\n],\n" + json_missing(assembly));
-}
-
-/// Errors: `cancelled`.
-Result<void> write_triangles(Sink& sink, const Contacts& contacts, std::size_t row, const std::stop_token& stop) {
+/// The pairs of triangles of one row, with the last brace of the row's object.
+void write_triangles(Sink& sink, const Contacts& contacts, std::size_t row, const std::stop_token& stop) {
   constexpr std::uint64_t kBetweenLooks = 1 << 16;
   std::string text;
   sink.write(",\"triangles\":[");
@@ -33,110 +22,125 @@ Result<void> write_triangles(Sink& sink, const Contacts& contacts, std::size_t r
                    kind_name(contacts.kinds[i]));
     sink.write(text);
   }
-  sink.write("]");
-  if (stop.stop_requested()) return interrupted();
-  return {};
+  sink.write("]}");
 }
 
-Result<void> write_pairs(Sink& sink, const Contacts& contacts, bool triangles, const std::stop_token& stop) {
-  sink.write("\"pairs\":[");
-  for (std::size_t row = 0; row < contacts.objects.size() && !sink.failed(); ++row) {
-    const RowCounts counts = count_row(contacts, row);
-    sink.write(fmt::format("{}\n{{\"a\":{},\"b\":{},\"crossing\":{},\"touching\":{},\"coplanar\":{}",
-                           row > 0 ? "," : "", contacts.objects[row][0], contacts.objects[row][1], counts.crossing,
-                           counts.touching, counts.coplanar));
-    if (triangles) {
-      if (auto written = write_triangles(sink, contacts, row, stop); !written) return written.error();
-    }
-    sink.write("}");
-    if (stop.stop_requested()) return interrupted();
-  }
-  sink.write("\n],\n");
-  return {};
+Json json_statistics(const Statistics& s) {
+  return {{"object_pairs", s.object_pairs},
+          {"box_tests", s.box_tests},
+          {"element_tests", s.element_tests},
+          {"nodes_built", s.nodes_built},
+          {"leaf_pairs", s.leaf_pairs},
+          {"triangle_pairs", s.triangle_pairs},
+          {"exact_calls", s.exact_calls},
+          {"box_test_seconds", s.box_test_seconds},
+          {"element_test_seconds", s.element_test_seconds},
+          {"node_seconds", s.node_seconds},
+          {"leaf_pair_seconds", s.leaf_pair_seconds},
+          {"exact_call_seconds", s.exact_call_seconds},
+          {"predicted_seconds", s.predicted_seconds},
+          {"measured_seconds", s.measured_seconds},
+          {"device_predicted_seconds", s.device_predicted_seconds},
+          {"device_seconds", s.device_seconds},
+          {"cpu_seconds", s.cpu_seconds},
+          {"broad_seconds", s.broad_seconds},
+          {"hierarchy_seconds", s.hierarchy_seconds},
+          {"partition_seconds", s.partition_seconds},
+          {"narrow_seconds", s.narrow_seconds},
+          {"exact_seconds", s.exact_seconds},
+          {"results_seconds", s.results_seconds},
+          {"total_seconds", s.total_seconds}};
 }
 
-void write_statistics(Sink& sink, const Statistics& s) {
-  sink.write(fmt::format(
-      "\"stats\":{{\"object_pairs\":{},\"box_tests\":{},\"element_tests\":{},\"nodes_built\":{},"
-      "\"leaf_pairs\":{},\"triangle_pairs\":{},\"exact_calls\":{},",
-      s.object_pairs, s.box_tests, s.element_tests, s.nodes_built, s.leaf_pairs, s.triangle_pairs, s.exact_calls));
-  sink.write(
-      fmt::format("\"box_test_seconds\":{},\"element_test_seconds\":{},\"node_seconds\":{},\"leaf_pair_seconds\":{},"
-                  "\"exact_call_seconds\":{},\"predicted_seconds\":{},\"measured_seconds\":{},",
-                  json_number(s.box_test_seconds), json_number(s.element_test_seconds), json_number(s.node_seconds),
-                  json_number(s.leaf_pair_seconds), json_number(s.exact_call_seconds), json_number(s.predicted_seconds),
-                  json_number(s.measured_seconds)));
-  sink.write(fmt::format("\"device_predicted_seconds\":{},\"device_seconds\":{},\"cpu_seconds\":{},",
-                         json_number(s.device_predicted_seconds), json_number(s.device_seconds),
-                         json_number(s.cpu_seconds)));
-  sink.write(
-      fmt::format("\"broad_seconds\":{},\"hierarchy_seconds\":{},\"partition_seconds\":{},\"narrow_seconds\":{},"
-                  "\"exact_seconds\":{},\"results_seconds\":{},\"total_seconds\":{}}}",
-                  json_number(s.broad_seconds), json_number(s.hierarchy_seconds), json_number(s.partition_seconds),
-                  json_number(s.narrow_seconds), json_number(s.exact_seconds), json_number(s.results_seconds),
-                  json_number(s.total_seconds)));
-}
-
-void write_facts(Sink& sink, std::size_t id, const ObjectFacts& facts) {
-  const auto known = [&](auto PartFacts::*member) {
-    return facts.part ? fmt::format("{}", facts.part->facts.*member) : std::string("null");
-  };
-  sink.write(fmt::format("{{\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"triangles\":{},\"vertices\":{},", id,
-                         json_string(facts.name), json_string(facts.path), json_string(facts.product), facts.triangles,
-                         facts.vertices));
-  sink.write(fmt::format("\"degenerate\":{},\"closed\":{},\"open_edges\":{},{},\"center\":{},\"radius\":{}}}",
-                         known(&PartFacts::degenerate), known(&PartFacts::closed), known(&PartFacts::open_edges),
-                         json_facts(facts.part), json_point(facts.center), json_number(facts.radius)));
+Json json_object(std::size_t id, const ObjectFacts& facts) {
+  const auto known = [&](auto PartFacts::*member) { return facts.part ? Json(facts.part->facts.*member) : Json(); };
+  Json object{{"id", id},
+              {"name", facts.name},
+              {"path", facts.path},
+              {"product", facts.product},
+              {"triangles", facts.triangles},
+              {"vertices", facts.vertices},
+              {"degenerate", known(&PartFacts::degenerate)},
+              {"closed", known(&PartFacts::closed)},
+              {"open_edges", known(&PartFacts::open_edges)}};
+  object.update(json_facts(facts.part));
+  object.update(Json{{"center", json_point(facts.center)}, {"radius", facts.radius}});
+  return object;
 }
 
 }  // namespace
 
-std::string json_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      fmt::format_to(std::back_inserter(result), "\\u{:04x}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return result += '"';
+std::string json_text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+void JsonDocument::begin_member(std::string_view key) {
+  sink_.write(is_empty_ ? "{" : ",\n");
+  is_empty_ = false;
+  sink_.write(json_text(Json(key)) + ":");
 }
 
-std::string json_number(double value) {
-  if (!std::isfinite(value)) return "null";
-  return fmt::format("{}", value == 0 ? 0.0 : value);
+void JsonDocument::member(std::string_view key, const Json& value) {
+  begin_member(key);
+  sink_.write(json_text(value));
 }
 
-std::string json_map(const Affine& map) {
-  std::string text = "[";
+Result<void> JsonDocument::end() {
+  sink_.write("}\n");
+  if (stop_.stop_requested()) return interrupted();
+  return {};
+}
+
+Json json_point(const Point& point) { return {point.x + 0.0, point.y + 0.0, point.z + 0.0}; }
+
+Json json_points(std::span<const Point> points) {
+  Json list = Json::array();
+  for (const Point& point : points) list.push_back(json_point(point));
+  return list;
+}
+
+Json json_map(const Affine& map) {
+  Json list = Json::array();
   for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) text += json_number(map.m[3 * row + column]) + ",";
-    text += json_number(map.t[row]) + (row < 2 ? "," : "]");
+    for (std::size_t column = 0; column < 3; ++column) list.push_back(map.m[3 * row + column] + 0.0);
+    list.push_back(map.t[row] + 0.0);
   }
-  return text;
+  return list;
 }
 
-std::string json_depth(const std::optional<OverlapDepth>& depth) {
-  if (!depth) return "null";
-  const auto interval = [](const Interval& i) { return fmt::format("[{},{}]", json_number(i.lo), json_number(i.hi)); };
-  return fmt::format("{{\"a_in_b\":{},\"b_in_a\":{}}}", interval(depth->a_in_b), interval(depth->b_in_a));
+Json json_depth(const std::optional<OverlapDepth>& depth) {
+  if (!depth) return {};
+  const auto& [a_in_b, b_in_a] = *depth;
+  return {{"a_in_b", {a_in_b.lo, a_in_b.hi}}, {"b_in_a", {b_in_a.lo, b_in_a.hi}}};
 }
 
-std::string json_identity(const Assembly& assembly, std::size_t object) {
+Json json_identity(const Assembly& assembly, std::size_t object) {
   const io::Object& about = assembly.objects[object];
-  return fmt::format("\"id\":{},\"name\":{},\"path\":{},\"product\":{},\"file\":{},\"triangles\":{}", object,
-                     json_string(about.name), json_string(about.path), json_string(about.product),
-                     json_string(assembly.files[assembly.file_of[object]]), about.mesh.triangle_count());
+  return {{"id", object},
+          {"name", about.name},
+          {"path", about.path},
+          {"product", about.product},
+          {"file", assembly.files[assembly.file_of[object]]},
+          {"triangles", about.mesh.triangle_count()}};
 }
 
-std::string json_missing(const Assembly& assembly) {
-  if (assembly.missing.empty()) return {};
-  return fmt::format("\"missing\":{},\n", json_list(assembly.missing, json_string));
+Json json_facts(const std::optional<Part>& part) {
+  const PartFacts facts = part ? part->facts : PartFacts{};
+  const auto of_part = [&](const Json& value) { return part ? value : Json(); };
+  const auto of_solid = [&](double value) { return part && facts.solid ? Json(value) : Json(); };
+  Json crossing;
+  if (part && facts.self_crossing && part->crossing_near)
+    crossing = {{"triangles", {facts.self_crossing->a, facts.self_crossing->b}},
+                {"near", json_point(*part->crossing_near)}};
+  return {{"solid", of_part(facts.solid)},
+          {"first_open_edge", facts.open_edge ? json_points(*facts.open_edge) : Json()},
+          {"self_crossings", of_part(facts.self_crossings)},
+          {"first_self_crossing", crossing},
+          {"volume", of_solid(facts.volume)},
+          {"area", of_part(facts.area)},
+          {"wall", of_solid(facts.wall)}};
+}
+
+void write_missing(JsonDocument& document, const Assembly& assembly) {
+  if (!assembly.missing.empty()) document.member("missing", assembly.missing);
 }
 
 RowCounts count_row(const Contacts& contacts, std::size_t row) {
@@ -164,34 +168,41 @@ std::string_view kind_name(Kind kind) {
 
 Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts,
                               const CheckArguments& arguments, const std::stop_token& stop) {
-  sink.write("{\"version\":1,\n");
-  write_objects(sink, assembly);
-  if (auto written = write_pairs(sink, contacts, arguments.triangles, stop); !written) return written.error();
-  sink.write(fmt::format("\"truncated\":{},\n\"hash\":{},\n", contacts.truncated,
-                         arguments.first ? "null" : fmt::format("\"{:016x}\"", contacts.hash)));
-  write_statistics(sink, contacts.statistics);
-  sink.write("}\n");
-  return {};
+  JsonDocument document(sink, stop);
+  document.member("version", 1);
+  document.list("objects", assembly.objects.size(), [&](std::size_t i) { return json_identity(assembly, i); });
+  write_missing(document, assembly);
+  document.list("pairs", contacts.objects.size(), [&](std::size_t row) {
+    const RowCounts counts = count_row(contacts, row);
+    std::string pair = json_text({{"a", contacts.objects[row][0]},
+                                {"b", contacts.objects[row][1]},
+                                {"crossing", counts.crossing},
+                                {"touching", counts.touching},
+                                {"coplanar", counts.coplanar}});
+    if (arguments.triangles) pair.pop_back();  // the brace, which follows the triangles
+    sink.write(pair);
+    if (arguments.triangles) write_triangles(sink, contacts, row, stop);
+  });
+  document.member("truncated", contacts.truncated);
+  document.member("hash", arguments.first ? Json() : Json(fmt::format("{:016x}", contacts.hash)));
+  document.member("stats", json_statistics(contacts.statistics));
+  return document.end();
 }
 
 Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files) {
   std::size_t id = 0;
-  sink.write("{\"version\":1,\n\"files\":[");
-  for (std::size_t f = 0; f < files.size(); ++f) {
+  JsonDocument document(sink);
+  document.member("version", 1);
+  document.list("files", files.size(), [&](std::size_t f) {
     const FileFacts& file = files[f];
-    sink.write(fmt::format("{}\n{{\"file\":{},\"error\":{},\"objects\":[", f > 0 ? "," : "", json_string(file.file),
-                           file.error.empty() ? "null" : json_string(file.error)));
-    for (std::size_t i = 0; i < file.objects.size(); ++i) {
-      sink.write(i > 0 ? ",\n" : "\n");
-      write_facts(sink, id++, file.objects[i]);
-    }
-    sink.write("],\n\"warnings\":[");
-    for (std::size_t i = 0; i < file.warnings.size(); ++i)
-      sink.write(fmt::format("{}{}", i > 0 ? "," : "", json_string(file.warnings[i])));
-    sink.write("]}");
-  }
-  sink.write("\n]}\n");
-  return {};
+    Json objects = Json::array();
+    for (const ObjectFacts& facts : file.objects) objects.push_back(json_object(id++, facts));
+    return Json{{"file", file.file},
+                {"error", or_null(file.error)},
+                {"objects", std::move(objects)},
+                {"warnings", file.warnings}};
+  });
+  return document.end();
 }
 
 }  // namespace impinge::report

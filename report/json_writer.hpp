@@ -3,10 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "impinge/contacts.hpp"
@@ -14,36 +18,74 @@
 #include "report/part.hpp"
 #include "report/sink.hpp"
 
-/// The documents of `--json`, written piece by piece: an answer of a billion pairs needs no memory of its own.
+/// The documents of `--json`: their parts as values of nlohmann-json, which keep the order of keys.
 namespace impinge::report {
 
-/// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
-std::string json_string(std::string_view text);
+using Json = nlohmann::ordered_json;
 
-/// The shortest number that reads back as the same double; null for infinities and NaN, and 0 for -0.
-std::string json_number(double value);
+/// On one line. Bytes that are not UTF-8 become U+FFFD; infinities and NaN become null.
+std::string json_text(const Json& value);
 
-/// [one,another], by a function that makes the text of each.
-std::string json_list(const auto& items, auto text_of) {
-  std::string text = "[";
-  for (const auto& item : items) {
-    if (text.size() > 1) text += ',';
-    text += text_of(item);
+/// A JSON object that is written member by member, so that a long list needs the memory of one of its items.
+class JsonDocument {
+ public:
+  explicit JsonDocument(Sink& sink, std::stop_token stop = {}) : sink_(sink), stop_(std::move(stop)) {}
+
+  void member(std::string_view key, const Json& value);
+  /// A list of `count` items, one a line: `item(i)` returns the i-th or writes it itself. It breaks off at a request to
+  /// stop, or where nothing can be written any more.
+  template <class Item>
+  void list(std::string_view key, std::size_t count, const Item& item) {
+    begin_member(key);
+    sink_.write("[");
+    for (std::size_t i = 0; i < count && !sink_.failed() && !stop_.stop_requested(); ++i) {
+      sink_.write(i > 0 ? ",\n" : "\n");
+      if constexpr (std::is_void_v<std::invoke_result_t<Item, std::size_t>>)
+        item(i);
+      else
+        sink_.write(json_text(item(i)));
+    }
+    sink_.write("\n]");
   }
-  return text += ']';
+  /// Errors: `cancelled`. Write errors stay in the sink.
+  Result<void> end();
+
+ private:
+  void begin_member(std::string_view key);
+
+  Sink& sink_;
+  std::stop_token stop_;
+  bool is_empty_ = true;
+};
+
+/// null for nothing, and for a text without characters.
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
 }
+inline Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+/// What was asked for, "auto" unless it is a number.
+inline Json json_tolerance(const std::optional<double>& asked) { return asked ? Json(*asked) : Json("auto"); }
+
+/// [x,y,z], with 0 for -0.
+Json json_point(const Point& point);
+Json json_points(std::span<const Point> points);
 
 /// A map as a page has it: [r00,r01,r02,tx, r10,...], 3 rows of 4.
-std::string json_map(const Affine& map);
+Json json_map(const Affine& map);
 
 /// {"a_in_b":[lo,hi],"b_in_a":[lo,hi]}, or null where there is none.
-std::string json_depth(const std::optional<OverlapDepth>& depth);
+Json json_depth(const std::optional<OverlapDepth>& depth);
 
-/// What an object is called and where it comes from, as members of a JSON object, without braces: "id" to "triangles".
-std::string json_identity(const Assembly& assembly, std::size_t object);
+/// What an object is called and where it comes from: "id" to "triangles".
+Json json_identity(const Assembly& assembly, std::size_t object);
 
-/// "missing":[...] and what separates it from the next member; nothing where nothing is missing of the files.
-std::string json_missing(const Assembly& assembly);
+/// The facts of a part: "solid" to "wall", all null where there is no part; not "closed" and "open_edges".
+Json json_facts(const std::optional<Part>& part);
+
+/// A list of what is missing of the files, where something is.
+void write_missing(JsonDocument& document, const Assembly& assembly);
 
 /// How the triangles of one row of an answer touch, counted.
 struct RowCounts {

@@ -40,27 +40,29 @@ std::vector<std::filesystem::path> places_of_template() {
   return places;
 }
 
-void write_scene(Sink& sink, const PageHead& head, const DrawnScene& scene) {
-  sink.write(fmt::format(
-      "{{\"version\":1,\"title\":{},\"up\":\"{}\",\"triangles\":{},\"shown\":{},\"asked\":{},\n\"meshes\":[",
-      json_string(head.title), head.y_up ? 'y' : 'z', scene.triangles, scene.shown, scene.asked));
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    sink.write(fmt::format("{}{{\"vertices\":{},\"triangles\":{}}}", i > 0 ? "," : "", scene.meshes[i].xyz.size() / 3,
-                           scene.meshes[i].triangles.size() / 3));
-  sink.write("],\n\"groups\":[");
-  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
-    const auto& [name, parent] = scene.groups[i];
-    sink.write(fmt::format("{}{{\"name\":{}{}}}", i > 0 ? "," : "", json_string(name),
-                           parent ? fmt::format(",\"parent\":{}", *parent) : ""));
-  }
-  sink.write("],\n\"objects\":[");
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const DrawnObject& object = scene.objects[i];
-    sink.write(fmt::format(
-        "{}\n{{\"mesh\":{},\"pose\":{}{}}}", i > 0 ? "," : "", object.mesh ? fmt::format("{}", *object.mesh) : "-1",
-        json_map({object.pose.R, object.pose.t}), object.group ? fmt::format(",\"group\":{}", *object.group) : ""));
-  }
-  sink.write("\n]}");
+Result<void> write_scene(Sink& sink, const PageHead& head, const DrawnScene& scene, const std::stop_token& stop) {
+  JsonDocument document(sink, stop);
+  document.member("version", 1);
+  document.member("title", head.title);
+  document.member("up", head.y_up ? "y" : "z");
+  document.member("triangles", scene.triangles);
+  document.member("shown", scene.shown);
+  document.member("asked", scene.asked);
+  document.list("meshes", scene.meshes.size(), [&](std::size_t i) {
+    return Json{{"vertices", scene.meshes[i].xyz.size() / 3}, {"triangles", scene.meshes[i].triangles.size() / 3}};
+  });
+  document.list("groups", scene.groups.size(), [&](std::size_t i) {
+    Json group{{"name", scene.groups[i].name}};
+    if (scene.groups[i].parent) group["parent"] = *scene.groups[i].parent;
+    return group;
+  });
+  document.list("objects", scene.objects.size(), [&](std::size_t i) {
+    const DrawnObject& drawn = scene.objects[i];
+    Json object{{"mesh", drawn.mesh ? Json(*drawn.mesh) : Json(-1)}, {"pose", json_map({drawn.pose.R, drawn.pose.t})}};
+    if (drawn.group) object["group"] = *drawn.group;
+    return object;
+  });
+  return document.end();
 }
 
 Result<void> write_geometry(Sink& sink, const DrawnScene& scene, const std::stop_token& stop) {
@@ -124,9 +126,10 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const Page
   if (!written) return written;
   sink.write("</script>\n<script type=\"application/json\" id=\"scene\">\n");
   sink.in_page(true);
-  write_scene(sink, head, scene);
+  written = write_scene(sink, head, scene, stop);
   sink.in_page(false);
-  sink.write("\n</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
+  if (!written) return written;
+  sink.write("</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
   written = write_geometry(sink, scene, stop);
   sink.write("\n</script>");
   if (written && write_motion) {
@@ -134,7 +137,7 @@ Result<void> write_page(Sink& sink, const std::string& page_template, const Page
     sink.in_page(true);
     written = write_motion(sink);
     sink.in_page(false);
-    sink.write("\n</script>");
+    sink.write("</script>");
   }
   sink.write(std::string_view(page_template).substr(mark + kMark.size()));
   return written;

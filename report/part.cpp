@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/json_writer.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -92,29 +91,6 @@ void print_surfaces(std::span<const std::string> labels, std::span<const Part> p
   }
   if (surfaces > kMostLines)
     sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));
-}
-
-std::string json_facts(const std::optional<Part>& part) {
-  if (!part)
-    return "\"solid\":null,\"first_open_edge\":null,\"self_crossings\":null,\"first_self_crossing\":null,"
-           "\"volume\":null,\"area\":null,\"wall\":null";
-  const PartFacts& facts = part->facts;
-  const std::string edge =
-      facts.open_edge ? fmt::format("[{},{}]", json_point((*facts.open_edge)[0]), json_point((*facts.open_edge)[1]))
-                      : "null";
-  const std::string crossing = facts.self_crossing && part->crossing_near
-                                   ? fmt::format("{{\"triangles\":[{},{}],\"near\":{}}}", facts.self_crossing->a,
-                                                 facts.self_crossing->b, json_point(*part->crossing_near))
-                                   : "null";
-  return fmt::format(
-      "\"solid\":{},\"first_open_edge\":{},\"self_crossings\":{},\"first_self_crossing\":{},\"volume\":{},"
-      "\"area\":{},\"wall\":{}",
-      facts.solid, edge, facts.self_crossings, crossing, facts.solid ? json_number(facts.volume) : "null",
-      json_number(facts.area), facts.solid ? json_number(facts.wall) : "null");
-}
-
-std::string json_point(const Point& point) {
-  return fmt::format("[{},{},{}]", json_number(point.x), json_number(point.y), json_number(point.z));
 }
 
 }  // namespace impinge::report

@@ -34,11 +34,4 @@ std::string coordinate(double value, double size);
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width);
 
-/// The facts as members of a JSON object, without braces: "solid" to "wall", all null where there is no part; not
-/// "closed" and "open_edges".
-std::string json_facts(const std::optional<Part>& part);
-
-/// [x,y,z]
-std::string json_point(const Point& point);
-
 }  // namespace impinge::report

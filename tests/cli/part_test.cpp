@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/json_writer.hpp"
+
 namespace impinge::report {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   Part part;
   part.facts.solid = true;
   part.facts.volume = 8, part.facts.area = 24, part.facts.wall = 0.5;
-  const auto parse = [](const std::optional<Part>& of) { return json::parse("{" + json_facts(of) + "}"); };
+  const auto parse = [](const std::optional<Part>& of) { return json::parse(json_text(json_facts(of))); };
   EXPECT_EQ(parse(part), (json{{"solid", true},
                                {"first_open_edge", nullptr},
                                {"self_crossings", 0},
