@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "check.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "calibration_cache.hpp"
+#include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"
@@ -71,21 +70,23 @@ Result<Answer> find_answer(const CheckArguments& arguments, const std::stop_toke
 
 Table table_of_pairs(const Answer& answer, bool first) {
   using enum Column::Kind;
-  Table table;
-  table.rows = answer.contacts.objects.size();
-  table.columns = {{"object", name}, {"object", name}};
+  const Contacts& contacts = answer.contacts;
+  Table table{contacts.objects.size(), {}};
+  for (const std::size_t which : {0, 1})
+    table.columns.push_back({"object", name, [&answer, &contacts, which](std::size_t row) {
+                               return answer.assembly.labels[contacts.objects[row][which]];
+                             }});
   if (first) {
-    table.columns.push_back({"witness", text});
-  } else {
-    for (const char* heading : {"crossing", "touching", "coplanar"}) table.columns.push_back({heading, number});
+    table.columns.push_back({"witness", text, [&contacts](std::size_t row) {
+                               return std::string(kind_name(contacts.kinds[contacts.offsets[row]]));
+                             }});
+    return table;
   }
-  table.cell = [&answer, first](std::size_t row, std::size_t column) -> std::string {
-    const Contacts& contacts = answer.contacts;
-    if (column < 2) return answer.assembly.labels[contacts.objects[row][column]];
-    if (first) return std::string(kind_name(contacts.kinds[contacts.offsets[row]]));
-    const RowCounts counts = count_row(contacts, row);
-    return grouped(column == 2 ? counts.crossing : column == 3 ? counts.touching : counts.coplanar);
-  };
+  constexpr std::pair<const char*, std::uint64_t RowCounts::*> kCounts[] = {
+      {"crossing", &RowCounts::crossing}, {"touching", &RowCounts::touching}, {"coplanar", &RowCounts::coplanar}};
+  for (const auto& [heading, count] : kCounts)
+    table.columns.push_back(
+        {heading, number, [&contacts, count](std::size_t row) { return grouped(count_row(contacts, row).*count); }});
   return table;
 }
 

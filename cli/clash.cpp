@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "clash_table.hpp"
+#include "commands.hpp"
 #include "configured_clash.hpp"
 #include "documents.hpp"
 #include "exports.hpp"

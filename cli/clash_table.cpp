@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 
 #include "report/text.hpp"
@@ -23,65 +22,63 @@ std::string length_text(double length) { return fmt::format("{:.4g}", length); }
 /// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
 const std::string kNothing = "-";
 
-/// What fails by default the verdicts tell; otherwise a column does, unless all of them fail or none.
+/// Whether a column marks the pairs that fail: not where `--fail-on` is the default, since then the verdict tells, and
+/// not where all pairs fail or none.
 bool marks_failing(const Review& review, const ClashArguments& arguments) {
   if (!arguments.config && words_of(arguments.fail_on) == words_of(ClashArguments().fail_on)) return false;
   const std::uint64_t failing = count_failing(review);
   return failing > 0 && failing < review.clashes.pairs.size();
 }
 
-struct PairColumn {
-  Column column;
-  std::function<std::string(const Clash& pair, const Standing& standing)> text;
-};
-
-std::vector<PairColumn> columns_after_names(const Review& review, const ClashArguments& arguments) {
+/// The columns of the table, whose rows are the pairs in this order.
+std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std::size_t>& order,
+                                     const ClashArguments& arguments) {
   using enum Column::Kind;
   const std::vector<Clash>& pairs = review.clashes.pairs;
-  std::vector<PairColumn> columns;
+  std::vector<Column> columns;
+  const auto add = [&](const char* heading, Column::Kind kind, auto cell) {
+    columns.push_back({heading, kind, [&, cell](std::size_t row) {
+                         return std::string(cell(pairs[order[row]], review.standings[order[row]]));
+                       }});
+  };
+  // "inside  bolt  plate" reads as it is: the bolt lies inside the plate.
+  const auto label = [&](std::size_t which) {
+    return [&review, which](const Clash& pair, const Standing&) {
+      const bool inner_is_second = pair.verdict == Verdict::inside && pair.inner == 1;
+      return review.assembly.labels[pair.objects[inner_is_second ? 1 - which : which]];
+    };
+  };
+  add("verdict", text, [](const Clash& pair, const Standing&) { return impinge::name(pair.verdict); });
+  add("part", name, label(0));
+  add("part", name, label(1));
   if (marks_failing(review, arguments))
-    columns.push_back(
-        {{"fails", text}, [](const Clash&, const Standing& standing) { return standing.fails ? "yes" : kNothing; }});
+    add("fails", text, [](const Clash&, const Standing& standing) { return standing.fails ? "yes" : kNothing; });
   if (review.plan.tests().size() > 1)
-    columns.push_back({{"test", text}, [&review](const Clash& pair, const Standing&) {
-                         return fit(printable(review.plan.tests()[pair.test].name), 40);
-                       }});
-  if (arguments.previous) columns.push_back({{"change", text}, change_text});
+    add("test", text, [&review](const Clash& pair, const Standing&) {
+      return fit(printable(review.plan.tests()[pair.test].name), 40);
+    });
+  if (arguments.previous) add("change", text, change_text);
   if (arguments.depth)
-    columns.push_back({{"depth", number}, [](const Clash& pair, const Standing&) {
-                         return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing;
-                       }});
+    add("depth", number,
+        [](const Clash& pair, const Standing&) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; });
   if (arguments.clearance > 0)
-    columns.push_back({{"distance", number}, [](const Clash& pair, const Standing&) {
-                         return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
-                       }});
+    add("distance", number, [](const Clash& pair, const Standing&) {
+      return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
+    });
   if (arguments.regions)
-    columns.push_back(
-        {{"regions", number}, [](const Clash& pair, const Standing&) { return grouped(pair.regions.size()); }});
+    add("regions", number, [](const Clash& pair, const Standing&) { return grouped(pair.regions.size()); });
   if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
-    columns.push_back({{"note", text}, [](const Clash& pair, const Standing&) { return note_text(pair.note); }});
+    add("note", text, [](const Clash& pair, const Standing&) { return note_text(pair.note); });
   return columns;
 }
 
 void print_pairs(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                  const std::stop_token& stop) {
-  const std::vector<Clash>& pairs = review.clashes.pairs;
-  const std::vector<std::size_t> order = ranked(pairs);
+  const std::vector<std::size_t> order = ranked(review.clashes.pairs);
   if (arguments.group_by != GroupBy::none)
     return print_groups(review, arguments.group_by, order, arguments.limit, sink, width, stop);
-  const std::vector<PairColumn> after = columns_after_names(review, arguments);
-  Table table;
-  table.rows = static_cast<std::size_t>(std::min<std::uint64_t>(order.size(), arguments.limit));
-  table.columns = {{"verdict", Column::Kind::text}, {"part", Column::Kind::name}, {"part", Column::Kind::name}};
-  for (const PairColumn& column : after) table.columns.push_back(column.column);
-  table.cell = [&](std::size_t row, std::size_t column) -> std::string {
-    const Clash& pair = pairs[order[row]];
-    if (column == 0) return std::string(name(pair.verdict));
-    if (column > 2) return after[column - 3].text(pair, review.standings[order[row]]);
-    // "inside  bolt  plate" reads as it is: the bolt lies inside the plate.
-    const bool inner_is_second = pair.verdict == Verdict::inside && pair.inner == 1;
-    return review.assembly.labels[pair.objects[(column == 1) == inner_is_second ? 1 : 0]];
-  };
+  const Table table{static_cast<std::size_t>(std::min<std::uint64_t>(order.size(), arguments.limit)),
+                    columns_of_pairs(review, order, arguments)};
   if (table.rows > 0) print(table, sink, width, stop);
   if (table.rows < order.size())
     sink.write(fmt::format("({} of {}, by --limit; --json has them all.)\n", grouped(table.rows),

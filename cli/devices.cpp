@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "devices.hpp"
+#include "impinge/devices.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 
-#include "impinge/devices.hpp"
+#include "commands.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
-#include "table.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "info.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands.hpp"
 #include "documents.hpp"
 #include "impinge/clash.hpp"
 #include "impinge/io.hpp"
@@ -97,34 +96,30 @@ std::string solid_text(const ObjectFacts& facts) {
   return facts.part->facts.solid ? "yes" : "no";
 }
 
-struct InfoColumn {
-  Column column;
-  std::string (*text)(const ObjectFacts& facts);
-};
+constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 80;
 
-/// The columns that leave room for names on a line of so many columns.
-std::vector<InfoColumn> columns_for(std::optional<std::size_t> width) {
+/// The objects with the columns that leave room for names on a line of so many columns.
+Table table_of(const std::vector<ObjectFacts>& objects, std::size_t width) {
   using enum Column::Kind;
-  constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 80;
-  std::vector<InfoColumn> columns;
-  columns.push_back({{"object", name}, [](const ObjectFacts& facts) { return printable(facts.name); }});
-  columns.push_back({{"triangles", number}, [](const ObjectFacts& facts) { return grouped(facts.triangles); }});
-  if (width.value_or(kRoomForVertices) >= kRoomForVertices)
-    columns.push_back({{"vertices", number}, [](const ObjectFacts& facts) { return grouped(facts.vertices); }});
-  columns.push_back({{"degenerate", number}, [](const ObjectFacts& facts) {
-                       return facts.part ? grouped(facts.part->facts.degenerate) : "unknown";
-                     }});
-  columns.push_back({{"open edges", number}, open_edges_text});
-  columns.push_back({{"solid", text}, solid_text});
-  if (width.value_or(kRoomForSphere) < kRoomForSphere) return columns;
-  columns.push_back({{"centre", number}, [](const ObjectFacts& facts) {
-                       return fmt::format("{} {} {}", coordinate(facts.center.x, facts.radius),
-                                          coordinate(facts.center.y, facts.radius),
-                                          coordinate(facts.center.z, facts.radius));
-                     }});
-  columns.push_back(
-      {{"radius", number}, [](const ObjectFacts& facts) { return coordinate(facts.radius, facts.radius); }});
-  return columns;
+  Table table{objects.size(), {}};
+  const auto add = [&](const char* heading, Column::Kind kind, std::string (*cell)(const ObjectFacts&)) {
+    table.columns.push_back({heading, kind, [&objects, cell](std::size_t row) { return cell(objects[row]); }});
+  };
+  add("object", name, [](const ObjectFacts& facts) { return printable(facts.name); });
+  add("triangles", number, [](const ObjectFacts& facts) { return grouped(facts.triangles); });
+  if (width >= kRoomForVertices)
+    add("vertices", number, [](const ObjectFacts& facts) { return grouped(facts.vertices); });
+  add("degenerate", number,
+      [](const ObjectFacts& facts) { return facts.part ? grouped(facts.part->facts.degenerate) : "unknown"; });
+  add("open edges", number, open_edges_text);
+  add("solid", text, solid_text);
+  if (width < kRoomForSphere) return table;
+  add("centre", number, [](const ObjectFacts& facts) {
+    return fmt::format("{} {} {}", coordinate(facts.center.x, facts.radius), coordinate(facts.center.y, facts.radius),
+                       coordinate(facts.center.z, facts.radius));
+  });
+  add("radius", number, [](const ObjectFacts& facts) { return coordinate(facts.radius, facts.radius); });
+  return table;
 }
 
 void print_file(const FileFacts& facts, Sink& out) {
@@ -135,12 +130,7 @@ void print_file(const FileFacts& facts, Sink& out) {
   for (const std::string& warning : facts.warnings) out.write(fmt::format("warning: {}\n", printable(warning)));
   if (facts.objects.empty()) return;
   const auto width = width_of(STDOUT_FILENO);
-  const std::vector<InfoColumn> columns = columns_for(width);
-  Table table;
-  for (const InfoColumn& column : columns) table.columns.push_back(column.column);
-  table.rows = facts.objects.size();
-  table.cell = [&](std::size_t row, std::size_t column) { return columns[column].text(facts.objects[row]); };
-  print(table, out, width);
+  print(table_of(facts.objects, width.value_or(kRoomForVertices)), out, width);
 
   std::vector<std::string> labels;
   std::vector<Part> parts;
@@ -178,7 +168,7 @@ Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
     }
     if (arguments.json) files.push_back(std::move(*facts));
   }
-  if (listed > 0 && columns_for(width_of(STDOUT_FILENO)).size() < columns_for(std::nullopt).size())
+  if (listed > 0 && width_of(STDOUT_FILENO).value_or(kRoomForVertices) < kRoomForVertices)
     out.write("\n(A wider terminal or --json shows more columns.)\n");
   if (auto flushed = out.flush(); !flushed) return flushed.error();
   if (auto written = documents.write(kJson, [&](Sink& sink) { return write_info_json(sink, files); }); !written)

@@ -5,15 +5,9 @@
 #include <exception>
 #include <new>
 
-#include "arguments.hpp"
-#include "check.hpp"
-#include "clash.hpp"
-#include "devices.hpp"
-#include "info.hpp"
+#include "commands.hpp"
 #include "interrupt.hpp"
-#include "motion.hpp"
 #include "report/sink.hpp"
-#include "view.hpp"
 
 namespace {
 
@@ -27,6 +21,11 @@ int failed(const Error& error) {
   return kFailed;
 }
 
+int exit_code(const Result<bool>& answer, int if_true, int if_false) {
+  if (!answer.has_value()) return failed(answer.error());
+  return *answer ? if_true : if_false;
+}
+
 int print_notice(const Notice& notice) {
   Sink out(STDOUT_FILENO, "standard output");
   out.write(notice.text);
@@ -38,36 +37,21 @@ int run(int argc, char** argv) {
   const Result<Command> command = parse_command_line(argc, argv);
   if (!command) return failed(command.error());
   if (const auto* notice = std::get_if<Notice>(&*command)) return print_notice(*notice);
-
-  if (std::holds_alternative<DevicesArguments>(*command)) {
-    const Result<bool> usable = list_devices();
-    if (!usable.has_value()) return failed(usable.error());
-    return *usable ? 0 : kFailed;
-  }
+  if (std::holds_alternative<DevicesArguments>(*command)) return exit_code(list_devices(), 0, kFailed);
 
   const Interrupt interrupt;
-  if (const auto* arguments = std::get_if<CheckArguments>(&*command)) {
-    const Result<bool> touches = check(*arguments, interrupt.token());
-    if (!touches.has_value()) return failed(touches.error());
-    return *touches ? kSomething : kNothing;
-  }
-  if (const auto* arguments = std::get_if<ClashArguments>(&*command)) {
-    const Result<bool> fails = clash(*arguments, interrupt.token());
-    if (!fails.has_value()) return failed(fails.error());
-    return *fails ? kSomething : kNothing;
-  }
-  if (const auto* arguments = std::get_if<MotionArguments>(&*command)) {
-    const Result<bool> clashes = motion(*arguments, interrupt.token());
-    if (!clashes.has_value()) return failed(clashes.error());
-    return *clashes ? kSomething : kNothing;
-  }
+  const std::stop_token stop = interrupt.token();
+  if (const auto* arguments = std::get_if<CheckArguments>(&*command))
+    return exit_code(check(*arguments, stop), kSomething, kNothing);
+  if (const auto* arguments = std::get_if<ClashArguments>(&*command))
+    return exit_code(clash(*arguments, stop), kSomething, kNothing);
+  if (const auto* arguments = std::get_if<MotionArguments>(&*command))
+    return exit_code(motion(*arguments, stop), kSomething, kNothing);
   if (const auto* arguments = std::get_if<ViewArguments>(&*command)) {
-    const Result<void> written = view(*arguments, interrupt.token());
+    const Result<void> written = view(*arguments, stop);
     return written ? 0 : failed(written.error());
   }
-  const Result<bool> all_read = info(std::get<InfoArguments>(*command), interrupt.token());
-  if (!all_read.has_value()) return failed(all_read.error());
-  return *all_read ? 0 : kFailed;
+  return exit_code(info(std::get<InfoArguments>(*command), stop), 0, kFailed);
 }
 
 }  // namespace

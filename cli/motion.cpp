@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "motion.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -9,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "commands.hpp"
 #include "documents.hpp"
 #include "motion_table.hpp"
 #include "numbers.hpp"

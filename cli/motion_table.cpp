@@ -40,34 +40,29 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
     return begin(a) < begin(b);
   });
   using enum Column::Kind;
-  Table table;
-  table.rows = spans.size();
-  table.columns = {{"from", number}, {"to", number}, {"part", name}, {"part", name}, {"worst", text}, {"at", number}};
-  if (arguments.depth) table.columns.push_back({"depth", number});
-  const std::size_t note = table.columns.size();
-  if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))
-    table.columns.push_back({"note", text});
-  table.cell = [&](std::size_t row, std::size_t column) -> std::string {
-    const ClashSpan& span = spans[order[row]];
-    if (column == note) return note_text(span.note);
-    switch (column) {
-      case 0:
-        return span.from ? time_text(span.from->hi, step) : "start";
-      case 1:
-        return span.to ? time_text(span.to->lo, step) : "end";
-      case 2:
-      case 3:
-        return report.assembly.labels[span.objects[(column == 2) == (span.inner == 1) ? 1 : 0]];
-      case 4:
-        return std::string(impinge::name(span.worst));
-      case 5:
-        return time_text(span.worst_at, step);
-      default:
-        return span.overlap_depth
-                   ? fmt::format("{:.4g}", std::max(span.overlap_depth->a_in_b.hi, span.overlap_depth->b_in_a.hi))
-                   : "-";
-    }
+  Table table{spans.size(), {}};
+  const auto add = [&](const char* heading, Column::Kind kind, auto cell) {
+    table.columns.push_back({heading, kind, [&, cell](std::size_t row) { return cell(spans[order[row]]); }});
   };
+  // The part that lies in the other stands first.
+  const auto label = [&](std::size_t which) {
+    return [&report, which](const ClashSpan& span) {
+      return report.assembly.labels[span.objects[span.inner == 1 ? 1 - which : which]];
+    };
+  };
+  add("from", number, [step](const ClashSpan& span) { return span.from ? time_text(span.from->hi, step) : "start"; });
+  add("to", number, [step](const ClashSpan& span) { return span.to ? time_text(span.to->lo, step) : "end"; });
+  add("part", name, label(0));
+  add("part", name, label(1));
+  add("worst", text, [](const ClashSpan& span) { return std::string(impinge::name(span.worst)); });
+  add("at", number, [step](const ClashSpan& span) { return time_text(span.worst_at, step); });
+  if (arguments.depth)
+    add("depth", number, [](const ClashSpan& span) {
+      const auto& depth = span.overlap_depth;
+      return depth ? fmt::format("{:.4g}", std::max(depth->a_in_b.hi, depth->b_in_a.hi)) : "-";
+    });
+  if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))
+    add("note", text, [](const ClashSpan& span) { return note_text(span.note); });
   if (table.rows > 0) print(table, sink, width, stop);
   if (table.rows > 0) sink.write("\n");
   const auto moving = std::count_if(report.mover.bodies().begin(), report.mover.bodies().end(),

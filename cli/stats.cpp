@@ -12,7 +12,9 @@ namespace impinge::cli {
 namespace {
 
 void print_rows(Sink& sink, const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows) {
-  Table table{columns, rows.size(), [&](std::size_t row, std::size_t column) { return rows[row][column]; }};
+  Table table{rows.size(), columns};
+  for (std::size_t column = 0; column < columns.size(); ++column)
+    table.columns[column].text_of = [&rows, column](std::size_t row) { return rows[row][column]; };
   print(table, sink, std::nullopt);
 }
 
@@ -21,7 +23,7 @@ void print_rows(Sink& sink, const std::vector<Column>& columns, const std::vecto
 void print_statistics(const Statistics& s, Sink& sink) {
   using enum Column::Kind;
   sink.write("\nStages (threads' own times added up)\n");
-  print_rows(sink, {{"stage", text}, {"time", number}, {"count", number}, {"what was counted", text}},
+  print_rows(sink, {{"stage", text, {}}, {"time", number, {}}, {"count", number, {}}, {"what was counted", text, {}}},
              {{"broad", duration(s.broad_seconds), grouped(s.object_pairs), "pairs of objects left"},
               {"hierarchy", duration(s.hierarchy_seconds), grouped(s.leaf_pairs), "pairs of leaves left"},
               {"partition", duration(s.partition_seconds), grouped(s.triangle_pairs), "pairs of triangles left"},
@@ -34,7 +36,7 @@ void print_statistics(const Statistics& s, Sink& sink) {
     return std::vector<std::string>{name, grouped(count), duration(each), duration(static_cast<double>(count) * each)};
   };
   sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl + Ne Ce (C measured on this machine)\n");
-  print_rows(sink, {{"", text}, {"N", number}, {"C", number}, {"N C", number}},
+  print_rows(sink, {{"", text, {}}, {"N", number, {}}, {"C", number, {}}, {"N C", number, {}}},
              {cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
               cost("p: tests of two triangles, or of an edge and one", s.element_tests, s.element_test_seconds),
               cost("u: tree nodes built", s.nodes_built, s.node_seconds),
@@ -44,7 +46,7 @@ void print_statistics(const Statistics& s, Sink& sink) {
               {"T measured", "", "", duration(s.measured_seconds)}});
   if (s.device_seconds == 0) return;
   sink.write("\nSides (by the clock; the counts above are both sides' together, T is the CPU's)\n");
-  print_rows(sink, {{"side", text}, {"predicted", number}, {"time", number}},
+  print_rows(sink, {{"side", text, {}}, {"predicted", number, {}}, {"time", number, {}}},
              {{"device", duration(s.device_predicted_seconds), duration(s.device_seconds)},
               {"CPU beside it", "", duration(s.cpu_seconds)}});
 }

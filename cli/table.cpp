@@ -17,7 +17,7 @@ std::vector<std::size_t> natural_widths(const Table& table, const std::stop_toke
   for (const Column& column : table.columns) widths.push_back(columns(column.heading));
   for (std::size_t row = 0; row < table.rows && !stop.stop_requested(); ++row)
     for (std::size_t column = 0; column < widths.size(); ++column)
-      widths[column] = std::max(widths[column], columns(table.cell(row, column)));
+      widths[column] = std::max(widths[column], columns(table.columns[column].text_of(row)));
   return widths;
 }
 
@@ -44,7 +44,7 @@ void narrow_names(const Table& table, std::size_t line, std::vector<std::size_t>
 void print_line(const Table& table, Sink& sink, const std::vector<std::size_t>& widths, auto cell) {
   std::string line;
   for (std::size_t column = 0; column < widths.size(); ++column) {
-    const std::string text = fit(cell(column), widths[column]);
+    const std::string text = fit(cell(table.columns[column]), widths[column]);
     const std::size_t padding = widths[column] - std::min(widths[column], columns(text));
     if (column > 0) line.append(kGap, ' ');
     if (table.columns[column].kind == Column::Kind::number) line.append(padding, ' ');
@@ -59,9 +59,9 @@ void print_line(const Table& table, Sink& sink, const std::vector<std::size_t>& 
 void print(const Table& table, Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop) {
   std::vector<std::size_t> widths = natural_widths(table, stop);
   if (width) narrow_names(table, *width, widths);
-  print_line(table, sink, widths, [&](std::size_t column) { return table.columns[column].heading; });
+  print_line(table, sink, widths, [](const Column& column) { return column.heading; });
   for (std::size_t row = 0; row < table.rows && !sink.failed() && !stop.stop_requested(); ++row)
-    print_line(table, sink, widths, [&](std::size_t column) { return table.cell(row, column); });
+    print_line(table, sink, widths, [&](const Column& column) { return column.text_of(row); });
 }
 
 }  // namespace impinge::cli

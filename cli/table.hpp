@@ -22,14 +22,14 @@ struct Column {
   };
   std::string heading;
   Kind kind;
+  /// A row's cell, printable. It is called twice for each row, so that a table of a million rows need not be held in
+  /// memory.
+  std::function<std::string(std::size_t row)> text_of;
 };
 
-/// What a table shows. `cell(row, column)` is a printable text; it is asked twice, so that a table of a million rows
-/// need not be held in memory.
 struct Table {
-  std::vector<Column> columns;
   std::size_t rows = 0;
-  std::function<std::string(std::size_t row, std::size_t column)> cell;
+  std::vector<Column> columns;
 };
 
 /// Prints headings and rows. With a width, names are cut so that lines fit it, but never below 8 columns.

@@ -99,20 +99,24 @@ void print_groups(const Review& review, GroupBy by, const std::vector<std::size_
                   Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop) {
   const std::vector<PairGroup> groups = groups_of(by, review.clashes.pairs, order, review.types);
   const bool by_type = by == GroupBy::type;
-  Table table;
-  table.rows = static_cast<std::size_t>(std::min<std::uint64_t>(groups.size(), shown));
-  table.columns = {{"worst", Column::Kind::text}, {"pairs", Column::Kind::number}, {"fail", Column::Kind::number}};
-  table.columns.push_back({by == GroupBy::test ? "test" : by_type ? "type" : "part", Column::Kind::name});
-  if (by_type) table.columns.push_back({"type", Column::Kind::name});
-  table.cell = [&](std::size_t row, std::size_t column) -> std::string {
-    const PairGroup& group = groups[row];
-    if (column == 0) return std::string(name(review.clashes.pairs[group.pairs.front()].verdict));
-    if (column == 1) return grouped(group.pairs.size());
-    if (column == 2)
-      return grouped(static_cast<std::uint64_t>(std::count_if(
-          group.pairs.begin(), group.pairs.end(), [&](std::size_t pair) { return review.standings[pair].fails; })));
-    return name_of(review, by, column == 3 ? group.a : *group.b);
+  const auto worst = [&](std::size_t row) {
+    return std::string(impinge::name(review.clashes.pairs[groups[row].pairs.front()].verdict));
   };
+  const auto failing = [&](std::size_t row) {
+    return grouped(static_cast<std::uint64_t>(std::ranges::count_if(
+        groups[row].pairs, [&](std::size_t pair) { return bool(review.standings[pair].fails); })));
+  };
+  using enum Column::Kind;
+  Table table{static_cast<std::size_t>(std::min<std::uint64_t>(groups.size(), shown)),
+              {{"worst", text, worst},
+               {"pairs", number, [&](std::size_t row) { return grouped(groups[row].pairs.size()); }},
+               {"fail", number, failing},
+               {by == GroupBy::test ? "test"
+                : by_type           ? "type"
+                                    : "part",
+                name, [&](std::size_t row) { return name_of(review, by, groups[row].a); }}}};
+  if (by_type)
+    table.columns.push_back({"type", name, [&](std::size_t row) { return name_of(review, by, *groups[row].b); }});
   if (table.rows > 0) print(table, sink, width, stop);
   if (table.rows < groups.size())
     sink.write(fmt::format("({} of {}, by --limit; --json has them all.)\n", grouped(table.rows),

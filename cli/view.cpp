@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "view.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"

@@ -26,9 +26,11 @@ std::string printed(const Table& table, std::optional<std::size_t> width) {
 
 Table two_names(const std::string& a, const std::string& b) {
   using enum Column::Kind;
-  return {{{"left", name}, {"right", name}, {"n", number}, {"kind", text}}, 1, [=](std::size_t, std::size_t column) {
-            return std::vector<std::string>{a, b, "12,345", "flat"}[column];
-          }};
+  return {1,
+          {{"left", name, [=](std::size_t) { return a; }},
+           {"right", name, [=](std::size_t) { return b; }},
+           {"n", number, [](std::size_t) { return "12,345"; }},
+           {"kind", text, [](std::size_t) { return "flat"; }}}};
 }
 
 TEST(Table, PadsToTheWidestCellAndLeavesNoTrailingSpaces) {
@@ -53,10 +55,11 @@ TEST(Table, NeverCutsNumbersAndKeepsEightColumnsOfAName) {
 TEST(Table, StopsWhenAsked) {
   std::stop_source stop;
   std::size_t asked = 0;
-  Table table{{{"n", Column::Kind::number}}, 1'000'000'000, [&](std::size_t, std::size_t) {
-                if (++asked == 100) stop.request_stop();
-                return std::string("1");
-              }};
+  const auto one = [&](std::size_t) {
+    if (++asked == 100) stop.request_stop();
+    return "1";
+  };
+  const Table table{1'000'000'000, {{"n", Column::Kind::number, one}}};
   const int file = ::memfd_create("table", 0);
   Sink sink(file, "memory");
   print(table, sink, std::nullopt, stop.get_token());
