@@ -2,20 +2,45 @@
 // SPDX-License-Identifier: MIT
 #include "bench/peers/cgal.hpp"
 
-#include <algorithm>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "bench/peers/cgal_types.hpp"
+#include <algorithm>
+#include <vector>
+
+#include "bench/peers/common.hpp"
 
 namespace impinge::bench {
+namespace {
+
+/// Its predicates decide exactly on the doubles that they are given.
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+
+Triangles triangles_of(const scenes::MeshData& data, const Pose& pose) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(data.vertex_count());
+  for (const Point& p : placed(data, pose)) points.emplace_back(p.x, p.y, p.z);
+  Triangles result;
+  result.reserve(data.triangle_count());
+  for (std::size_t i = 0; i < data.triangles.size(); i += 3)
+    result.emplace_back(points[data.triangles[i]], points[data.triangles[i + 1]], points[data.triangles[i + 2]]);
+  return result;
+}
+
+}  // namespace
 
 struct CgalBody::State {
-  CgalTree<Epick>::Triangles triangles;
-  CgalTree<Epick>::Tree tree;
+  Triangles triangles;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree;
   std::vector<TrianglePair> pairs;
 };
 
 CgalBody::CgalBody(const scenes::MeshData& data, const Pose& pose) : state_(std::make_unique<State>()) {
-  state_->triangles = CgalTree<Epick>::triangles(data, pose);
+  state_->triangles = triangles_of(data, pose);
   state_->tree.insert(state_->triangles.begin(), state_->triangles.end());
 }
 
@@ -25,14 +50,23 @@ CgalBody::~CgalBody() = default;
 void CgalBody::build_tree() const { state_->tree.build(); }
 
 std::size_t CgalBody::collide(const CgalBody& b) {
+  const Triangles &of_a = state_->triangles, &of_b = b.state_->triangles;
   state_->pairs.clear();
-  CgalTree<Epick>::collide(state_->triangles, state_->tree, b.state_->triangles, state_->pairs);
+  std::vector<Triangles::const_iterator> hits;
+  const CGAL::Bbox_3 box = state_->tree.bbox();
+  for (std::size_t i = 0; i < of_b.size(); ++i) {
+    if (!CGAL::do_overlap(box, of_b[i].bbox())) continue;
+    hits.clear();
+    state_->tree.all_intersected_primitives(of_b[i], std::back_inserter(hits));
+    for (const auto hit : hits)
+      state_->pairs.push_back({static_cast<std::uint32_t>(hit - of_a.cbegin()), static_cast<std::uint32_t>(i)});
+  }
   return state_->pairs.size();
 }
 
 bool CgalBody::touches(const CgalBody& b) const {
   const CGAL::Bbox_3 box = state_->tree.bbox();
-  return std::any_of(b.state_->triangles.begin(), b.state_->triangles.end(), [&](const Epick::Triangle_3& triangle) {
+  return std::any_of(b.state_->triangles.begin(), b.state_->triangles.end(), [&](const Kernel::Triangle_3& triangle) {
     return CGAL::do_overlap(box, triangle.bbox()) && state_->tree.do_intersect(triangle);
   });
 }

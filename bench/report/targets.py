@@ -10,8 +10,6 @@ from data import digits, geometric_mean, grouped, markdown, number, slope
 NOTES = {
     "the same, FCL compiled for this machine":
         "beyond the target, which is the package: docs/performance.md lists what was tried for first contact",
-    "the same against the fastest way found on CGAL's tree":
-        "beyond the target, which is CGAL's own call: here CGAL's tree is walked by a traversal of ours",
 }
 
 
@@ -55,13 +53,6 @@ def pair_ratio(library, *cases):
         return mean_of((number(row["ratio"]) for row in rows), f"{len(rows)} mesh and depth pairs")
 
     return measure
-
-
-def fastest_cgal(tables):
-    """Pose by pose set the fastest of all ways that were tried with CGAL's tree."""
-    best = [min(number(row["ratio"]) for row in rows if row["library"].startswith("CGAL"))
-            for _, rows in grouped(tables.rows("cgal_ways"), "mesh", "case")]
-    return mean_of(best, f"{len(best)} mesh and depth pairs")
 
 
 def touching_ratio(tables):
@@ -123,7 +114,6 @@ TARGETS = [
     Target("light and deep against Embree's query alone", 2.5, 4, pair_ratio("Embree query alone", *CONTACT)),
     Target("light and deep against Embree with its refit", 10, 20, pair_ratio("Embree with refit", *CONTACT)),
     Target("light and deep against CGAL's exact tree", 35, 60, pair_ratio("CGAL query alone", *CONTACT)),
-    Target("the same against the fastest way found on CGAL's tree", 35, 60, fastest_cgal, extra=True),
     Target("touching families against CGAL's exact tree", 5, 20, touching_ratio),
     Target("build of a full tree against FCL OBB", 4, 8, build_ratio("FCL")),
     Target("the same, FCL compiled for this machine", 4, 8, build_ratio("FCL native"), extra=True),

@@ -116,7 +116,6 @@ class Commands {
   /// Records and submits; what ran before must have been waited for.
   void start(const std::function<void(VkCommandBuffer)>& record);
   void wait();
-  [[nodiscard]] bool is_running() const { return is_running_; }
 
  private:
   Device& device_;

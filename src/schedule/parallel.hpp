@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -17,10 +16,6 @@
 #include "core/float_environment.hpp"
 
 namespace impinge::schedule {
-
-/// One T a thread, made when the thread first asks.
-template <class T>
-using PerWorker = tbb::enumerable_thread_specific<T>;
 
 /// Shows the thread sanitizer that what one thread wrote before it handed work to TBB comes before what another does
 /// with it: TBB orders them itself, but Debian's is not instrumented. `give` follows the last write, `take` precedes

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ TEST(RunTasks, RunsEachTaskAndWhatItSpawnsOnce) {
   for (const int threads : {0, 1, 2, 3, 5, 8, 16, 1000}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     const auto times = std::make_unique<std::atomic<int>[]>(n);
-    schedule::PerWorker<std::uint64_t> counts([] { return std::uint64_t{0}; });
+    tbb::enumerable_thread_specific<std::uint64_t> counts([] { return std::uint64_t{0}; });
     std::vector<Range> tasks;
     for (std::uint32_t i = 0; i < n; i += 100) tasks.push_back({i, i + 100});
     schedule::run_tasks(std::move(tasks), threads, [&](Range& range, const auto& spawn) {
@@ -120,7 +121,7 @@ TEST(ForEach, PassesAnExceptionOn) {
 TEST(ForEach, KeepsItsCallersThreadFromOtherTasks) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   std::atomic<int> wrong{0};
-  schedule::PerWorker<bool> is_waiting([] { return false; });
+  tbb::enumerable_thread_specific<bool> is_waiting([] { return false; });
   schedule::run_tasks(std::vector<int>(200, 0), 8, [&](int, const auto&) {
     if (is_waiting.local()) ++wrong;
     is_waiting.local() = true;
