@@ -16,11 +16,11 @@
 namespace impinge {
 namespace {
 
-/// What a measure is asked about.
+/// One of the two placed meshes of a measure.
 struct PlacedMesh {
   const Mesh& mesh;
   const Pose& pose;
-  const char* name;  ///< for whoever reads what is wrong with it
+  const char* name;  ///< "first" or "second", for errors
 
   [[nodiscard]] std::string title() const { return std::string("the ") + name + " mesh"; }
   [[nodiscard]] hierarchy::PlacedTree tree() const {
@@ -47,7 +47,7 @@ Result<void> validate(const PlacedMesh& a, const PlacedMesh& b, const MeasureOpt
   return {};
 }
 
-/// What of it is of interest.
+/// Distances above `within` are of no interest, and any distance below `enough` will do.
 struct Reach {
   double within, enough;
 };

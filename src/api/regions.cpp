@@ -18,7 +18,7 @@
 namespace impinge {
 namespace {
 
-/// Whether the mesh crosses itself is not asked: whatever is closed encloses something.
+/// A closed mesh counts as a solid even if it crosses itself.
 solid::Part part_of(const Mesh& mesh, const Pose& pose) {
   solid::Body body = solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
   solid::Topology topology = solid::examine(body);
@@ -26,7 +26,7 @@ solid::Part part_of(const Mesh& mesh, const Pose& pose) {
   return solid::make_part(std::move(body), std::move(topology), closed);
 }
 
-/// What the options' tolerance comes to.
+/// The tolerance that is applied: 0 if the option's is below what rounding leaves of the coordinates.
 Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const RegionOptions& options) {
   const double tolerance = options.tolerance;
   if (!(tolerance >= 0 && std::isfinite(tolerance)))
@@ -56,7 +56,7 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     const auto find = [&](Options::Find what) {
       return collide(mesh_a, pose_a, mesh_b, pose_b, {.find = what, .threads = options.threads, .stop = options.stop});
     };
-    // With a tolerance pairs are looked for otherwise, and this refuses what is not to be asked about.
+    // With a tolerance pairs are found otherwise, below; then this query only checks the arguments.
     const bool is_exact = options.tolerance == 0;
     auto found = find(is_exact ? Options::Find::all : Options::Find::first);
     if (!found) return found.error();

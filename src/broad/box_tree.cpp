@@ -56,8 +56,8 @@ void BoxTree::remove(std::uint32_t object) {
   is_dirty_[place.node] = 1;
 }
 
-/// Down to where bounds grow least; an emptied node comes before all others, as its area counts as infinite. Where a
-/// node is full, an object in it and the new one become a node of their own.
+/// Descends to the child whose bounds grow least; an emptied node is preferred to all others, as its area counts as
+/// infinite. Where a node is full, one of its objects and the new one go into a new node below it.
 void BoxTree::insert(std::uint32_t object, const Box& box) {
   ++inserts_;
   for (std::uint32_t index = 0;;) {
@@ -67,7 +67,7 @@ void BoxTree::insert(std::uint32_t object, const Box& box) {
     double least = kInfinity;
     for (int i = 0; i < kTreeWidth; ++i) {
       const int lane =
-          static_cast<int>((object + static_cast<unsigned>(i)) % kTreeWidth);  // among equals another one each time
+          static_cast<int>((object + static_cast<unsigned>(i)) % kTreeWidth);  // ties are spread over the lanes
       if (node.child[lane] == kNothing) {
         free = lane;
         continue;
@@ -76,7 +76,7 @@ void BoxTree::insert(std::uint32_t object, const Box& box) {
       const double growth = half_area(united(other, box)) - half_area(other);
       if (best < 0 || growth < least) least = growth, best = lane;
     }
-    // A lane of its own is better than to double what it does not belong to.
+    // A free lane is better than a child whose area would more than double.
     const bool fits = best >= 0 && least <= half_area(node.box(best));
     if (best >= 0 && (node.child[best] & kObjectBit) == 0 && (fits || free < 0)) {
       index = node.child[best];
@@ -104,7 +104,7 @@ void BoxTree::refit() {
   }
 }
 
-// An insertion makes at most one node, and none is given back before all are: this bounds memory too.
+// An insertion makes at most one node, and nodes are freed only when the tree is built anew: this bounds memory too.
 bool BoxTree::is_worn() const { return inserts_ > 2 * built_objects_ + 64; }
 
 }  // namespace impinge::broad

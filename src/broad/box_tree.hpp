@@ -36,8 +36,8 @@ struct alignas(64) BoxNode {
   }
 };
 
-/// A tree over the boxes of objects that come, go and move a little. In double throughout: it is as sharp far from the
-/// origin, and at any scale, as the boxes are, and nothing in it is rounded. Objects are numbers below 2^31 - 1.
+/// A bounding-volume tree over objects that are added, removed and moved. Boxes stay in double and are never rounded,
+/// so the tree culls as well far from the origin as near it. Objects are numbers below 2^31 - 1.
 class BoxTree {
  public:
   /// An object's box with its upper borders negated, so that a union takes the least of each.
@@ -64,7 +64,7 @@ class BoxTree {
   void put(std::uint32_t object, const Box& box);
   /// Forgets an object, if it holds it.
   void remove(std::uint32_t object);
-  /// Shrinks the bounds that changes have left too large; they hold what they must without it.
+  /// Refits: shrinks the bounds that changes have left too large. Without it they are still conservative.
   void refit();
   /// Whether so much was inserted that building it anew pays.
   [[nodiscard]] bool is_worn() const;

@@ -15,7 +15,7 @@ Box to_box(const Least& least) { return {{least[0], least[1], least[2]}, {-least
 
 }  // namespace
 
-/// A run of entries on its way to becoming a child: around their boxes, and around twice their middles.
+/// A run of entries that becomes a child, with the bounds of their boxes and those of their doubled centres.
 struct BoxTree::Run {
   std::span<Entry> entries;
   Least box = kNone, middles = kNone;
@@ -40,7 +40,7 @@ namespace {
 using Run = BoxTree::Run;
 
 constexpr int kMostBins = 16;
-constexpr std::size_t kSample = 256;   ///< of a long run a plane is chosen by so many
+constexpr std::size_t kSample = 256;   ///< entries by which the plane that splits a long run is chosen
 constexpr std::size_t kOneAxis = 256;  ///< in shorter runs only the promising axis is tried
 
 struct Bin {
@@ -76,7 +76,7 @@ struct Planes {
 };
 
 struct Choice {
-  int axis = 0, first_right_bin = 0;  ///< 0: no plane parts the run
+  int axis = 0, first_right_bin = 0;  ///< 0: no plane splits the run
   double cost = kInfinity;
 };
 
@@ -121,13 +121,14 @@ Choice best_plane(const Run& run) {
     const Choice choice = best_plane(run, planes, 1 + run.entries.size() / kSample);
     if (choice.cost < best.cost) best = choice;
     if (choice.first_right_bin > 0) continue;
-    // The sample is all in one bin. If not all others are, it missed a few far away, which must go before all else.
+    // The whole sample is in one bin. If some entry is not, the sample missed a few outliers, which are split off
+    // first.
     if (const Choice of_all = best_plane(run, planes, 1); of_all.first_right_bin > 0) return of_all;
   }
   return best;
 }
 
-/// Parts a run of at least two in two, neither empty.
+/// Splits a run of at least two entries in two, neither of them empty.
 std::array<Run, 2> split(const Run& run) {
   std::size_t left = run.entries.size() / 2;
   if (const Choice choice = best_plane(run); choice.first_right_bin > 0) {

@@ -60,7 +60,7 @@ void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) n
 Box NearPairs::roomy_box(std::uint32_t object, bool is_new) const {
   const Box& box = boxes_[object];
   const Vec3 extent = box.hi - box.lo;
-  // From 3/4 to 5/4, so that what set out together does not all leave in the same frame.
+  // From 3/4 to 5/4, so that objects that started together do not all leave their boxes in the same frame.
   const double luck = 0.75 + 0x1p-33 * ((object + frame_ * 40503u) * 2654435761u);
   if (is_new) {
     const Vec3 around = (luck * kRoomAtRest) * extent;
@@ -131,7 +131,7 @@ void NearPairs::find_fresh(const ForEach& for_each) {
     const std::size_t begin = part * changed_.size() / parts, end = (part + 1) * changed_.size() / parts;
     BoxTree::Search& search = searches_[part];
     tree_.find(std::span(changed_).subspan(begin, end - begin), roomy_, search);
-    // Of two that have changed, the lower one brings the pair.
+    // Of two changed objects, the lower one reports the pair.
     std::erase_if(search.found, [&](std::uint64_t pair) {
       const std::uint32_t changed = first_of(pair), other = second_of(pair);
       const bool comes_again = other < changed && has_changed_[other] != 0;
@@ -148,8 +148,8 @@ void NearPairs::find_fresh(const ForEach& for_each) {
   }
 }
 
-/// Into rows by the lower object, then each row: linear, as rows are short. But a few pairs are not worth a count of
-/// all rows.
+/// Sorts pairs into rows by the lower object, then each row: linear, as rows are short. A few pairs are sorted
+/// directly, which costs less than counting all rows.
 void NearPairs::sort_fresh() {
   if (fresh_.size() < boxes_.size() / 32) {
     sorted_.swap(fresh_);
@@ -193,7 +193,7 @@ void NearPairs::merge_fresh() {
 void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
                      const FindConfig& config) const {
   const std::size_t n = candidates_.size(), parts = config.for_each ? n / kPart + 1 : 1;
-  // What each part keeps lies where its candidates begin; behind all of them, how many it has kept.
+  // Each part writes the candidates that it keeps from where its own begin; behind all candidates stand the counts.
   scratch.resize(n + parts);
   const auto begin = [&](std::size_t part) { return part * n / parts; };
   std::uint64_t *const kept = scratch.data(), *const counts = kept + n;

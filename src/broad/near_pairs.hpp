@@ -44,7 +44,7 @@ class NearPairs {
 
   /// How many pairs `find` looks at.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
-  /// How often all updates have held a box against the eight of a tree's node.
+  /// How many tests of a box against the eight of a tree's node all updates have made.
   [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
 
  private:

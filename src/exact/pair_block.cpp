@@ -210,7 +210,7 @@ HWY_INLINE SignLanes see_sides_twofold(const Vec* p, int triangle, const V* perm
   return signs;
 }
 
-/// What is in a plane by comparison is on no side of it, whatever rounding has made of it.
+/// A vertex that comparisons place in a plane is on no side of it, whatever sign rounding has given it.
 HWY_INLINE SignLanes without_those_on(SignLanes signs) {
   const auto on = hn::And(signs, hn::Set(Bits(), kAllCorners << PairSigns::kOn));
   return hn::AndNot(hn::Or(hn::ShiftRight<PairSigns::kOn>(on), hn::ShiftRight<PairSigns::kOn - PairSigns::kBelow>(on)),
@@ -291,7 +291,7 @@ HWY_INLINE void see_lanes(PairBlock& block, std::size_t at) {
   const M open = hn::Not(hn::Or(hn::And(shares, all_known(signs)), hn::Or(apart, beyond(signs))));
   if (!hn::AllFalse(d, open))
     signs = hn::Or(signs, where(make_integers(block, at), std::uint64_t{1} << PairSigns::kFits));
-  // Apart is as good as beyond.
+  // Triangles whose boxes are apart count as beyond each other's plane.
   hn::Store(hn::Or(signs, where(apart, std::uint64_t{7} << PairSigns::kAbove)), bits, &block.signs[at].bits);
 }
 

@@ -10,7 +10,7 @@
 
 namespace impinge::exact {
 
-/// What is made of two triangles: a `Kind`, or one of two more.
+/// What is known of two triangles: their `Kind`, that they are apart, or (`open`) neither yet.
 enum class Outcome : std::uint8_t { crossing, touching, coplanar, apart, open };
 static_assert(static_cast<int>(Outcome::crossing) == static_cast<int>(Kind::crossing) &&
               static_cast<int>(Outcome::touching) == static_cast<int>(Kind::touching) &&
@@ -21,8 +21,8 @@ inline std::optional<Kind> kind_of(Outcome outcome) {
   return outcome == Outcome::apart ? std::nullopt : std::optional(static_cast<Kind>(outcome));
 }
 
-/// How a triangle lies to the other's plane, as far as the sides of its corners are known. All is in the plane of a
-/// degenerate one.
+/// How a triangle lies to the other's plane, as far as the sides of its corners are known. A degenerate triangle has no
+/// plane: every corner counts as in it.
 enum class Position : std::uint8_t { beyond, straddling, touching, inside, unknown };
 
 namespace detail {

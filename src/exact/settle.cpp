@@ -13,7 +13,8 @@
 namespace impinge::exact {
 namespace {
 
-/// Hides the wait for memory: what is filled now is placed a block later.
+/// Hides the latency of memory: vertices are prefetched while a block is filled, and read when it is placed a block
+/// later.
 void fill(PairBlock& block, std::size_t lane, const MeshData& mesh, std::uint32_t triangle, std::size_t row) {
   for (const std::uint32_t vertex : mesh.triangles[triangle]) {
     block.offsets[row++][lane] = 3 * std::int64_t{vertex};

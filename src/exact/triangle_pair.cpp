@@ -43,13 +43,13 @@ class Flat {
   std::array<decltype(Point::x), 6> u_, v_;
 };
 
-/// What is left of a pair when floating point has said what it can. Points are `Vec3` or `IntVec`.
+/// Decides a pair of triangles that floating point has left undecided. Points are `Vec3` or `IntVec`.
 template <class Point>
 class Decision {
  public:
   Decision(const std::array<Point, 6>& points, PairSigns signs) : points_(points), signs_(signs) {}
 
-  /// Open are triangles without area.
+  /// `open` where a triangle is degenerate.
   Outcome outcome() {
     for (const int t : {0, 1}) {
       learn_sides(t);

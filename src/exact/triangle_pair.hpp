@@ -14,12 +14,12 @@ namespace impinge::exact {
 /// How two closed triangles meet (contract 2.1 to 2.4), degenerate ones taken as the segment or point that they are.
 std::optional<Kind> classify(const Triangle& a, const Triangle& b);
 
-/// The same for two triangles whose boxes and equal vertices have been compared, and perhaps more: what is left of
-/// them. Points are numbered as in PairSigns. `open` are triangles without area.
+/// The same for two triangles of which `signs` holds what is known: at least their boxes and equal vertices have been
+/// compared. Points are numbered as in PairSigns. `open` where a triangle is degenerate.
 Outcome decide(PairSigns signs, const std::array<IntVec, 6>& points);
-/// Where the points do not fit into integers.
+/// The same where the points do not fit into integers.
 Outcome decide(PairSigns signs, const std::array<Vec3, 6>& points);
-/// For those.
+/// For pairs with a degenerate triangle.
 Outcome decide_degenerate(const std::array<Vec3, 6>& points);
 
 /// Whether two triangles are proper, coplanar, and their interiors meet.

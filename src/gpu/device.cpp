@@ -7,7 +7,7 @@
 namespace impinge::gpu {
 namespace {
 
-/// What follows a buffer where tests look for writes beyond its end.
+/// Bytes behind a buffer in which tests look for writes beyond its end.
 constexpr std::uint64_t kGuard = 4096;
 constexpr std::uint32_t kSentinel = 0xA5C3961E;
 
@@ -16,7 +16,7 @@ bool is_time_for(std::atomic<int>* counter) { return counter != nullptr && count
 
 Limits filled_in(Limits limits, const PhysicalDevice& physical) {
   const VkPhysicalDeviceLimits& device = physical.properties.limits;
-  // On a CPU that plays the device a submission must end in good time.
+  // On a software device, which is slow, lists are short so that each submission ends soon.
   const bool is_cpu = physical.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   const auto fill = [](auto& value, auto otherwise) {
     if (value == 0) value = static_cast<std::remove_reference_t<decltype(value)>>(otherwise);

@@ -28,7 +28,7 @@ struct Limits {
 
 class Device;
 
-/// A buffer with memory of its own. Freed when it goes; the device must outlive it, and be done with it.
+/// A buffer with memory of its own. The device must outlive it, and have finished with it when it is destroyed.
 class Buffer {
  public:
   enum class Use : std::uint8_t {
@@ -46,10 +46,10 @@ class Buffer {
 
   [[nodiscard]] VkBuffer handle() const { return buffer_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// What a shader is shown of it: with the guard behind it, if there is one, so that nothing but the shader's own care
-  /// keeps it from there.
+  /// The bytes that are bound for shaders: with the guard behind the buffer, if there is one, so that a write beyond
+  /// the end is not stopped by the driver and shows.
   [[nodiscard]] std::uint64_t shown_bytes() const { return bytes_ + guard_; }
-  /// Not of a device's own buffer.
+  /// Null for `Use::device`.
   template <class T>
   [[nodiscard]] T* mapped() const {
     return static_cast<T*>(mapped_);
@@ -91,7 +91,7 @@ class Device {
   friend class Buffer;
   friend class Image;
   [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, Buffer::Use use) const;
-  /// Within the budget, which the bytes count to until they are taken off it.
+  /// Throws a Failure if the budget does not allow so many bytes more; else they count as in use.
   void reserve(std::uint64_t bytes);
   [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs, Buffer::Use use) const;
 

@@ -11,8 +11,8 @@
 
 namespace impinge::gpu {
 
-/// A fragment shader to be run on the texels of quads, in an image of kRasterWidth by kRasterHeight that is nowhere:
-/// what it finds it writes to a buffer. Safe from many threads.
+/// A fragment shader to be run on the texels of quads, in a framebuffer of kRasterWidth by kRasterHeight without
+/// attachments: the shader writes to a buffer. Safe from many threads.
 class Drawing {
  public:
   /// `input`: of binding 0, a sampled image or a storage buffer. Binding 1 is the list of runs, 2 what is written.

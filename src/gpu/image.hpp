@@ -8,8 +8,8 @@
 
 namespace impinge::gpu {
 
-/// A texture of four floats a texel, which shaders fetch. Freed when it goes; the device must outlive it, and be done
-/// with it.
+/// A texture of four floats a texel, which shaders fetch. The device must outlive it, and have finished with it when it
+/// is destroyed.
 class Image {
  public:
   static constexpr std::uint32_t kTexelBytes = 16;

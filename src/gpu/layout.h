@@ -106,7 +106,7 @@ struct Control {
 struct WalkConfig {
   uint stack_capacity, stack_reserve, leaf_capacity, hit_capacity;
   uint most_groups;  // that one dispatch may have
-  uint first_only;   // a pair with a crossing is done with
+  uint first_only;   // a pair of objects with a crossing needs no more tests
   uint only_sweep;   // for `plan.comp`: the walk's steps are over
 };
 

@@ -8,10 +8,10 @@
 namespace impinge::gpu {
 namespace {
 
-/// What is copied at a time.
+/// Bytes that are copied at a time.
 constexpr std::uint64_t kStaging = std::uint64_t{16} << 20;
 
-/// Of one element.
+/// Bytes of one element of each part.
 constexpr std::array<std::uint64_t, kParts> kSizes{sizeof(DeviceNode), sizeof(DeviceLeaf), sizeof(Vec3),
                                                    sizeof(MeshData::triangles[0])};
 static_assert(kSizes[kVertices] == 3 * sizeof(double) && kSizes[kTriangles] == 3 * sizeof(uint));

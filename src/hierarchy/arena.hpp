@@ -45,7 +45,7 @@ class Arena {
   struct Block {
     Block* before;
   };
-  /// Blocks grow with what is there: an eighth of it is the most that lies idle, and a small mesh takes little.
+  /// Blocks grow with the arena: at most an eighth of it is unused, and a small mesh takes little.
   static constexpr std::size_t kSmallest = std::size_t{1} << 11, kLargest = std::size_t{1} << 18;
 
   void add_block(std::size_t bytes) {

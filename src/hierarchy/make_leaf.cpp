@@ -60,8 +60,7 @@ HWY_INLINE void rotate(const double* points, std::size_t stride, const Frame& fr
   }
 }
 
-/// Everything but the bounds, from the mesh's doubles. What they need of the mesh is called for while the axes are
-/// worked out.
+/// Everything but the bounds, from the mesh's doubles. The vertices are prefetched while the axes are computed.
 void write(const SoupTriangle* triangles, const Vec3& base, const SoupSource& source, WideLeaf& leaf, float* reach) {
   const std::size_t count = leaf.count, stride = leaf.stride, size = 3 * stride;
   auto* const rows = reinterpret_cast<float*>(&leaf + 1);

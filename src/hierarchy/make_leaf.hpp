@@ -12,8 +12,8 @@ namespace impinge::hierarchy {
 
 inline constexpr std::uint32_t kMostTriangles = 256;
 
-/// A leaf of at most so many triangles, with axes of its own. The soup chooses them; what is stored comes from the
-/// mesh.
+/// A leaf of at most so many triangles, with axes of its own: computed from the soup's rounded numbers, while the
+/// stored coordinates come from the mesh.
 const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& base, const SoupSource& source,
                           Arena& arena);
 

@@ -4,8 +4,8 @@
 
 namespace impinge::hierarchy {
 
-/// In a tree's unit, of which its mesh is about one across, a length too small to matter: where floats, and coordinates
-/// near nothing, lose digits because their exponents end.
+/// A negligible length in a tree's unit, in which the mesh is about 1 across. It allows for what underflow takes from
+/// floats and from coordinates near 0.
 inline constexpr double kNothing = 0x1p-100;
 
 /// Not less than x >= 0, and little more: rounding to float takes less than is added.

@@ -161,9 +161,9 @@ HWY_INLINE void turn_axes(const Turn& turn, SoupFrame& frame) {
   }
 }
 
-/// Covariance says little about axes across which things spread alike, and turns the frame of a square by half a right
-/// angle. So the frame's last two axes are tried against such along an edge, two edges of a triangle amid the sample,
-/// for one of these is often an edge of the whole, and left where the box has the least surface. Returns that box.
+/// Covariance does not determine axes along which the spread is equal: it turns the frame of a square by 45 degrees. So
+/// the last two axes are also tried along two edges of a triangle of the sample, one of which is often an edge of the
+/// whole shape, and the frame whose box has the least surface is kept. Returns that box.
 HWY_INLINE CornerBox<Float4> turn_to_edges(const SoupTriangle* triangles, const SoupSample& sample, SoupFrame& frame) {
   const float* const amid = triangles[sample[sample.size() / 2]].corner;
   const Turn turns[3] = {{}, turn_along(amid, amid + 3, frame), turn_along(amid + 3, amid + 6, frame)};

@@ -8,8 +8,8 @@
 
 namespace impinge::hierarchy {
 
-/// At most so many of n places, in ascending order: one at random from each of as many stretches of equal length, for
-/// meshes come in rows and rings, and equal steps would follow their beat. The same ones every time.
+/// A stratified sample of at most so many of n places, in ascending order: one at random from each of as many stretches
+/// of equal length. Equal steps would alias with the rows and rings that meshes come in. The same places every time.
 class SoupSample {
  public:
   SoupSample(std::size_t n, std::uint32_t most)

@@ -6,7 +6,7 @@
 
 #include "hierarchy/wide_tree.hpp"
 
-/// How a range of triangles is to fall apart, found on a sample of them.
+/// How a range of triangles is to be split, found on a sample of them.
 namespace impinge::hierarchy {
 
 inline constexpr int kFewestBins = 8, kMostBins = 16;

@@ -6,7 +6,7 @@
 
 namespace impinge::hierarchy {
 
-/// N_v and N_u of the cost function.
+/// Pairs of boxes tested and nodes made: N_v and N_u of the cost function (schedule/cost.hpp).
 struct WalkCounts {
   std::uint64_t box_tests = 0;
   std::uint64_t nodes_made = 0;

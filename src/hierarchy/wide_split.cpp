@@ -29,7 +29,7 @@ HWY_INLINE Float8 as_one(const CornerBox<Float4>& box) { return Float8::of(box.l
 /// The sum of its corners, twice its centre: what triangles are sorted by.
 HWY_INLINE Float4 key_of(const float* box) { return Float4::load_aligned(box) - Float4::load_aligned(box + 4); }
 
-/// Half the surface, and a little of the extent's square, so that boxes on a line differ too.
+/// Half the surface and a little of the squared extent, so that degenerate boxes on a line differ too.
 HWY_INLINE float area_of(const Float8& box) {
   const Float4 size = box.front() + box.back();
   float products[4];
@@ -71,7 +71,7 @@ HWY_INLINE KeyRange range_of(const SplitItem* items, std::uint32_t count) {
   return {min(even.lo, odd.lo), max(even.hi, odd.hi)};
 }
 
-/// What falls between equal steps along one axis, or two, or three.
+/// Bins of equal width along one axis, or two, or three.
 struct Bins {
   int size;  ///< of an axis
   int axes;
@@ -154,7 +154,7 @@ HWY_INLINE Cut best_cut(const Bins& bins, const LeafCount& leaves) {
   return best;
 }
 
-/// Parts a range of items at the cut: those before it stay in front, all in their order. Returns how many those are.
+/// Stable partition of a range of items at the cut. Returns how many come before it.
 HWY_INLINE std::uint32_t part(SplitItem* items, std::uint32_t count, const Cut& cut, SplitItem* scratch) {
   std::uint32_t front = 0, back = 0;
   const float at = static_cast<float>(cut.bin);
@@ -213,7 +213,7 @@ void make_plan(SplitPlan& plan, SplitItem* items, SplitItem* scratch, const Leaf
   }
 }
 
-/// The cuts of a plan, seven at once. One that is not there has nothing beyond it.
+/// The cuts of a plan, seven at once. Nothing lies beyond an unused one.
 struct Sieve {
   float low[8] = {}, per_key[8] = {}, bin[8];
   std::int32_t axis[8] = {};
@@ -252,7 +252,7 @@ void assign(const SoupTriangle* triangles, std::size_t count, const SoupFrame& f
     const unsigned back = at_least((key.picked(axis[1]) - low[1]) * per_key[1], bin[1]);
     return sieve.part_of[front | back << 4];
   };
-  SplitTally tallies[2];  // neighbours mostly fall into the same part: one would wait for the other
+  SplitTally tallies[2];  // neighbours mostly fall into the same part: two tallies halve the chain of additions
   for (SplitTally& each : tallies)
     for (int p = 0; p < kWidth; ++p) clear(each.box[p]), each.count[p] = 0;
   const auto note = [&](std::size_t i, const CornerBox<Float4>& box, SplitTally& own) HWY_ATTR {

@@ -94,7 +94,7 @@ Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, 
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
     const TreeRef a = child(walk.a, pair.a, b_is_one ? lane : one), b = child(walk.b, pair.b, b_is_one ? one : lane);
     const bool both_leaves = a.is_leaf() && b.is_leaf();
-    // Written to both, and kept in one: in which is as good as random.
+    // Written to both lists, and kept in one: a branch could not be predicted.
     *ends.open = {a, b};
     *ends.leaves = {&a.leaf(), &b.leaf()};
     ends.leaves += both_leaves, ends.open += !both_leaves;

@@ -24,7 +24,7 @@ class FarBounds {
   static std::optional<FarBounds> of(const hierarchy::TreeRef& a, const Pose& pose_a, const hierarchy::TreeRef& b,
                                      const Pose& pose_b, const hierarchy::TreeRelation& relation);
 
-  /// So far that nothing else tells anything.
+  /// So far apart that other bounds are useless.
   [[nodiscard]] bool are_remote() const { return remote_; }
 
   /// No points of child i of A and child j of B, a leaf being its own only child, are nearer to each other than

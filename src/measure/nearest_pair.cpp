@@ -39,8 +39,8 @@ class PairSearch {
   }
 
  private:
-  /// Of bodies that are remote from each other, a great many pairs are as near as the nearest up to a few roundings of
-  /// single precision; to tell them apart would take as long as testing all pairs.
+  /// Between bodies that are remote from each other, the distances of very many pairs differ by a few roundings of
+  /// single precision only; to separate them would take as long as testing all pairs.
   static constexpr double kRemoteTolerance = 0x1p-34;
 
   [[nodiscard]] bool is_done() const { return found_ && (best_.distance == 0 || best_.distance < enough_); }
@@ -60,7 +60,7 @@ class PairSearch {
     return false;
   }
 
-  /// Straight down to two leaves that are near, so that there is a limit to what is worth remembering.
+  /// Descends straight to two leaves that are near, for a first upper bound of the distance.
   void dive(std::vector<NodePair>& open) {
     std::vector<NodePair>& children = memory_.children;
     open.clear();
@@ -96,7 +96,7 @@ class PairSearch {
     const TriangleDistance d = triangle_distance(a, b, limit_, best_.b - best_.a);
     least_ = std::min(least_, d.lower);
     if (d.lower > limit_ || d.distance > limit_) return;
-    // They share no point, whatever rounding made of it.
+    // They share no point, even if the distance was rounded to 0.
     const double distance = std::max(d.distance, std::numeric_limits<double>::denorm_min());
     found_ = true, limit_ = distance * (1 - tolerance_), best_ = {distance, d.margin, d.a, d.b, id_a, id_b};
     least_ = std::min(least_, limit_);

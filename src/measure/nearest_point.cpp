@@ -130,7 +130,7 @@ class PointSearch {
     least_ = std::min(least_, d.lower);
     const bool is_on = d.lower == 0 && exact::classify({point_, point_, point_}, triangle);
     if (!is_on && (d.lower > limit_ || d.distance > limit_)) return;
-    // Elsewhere the distance is above 0, whatever rounding made of it.
+    // Elsewhere the distance is above 0, even if it was rounded to 0.
     limit_ = is_on ? 0 : std::max(d.distance, std::numeric_limits<double>::denorm_min());
     best_ = {limit_, is_on ? 0 : d.margin, is_on ? point_ : d.b, id};
   }

@@ -186,8 +186,8 @@ Vec3 to_farthest_against(const Vec3& n, const Triangle& t, const Vec3& point) {
   return farthest - point;
 }
 
-/// Features that nearly tie are nearly as near, and yet another than the one found may be needed to tell how the slab
-/// lies: corners that stand out of it turn it until they are on its border.
+/// Several features may be nearest up to rounding, and the slab between the two that were found may then cut off
+/// corners of the triangles: such corners turn it until they are on its border.
 double turned_gap(const Local& local, const Found& found, double enough) {
   const Vec3 r = found.b - found.a;
   Vec3 n = r, first{0, 0, 0};
@@ -214,7 +214,7 @@ TriangleDistance finished(const Local& local, const Found& found) {
           local.world(found.b)};
 }
 
-/// Points as close as this, in square, do not tell how the slab lies; nor does it make out much then what is found.
+/// Squared distance below which two points give no direction for a slab; the bound matters little then.
 constexpr double kClose = 0x1p-60;
 
 /// All features' distances, which is the triangles' distance unless they cross.

@@ -5,7 +5,7 @@
 #include "core/vec3.hpp"
 
 /// Distances of triangles, segments and points, which degenerate triangles are, in double precision with a bound that
-/// is found out for each answer and not assumed: a slab that the two keep to either side of.
+/// is computed for each answer: the width of a slab that separates the two.
 namespace impinge::measure {
 
 /// Of two closed triangles. Where they share a point, the distance may be above 0 if they cross: ask

@@ -79,7 +79,7 @@ class Asking {
     double seconds;
     Statistics counts;
   };
-  /// The quickest of some.
+  /// The quickest of three runs.
   Answer ask(const Point& t, std::size_t times) {
     const Pose poses[2] = {{}, {.t = {t.x, t.y, t.z}}};
     std::vector<scene::PlacedObject> placed;
@@ -100,7 +100,7 @@ class Asking {
     }
     return best;
   }
-  /// So often that asking counts for little, but no longer than a person would not notice.
+  /// Repeats the question within a query until the constant cost counts for little, but for no more than some 0.02 s.
   Answer ask_long(const Point& t, double question) {
     Answer answer = ask(t, 1);
     for (std::size_t times = 4; times <= 256 && answer.seconds < std::min(8 * question, 0.02); times *= 4)
@@ -158,7 +158,7 @@ std::string name_of(const gpu::Opened& device) {
   return std::string(physical.properties.deviceName) + ", " + physical.driver;
 }
 
-/// The first line of a calibration's text: others are of other versions.
+/// The first line of a calibration's text. Texts of other versions begin otherwise and are ignored.
 constexpr std::string_view kCalibrationTitle = "impinge calibration 1";
 
 }  // namespace

@@ -15,9 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The first portion rests on constants from another scene, so it is half of what they say; later ones leave less.
+/// Parts of the portion that the cost function predicts. The first prediction rests on constants measured on another
+/// scene, so half of it is taken; later ones rest on this query.
 constexpr double kFirstPortion = 0.5, kNextPortion = 0.8;
-/// Between looks at how the CPU gets on.
+/// Time between checks of the CPU's progress.
 constexpr std::chrono::microseconds kPause{50};
 
 /// Opening a device takes a program longer than most queries, and is worth it only for a program that has long ones or
@@ -33,7 +34,7 @@ void DeviceDriver::drive(const DevicePart::Sink& sink) {
   const FloatEnvironment nearest;
   try {
     if (reserved_) {
-      taken_ = reserved_->end;  // even if it does not come to that
+      taken_ = reserved_->end;  // also where the device cannot be opened
       if (open()) run(*reserved_, sink);
     } else {
       drive_by_cost(sink);
@@ -60,7 +61,7 @@ bool DeviceDriver::open() {
 }
 
 // The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is
-// then left would take it longer than the device takes to be asked.
+// then left would take it longer than the constant time of a portion on the device.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
   if (gpu::Devices::of_process().look_up(query_.options.device).is_software) return;
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatientSeconds && !is_over())

@@ -74,7 +74,7 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
     stream_.size = 0;
     done = sweep_.fill(stream_);
     clock.charge(statistics.partition_seconds);
-    if (stream_.size == 0) break;  // only at the end; small questions feel each look at the clock
+    if (stream_.size == 0) break;  // only at the end: reading the clock shows in small queries
     narrow::filter_pairs(stream_, filtered_);
     clock.charge(statistics.narrow_seconds);
     statistics.element_tests += stream_.size;

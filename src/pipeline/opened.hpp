@@ -46,7 +46,7 @@ class Opened {
   std::vector<std::unique_ptr<paper::RasterBackend>> rasters_;
 };
 
-/// What there is, and what became of it when it was tried.
+/// A device that was found, and the result of trying it out.
 struct Known {
   PhysicalDevice physical;
   std::string complaint;  ///< why it is left out; empty if it is not
@@ -65,13 +65,13 @@ class Devices {
   struct Choice {
     std::shared_ptr<Opened> opened;  ///< null: none
     std::string complaint;           ///< then why
-    bool is_unknown = false;         ///< nothing is called that
+    bool is_unknown = false;         ///< no device has that number or name
     bool is_software = false;        ///< it is a program on the CPU, which would take its time from the CPU's threads
   };
   /// By number in the list or part of the name, whatever the case of its letters; empty: IMPINGE_DEVICE, or else the
   /// first that can be used.
   Choice choose(std::string_view name);
-  /// What would come of that as far as can be told without opening anything; `opened` only if it is open.
+  /// The same choice without opening anything; `opened` is set only if the device is open already.
   Choice look_up(std::string_view name);
 
   /// For tests: forgets what is open, and opens devices so from now on.

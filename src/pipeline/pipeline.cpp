@@ -32,8 +32,8 @@ void add(Statistics& sum, const Statistics& s) {
   sum.device_seconds += s.device_seconds, sum.device_predicted_seconds += s.device_predicted_seconds;
 }
 
-// Where a device takes part: so many pairs of objects are enough pieces to share, and fewer are walked until there are
-// enough; and so many tests of boxes tell what a query is like.
+// Where a device takes part: kManyPairs pairs of objects are enough pieces to share, and fewer are walked until there
+// are kPieces; kEnoughForAMix tests of boxes show the proportions of a query's costs.
 constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 
@@ -95,7 +95,7 @@ class Pipeline {
     return query_.near_pairs != nullptr ? memory_.pairs : *query_.pairs;
   }
 
-  /// Where each pair asked about has a row, some have nothing in it.
+  /// Where each pair has a row (`all_rows`), pairs whose bounds do not meet are not tested: their rows stay empty.
   [[nodiscard]] bool is_apart(const broad::ObjectPair& pair) const {
     return query_.all_rows && !broad::may_touch(query_.view, pair.a, pair.b);
   }
@@ -112,7 +112,7 @@ class Pipeline {
     }
   }
 
-  /// A lone pair has its first slice done by the caller's thread: small questions end before another would wake. False
+  /// The caller's thread does the first slice of a lone pair: small queries end before another thread would wake. False
   /// if work remains.
   bool work_on_first() {
     if (pairs().size() != 1 || is_apart(pairs()[0])) return false;
@@ -158,7 +158,7 @@ class Pipeline {
     });
   }
 
-  /// All on the device, and what it cannot take, or all if it fails, on the CPU.
+  /// All work goes to the device; what it cannot take, or all of it if it fails, goes to the CPU.
   void work_on_device() {
     std::vector<DevicePiece> pieces;
     for (std::uint32_t i = 0; i < pairs().size(); ++i) {
@@ -185,7 +185,7 @@ class Pipeline {
     });
     std::vector<DevicePiece> pieces;
     for (const auto& some : opened) pieces.insert(pieces.end(), some.begin(), some.end());
-    // What has been done tells what the rest is like; where nothing has, the last of many pairs do.
+    // The costs of what has been done predict the rest; where nothing has been done yet, the last pairs are done first.
     Worker<Stages>& worker = crew_.take(options_);
     while (are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
       run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
@@ -217,7 +217,8 @@ class Pipeline {
     worker.stack.clear();
   }
 
-  /// Triangles below both nodes: what work there is grows with them. Pairs of many objects count alike.
+  /// The number of triangles below both nodes, which the work grows with. Pieces that are whole pairs of objects count
+  /// alike.
   static double weight_of(const DevicePiece& piece) {
     const auto below = [](const hierarchy::TreeRef& ref) {
       if (ref.is_leaf()) return static_cast<double>(ref.leaf().count);
@@ -303,7 +304,7 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
-  /// Of a device that the plain stages had, once a query.
+  /// Warns, once a query, that the device of the plain stages failed.
   void warn(const std::string& complaint) {
     if (complaint.empty() || !memory_.warnings.empty()) return;
     memory_.warnings.push_back(std::string("the device '") + crew_.device->device.physical().properties.deviceName +

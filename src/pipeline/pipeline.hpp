@@ -12,7 +12,7 @@ namespace impinge {
 /// Runs the stages in order. Sets no floating-point environment on the calling thread: the public calls do.
 Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory);
 
-/// Errors of options that cannot be.
+/// Errors of options with values that they cannot have.
 Result<void> validate(const Options& options);
 
 }  // namespace impinge

@@ -40,8 +40,8 @@ void group(std::span<const Collector* const> collectors, std::size_t pairs, Asse
   }
 }
 
-/// Puts the row in order by the hands of many: dealt to pieces, each of greater keys than the one before, and each
-/// sorted by itself.
+/// Sorts a long row on several threads (sample sort): its contacts are dealt to pieces of ascending keys, and each
+/// piece is sorted by itself.
 void sort_long(std::span<ContactKey> row, const ForEach& for_each, std::vector<ContactKey>& dealt) {
   constexpr std::size_t kPieces = 16, kSamples = 64 * kPieces;
   std::array<ContactKey, kSamples> samples;

@@ -35,14 +35,14 @@ class HandOver {
   static void take() {}
 #endif
 
-  /// A piece of work that was handed over.
+  /// Held while a piece of work runs that was handed over.
   struct Turn {
     Turn() { take(); }
     ~Turn() { give(); }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
   };
-  /// While others work.
+  /// Held while other threads work.
   struct Wait {
     Wait() { give(); }
     ~Wait() { take(); }
@@ -51,11 +51,11 @@ class HandOver {
   };
 };
 
-/// Up to so many threads of TBB's. Arenas are kept, one a size: oneTBB 2021.8 loses some kilobytes with each one that
-/// ends.
+/// The TBB arena of up to so many threads. Arenas are kept, one for each size: oneTBB 2021.8 leaks some kilobytes with
+/// each one that ends.
 tbb::task_arena& arena_of(int threads);
 
-/// How many threads that is, 0 being all there are.
+/// The number of threads that an option stands for: 0 is all there are.
 int concurrency(int threads);
 
 /// Runs body(0) to body(n - 1) on the caller's and other threads of its arena, up to `threads` in all (0: all there

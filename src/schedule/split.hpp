@@ -6,8 +6,8 @@
 
 namespace impinge::schedule {
 
-/// What a device's part costs: T = C_0 + N_v C_v + N_p C_p + N_l C_l, equation 1 of the paper with the time that it
-/// takes to be asked at all. Seconds.
+/// What a device's part costs: T = C_0 + N_v C_v + N_p C_p + N_l C_l, equation 1 of the paper with a constant time for
+/// each portion of work. In seconds.
 struct DeviceConstants {
   double question = 0;       ///< C_0, of each portion
   double box_test = 0;       ///< C_v

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-// An edge and a triangle: narrow/scalar.cpp in single precision.
+// An edge and a triangle: paper/scalar.cpp in single precision.
 #ifndef EDGE_TEST_GLSL
 #define EDGE_TEST_GLSL
 
