@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "impinge/result.hpp"
 
@@ -25,5 +27,24 @@ Result<nlohmann::json> parse_json(std::string_view name, const std::string& text
 /// `bad_file` for a mistake at a JSON pointer (RFC 6901) into a text that `parse_json` has read:
 /// "clash.json:12: /tests/0/mode: what is wrong". The text is searched for the line.
 Error json_error(std::string_view name, const std::string& text, const std::string& pointer, std::string_view what);
+
+/// A value of a JSON file and its place there.
+struct JsonNode {
+  const nlohmann::json& value;
+  nlohmann::json::json_pointer place{};
+
+  [[nodiscard]] JsonNode operator[](const char* key) const { return {value.at(key), place / std::string(key)}; }
+  /// The member with this key, if the object has it.
+  [[nodiscard]] std::optional<JsonNode> find(const char* key) const {
+    return value.contains(key) ? std::optional((*this)[key]) : std::nullopt;
+  }
+  /// What `read` makes of each item of the list.
+  template <class Read>
+  [[nodiscard]] auto each(Read read) const {
+    std::vector<decltype(read(*this))> all;
+    for (std::size_t i = 0; i < value.size(); ++i) all.push_back(read({value[i], place / i}));
+    return all;
+  }
+};
 
 }  // namespace impinge::report

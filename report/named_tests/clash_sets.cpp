@@ -9,14 +9,17 @@
 #include <string>
 #include <string_view>
 
+#include "report/json_file.hpp"
+#include "report/json_schema.hpp"
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/ifc_classes.hpp"
+#include "report/schemas.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
 namespace {
 
-using Kind = JsonReader::Kind;
+using nlohmann::json;
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
@@ -32,7 +35,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// One word of a selector. Of the query language these are understood: a class, a global id, and what is a pattern of
 /// names.
-Group read_selected(std::string_view word, const JsonReader::Place& place) {
+Group read_selected(std::string_view word, const std::string& place) {
   const auto by = [&](std::vector<Word> Group::*list, std::string text) {
     Group group;
     group.place = place;
@@ -47,83 +50,71 @@ Group read_selected(std::string_view word, const JsonReader::Place& place) {
 bool is_everything(std::string_view word) { return word == "IfcElement" || word == "IfcProduct"; }
 
 /// Empty: everything.
-std::vector<Group> read_selector(JsonReader& reader, Word& selector) {
-  selector.text = reader.string();
-  selector.place = reader.place();
+Result<std::vector<Group>> read_selector(const Word& selector, const Configuration& configuration) {
   const std::string& text = selector.text;
   std::vector<Group> groups;
   std::string_view left = text;
-  for (bool more = !trimmed(left).empty(); more && !reader.failed();) {
+  for (bool more = !trimmed(left).empty(); more;) {
     const std::size_t comma = left.find_first_of(",+");
     std::string_view word = trimmed(left.substr(0, comma));
     more = comma != std::string_view::npos;
     if (more) left.remove_prefix(comma + 1);
     if (word.starts_with('.')) word.remove_prefix(1);  // a class, as IfcClash once wrote it
     if (word.empty() || word.find_first_of("=!<>|&@\"") != std::string_view::npos ||
-        (text.find(',') != std::string::npos && !is_class(word))) {
-      reader.fail(
+        (text.find(',') != std::string::npos && !is_class(word)))
+      return configuration.error_at(
+          selector.place,
           fmt::format("the selector '{}' is a query that impinge does not answer; it takes classes such as IfcWall, a "
                       "global id after '#', or a pattern of names",
                       fit(printable(text), 80)));
-      return {};
-    }
-    if (is_everything(word)) return {};
-    if (is_class(word) && !is_ifc_class(word)) {
-      reader.fail(
+    if (is_everything(word)) return std::vector<Group>();
+    if (is_class(word) && !is_ifc_class(word))
+      return configuration.error_at(
+          selector.place,
           fmt::format("impinge knows no class '{}' of IFC; the nearest is '{}'. Write classes that it is above, or "
                       "in a configuration of impinge's own \"product\": \"{}_*\"",
                       fit(printable(word), 80), nearest_ifc_class(word), fit(printable(word), 80)));
-      return {};
-    }
     groups.push_back(read_selected(word, selector.place));
   }
   return groups;
 }
 
+/// The text that stands here, or an empty one in place of null or nothing.
+Word read_text(const JsonNode& object, const char* key) {
+  const auto node = object.find(key);
+  if (!node || node->value.is_null()) return {};
+  return {node->value.get<std::string>(), node->place.to_string()};
+}
+
 /// {file, selector, mode}. A selector that is not looked at, because there is no mode, goes into `ignored`.
-Group read_source(JsonReader& reader, std::vector<Word>& ignored) {
+Result<Group> read_source(const JsonNode& node, const Configuration& configuration, std::vector<Word>& ignored) {
   Group source;
-  Word selector;
-  std::vector<Group> selected;
-  std::string mode;
-  source.place = reader.place_of_next();
-  reader.object([&](const std::string& key) {
-    if (key == "file") {
-      source.files.push_back({reader.string(), {}});
-      source.files.back().place = reader.place();
-    } else if (key == "selector") {
-      if (reader.kind() == Kind::null)
-        reader.skip();
-      else
-        selected = read_selector(reader, selector);
-    } else if (key == "mode") {
-      mode = reader.kind() == Kind::null ? (reader.skip(), std::string()) : reader.string();
-      if (!mode.empty() && mode != "a" && mode != "i" && mode != "e")
-        reader.fail("the mode of a source is i (include), e (exclude) or a (all)");
-    } else {
-      reader.fail_unknown(key, known_keys().source);
-    }
-  });
-  if (reader.failed()) return source;
-  if (source.files.empty() || source.files.front().text.empty()) reader.fail("this source has no \"file\"");
-  if (!selected.empty() && mode.empty()) ignored.push_back(std::move(selector));
-  if (selected.empty() || (mode != "i" && mode != "e")) return source;
+  source.place = node.place.to_string();
+  source.files.push_back(read_text(node, "file"));
+  const Word selector = read_text(node, "selector");
+  const std::string mode = read_text(node, "mode").text;
+  Result<std::vector<Group>> selected = read_selector(selector, configuration);
+  if (!selected) return selected.error();
+  if (!selected->empty() && mode.empty()) ignored.push_back(selector);
+  if (selected->empty() || (mode != "i" && mode != "e")) return source;
   if (mode == "e") {
-    source.except = std::move(selected);
+    source.except = *std::move(selected);
     return source;
   }
-  for (Group& group : selected) group.files = source.files;
+  for (Group& group : *selected) group.files = source.files;
   source.files.clear();
-  source.any = std::move(selected);
+  source.any = *std::move(selected);
   return source;
 }
 
-std::optional<Group> read_sources(JsonReader& reader, std::vector<Word>& ignored) {
+Result<Group> read_sources(const JsonNode& node, const Configuration& configuration, std::vector<Word>& ignored) {
   Group group;
-  if (reader.kind() == Kind::null) return reader.skip(), std::nullopt;
-  group.place = reader.place_of_next();
-  reader.array([&] { group.any.push_back(read_source(reader, ignored)); });
-  if (group.any.empty()) return std::nullopt;
+  group.place = node.place.to_string();
+  for (Result<Group>& source :
+       node.each([&](const JsonNode& each) { return read_source(each, configuration, ignored); })) {
+    if (!source) return source.error();
+    group.any.push_back(*std::move(source));
+  }
   return group;
 }
 
@@ -134,77 +125,62 @@ struct IgnoredSelector {
 };
 
 /// IfcClash looks at a selector only with a mode beside it, which is easily forgotten.
-void warn(const JsonReader& reader, const std::vector<IgnoredSelector>& ignored, std::vector<std::string>& warnings) {
+void warn(const std::vector<IgnoredSelector>& ignored, Configuration& to) {
   constexpr std::size_t kMost = 5;  // more of them tell nothing new
   for (std::size_t i = 0; i < std::min(ignored.size(), kMost); ++i) {
     const std::string what = fmt::format(
         "the clash set '{}' takes all of this file: as with IfcClash, the selector '{}' counts only with a \"mode\" "
         "beside it, \"i\" to take what it names, \"e\" to leave that out, or \"a\" if all is meant",
         fit(printable(ignored[i].set), 80), fit(printable(ignored[i].selector.text), 80));
-    warnings.push_back(reader.error_at(ignored[i].selector.place, what).message);
+    to.warnings.push_back(to.error_at(ignored[i].selector.place, what).message);
   }
   if (ignored.size() > kMost)
-    warnings.push_back(
+    to.warnings.push_back(
         fmt::format("{} more with a selector and no \"mode\"", counted(ignored.size() - kMost, "source")));
 }
 
-NamedTest read_clash_set(JsonReader& reader, std::vector<IgnoredSelector>& to_warn_of) {
+Result<NamedTest> read_clash_set(const JsonNode& node, const Configuration& configuration,
+                                 std::vector<IgnoredSelector>& to_warn_of) {
   NamedTest test;
-  test.place = reader.place_of_next();
-  std::string mode = "intersection";
-  std::optional<Group> a;
-  std::optional<double> tolerance, clearance;
+  test.place = node.place.to_string();
+  test.name = read_text(node, "name");
   std::vector<Word> ignored;
-  bool allow_touching = false;
-  reader.object([&](const std::string& key) {
-    if (key == "name") {
-      test.name.text = reader.string();
-      test.name.place = reader.place();
-    } else if (key == "mode") {
-      mode = reader.string();
-      if (mode != "intersection" && mode != "collision" && mode != "clearance")
-        reader.fail("the mode of a clash set is intersection, collision or clearance");
-    } else if (key == "a") {
-      a = read_sources(reader, ignored);
-    } else if (key == "b") {
-      test.b = read_sources(reader, ignored);
-    } else if (key == "tolerance") {
-      tolerance = read_length(reader);
-    } else if (key == "clearance") {
-      clearance = read_length(reader);
-    } else if (key == "allow_touching") {
-      allow_touching = reader.boolean();
-    } else if (key == "check_all") {
-      reader.boolean();  // whatever it says, all are found, and the worst depth of each
-    } else if (key == "clashes") {
-      reader.skip();  // an earlier result
-    } else {
-      reader.fail_unknown(key, known_keys().clash_set);
-    }
-  });
-  if (reader.failed()) return test;
-  if (test.name.text.empty()) reader.fail("this clash set has no \"name\"");
-  if (!a) reader.fail("this clash set has no sources \"a\"");
-  if (mode == "clearance" && clearance.value_or(0) == 0) reader.fail("mode clearance needs a \"clearance\" above 0");
-  if (reader.failed()) return test;
+  Result<Group> a = read_sources(node["a"], configuration, ignored);
+  if (!a) return a.error();
   test.a = *std::move(a);
+  if (const auto b = node.find("b"); b && !b->value.empty()) {
+    Result<Group> group = read_sources(*b, configuration, ignored);
+    if (!group) return group.error();
+    test.b = *std::move(group);
+  }
   for (Word& selector : ignored) to_warn_of.push_back({std::move(selector), test.name.text});
-  test.terms.mode = mode == "clearance"                     ? Mode::clearance
-                    : mode == "collision" && allow_touching ? Mode::contact
-                                                            : Mode::penetration;
-  // Each of the three lengths and flags is for one mode; the program that writes these files writes all of them.
-  if (mode == "intersection" && tolerance) test.terms.tolerance = tolerance;
-  if (mode == "clearance") test.terms.clearance = clearance;
+  // Each of the lengths and flags is for one mode; the program that writes these files writes all of them.
+  const std::string mode = node.value.value("mode", "intersection");
+  if (mode == "clearance") {
+    test.terms.mode = Mode::clearance;
+    test.terms.clearance = node.value.value("clearance", 0.0);
+  } else if (mode == "collision" && node.value.value("allow_touching", false)) {
+    test.terms.mode = Mode::contact;
+  } else {
+    test.terms.mode = Mode::penetration;
+  }
+  if (mode == "intersection" && node.value.contains("tolerance"))
+    test.terms.tolerance = std::optional(node.value["tolerance"].get<double>() + 0.0);  // -0 is 0
   return test;
 }
 
 }  // namespace
 
-void read_clash_sets(JsonReader& reader, Configuration& to) {
+Result<void> read_clash_sets(const JsonNode& sets, Configuration& to) {
+  static const json schema = json::parse(kClashSetsSchema);
+  if (auto valid = check_against(schema, to.name, to.text, sets.value); !valid) return valid;
   std::vector<IgnoredSelector> ignored;
-  reader.array([&] { to.tests.push_back(read_clash_set(reader, ignored)); });
-  if (!reader.failed() && to.tests.empty()) reader.fail("this list has no clash sets in it");
-  if (!reader.failed()) warn(reader, ignored, to.warnings);
+  for (Result<NamedTest>& test : sets.each([&](const JsonNode& set) { return read_clash_set(set, to, ignored); })) {
+    if (!test) return test.error();
+    to.tests.push_back(*std::move(test));
+  }
+  warn(ignored, to);
+  return {};
 }
 
 }  // namespace impinge::report

@@ -11,15 +11,14 @@
 #include <vector>
 
 #include "impinge/result.hpp"
-#include "report/json_reader.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
 namespace impinge::report {
 
-/// A text of the configuration, and where it stands, for messages.
+/// A text of the configuration. Places are JSON pointers into its file, for messages.
 struct Word {
   std::string text;
-  JsonReader::Place place;
+  std::string place;
   std::string written{};  ///< how it stands in the file, if not as the text
   [[nodiscard]] const std::string& shown() const { return written.empty() ? text : written; }
 };
@@ -32,7 +31,7 @@ struct Group {
   std::vector<Word> named;    ///< groups of the configuration
   std::vector<Group> any;
   std::vector<Group> except;
-  JsonReader::Place place;
+  std::string place;
 };
 
 enum class Mode : std::uint8_t {
@@ -66,12 +65,11 @@ struct Terms {
 };
 
 struct NamedTest {
-  JsonReader::Place place;
+  std::string place;
   Word name;
   Group a;
   std::optional<Group> b;  ///< nothing: a against itself
   Terms terms;
-  JsonReader::Place clearance_place;
 };
 
 struct NamedFile {
@@ -95,9 +93,8 @@ struct Configuration {
   [[nodiscard]] double clearance_of(const NamedTest& test) const {
     return mode_of(test) == Mode::clearance ? test.terms.clearance.value_or(terms.clearance.value_or(0)) : 0;
   }
-  [[nodiscard]] Error error_at(const JsonReader::Place& place, std::string_view what) const {
-    return JsonReader::error_in(text, name, place, what);
-  }
+  /// `bad_file`, with the line and the place.
+  [[nodiscard]] Error error_at(const std::string& place, std::string_view what) const;
 };
 
 /// Reads a configuration, or the clash sets of IfcClash. Errors: `bad_file`, with the line and the place.
@@ -109,18 +106,10 @@ Result<Configuration> parse_configuration(std::string name, std::string text);
 /// other. Errors: `bad_file`.
 Result<void> check(const Configuration& configuration);
 
-/// A list of clash sets of IfcClash, from the '[' on; into `to`.
-void read_clash_sets(JsonReader& reader, Configuration& to);
-
-/// A length from 0 up, or above 0.
-double read_length(JsonReader& reader, bool positive = false);
+struct JsonNode;
+/// The clash sets of IfcClash, a list, in place of a configuration. Errors: `bad_file`.
+Result<void> read_clash_sets(const JsonNode& sets, Configuration& to);
 
 std::string_view name(Mode mode);
-
-/// The keys of each kind of object, for the reader and for whoever holds it against the schema.
-struct KnownKeys {
-  std::vector<std::string_view> configuration, test, group, ignore, file, clash_set, source;
-};
-const KnownKeys& known_keys();
 
 }  // namespace impinge::report

@@ -1,26 +1,17 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// The reader of configurations, held against their schema; and what it says of mistakes.
+// The reader of configurations, and what it says of mistakes.
 #include "report/named_tests/configuration.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-
-#include "schema.hpp"
 
 namespace impinge::report {
 namespace {
 
 using nlohmann::json;
-
-const json& schema() {
-  static const json read = json::parse(std::ifstream(IMPINGE_SOURCE_DIR "/docs/clash.schema.json"));
-  return read;
-}
 
 json sample() {
   return json::parse(R"({"$schema":"s","files":["a.off",{"file":"b.off","scale":25.4}],
@@ -32,14 +23,6 @@ json sample() {
               "tolerance":0.25,"may_touch":[["a",{"name":"b"}]]}]})");
 }
 
-void compare(const json& document) {
-  const std::string text = document.dump();
-  const auto read = parse_configuration("c.json", text);
-  EXPECT_EQ(static_cast<bool>(read), test::is_valid(document, schema(), schema()))
-      << text << "\n"
-      << (read ? "" : read.error().message);
-}
-
 /// Every value in a document, and the object or list that holds it.
 void collect(json& value, std::vector<json*>& all) {
   all.push_back(&value);
@@ -47,9 +30,8 @@ void collect(json& value, std::vector<json*>& all) {
     for (json& inner : value) collect(inner, all);
 }
 
-TEST(Configuration, AgreesWithItsSchema) {
+TEST(Configuration, IsReadOrRefusedWithAPlace) {
   ASSERT_TRUE(parse_configuration("c.json", sample().dump()));
-  compare(sample());
   const auto seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
@@ -87,30 +69,11 @@ TEST(Configuration, AgreesWithItsSchema) {
         value = others[random() % others.size()];
       }
     }
-    // A list at the top is for another program's files.
-    if (document.is_array()) continue;
-    valid += test::is_valid(document, schema(), schema()) ? 1U : 0U;
-    compare(document);
+    const auto read = parse_configuration("c.json", document.dump());
+    valid += read ? 1U : 0U;
+    EXPECT_TRUE(read || read.error().message.starts_with("c.json:1: ")) << read.error().message;
   }
   EXPECT_GT(valid, 25U);
-}
-
-TEST(Configuration, KnowsTheKeysOfTheSchema) {
-  const auto keys_at = [](const char* where) {
-    std::vector<std::string> keys;
-    for (const auto& item : schema().at(json::json_pointer(where)).items()) keys.push_back(item.key());
-    return keys;
-  };
-  const auto sorted = [](const std::vector<std::string_view>& keys) {
-    std::vector<std::string> all(keys.begin(), keys.end());
-    std::sort(all.begin(), all.end());
-    return all;
-  };
-  EXPECT_EQ(sorted(known_keys().configuration), keys_at("/properties"));
-  EXPECT_EQ(sorted(known_keys().test), keys_at("/$defs/test/properties"));
-  EXPECT_EQ(sorted(known_keys().group), keys_at("/$defs/group/anyOf/2/properties"));
-  EXPECT_EQ(sorted(known_keys().ignore), keys_at("/$defs/ignore/properties"));
-  EXPECT_EQ(sorted(known_keys().file), keys_at("/$defs/file/anyOf/1/properties"));
 }
 
 std::string mistake(const std::string& text) {
@@ -122,13 +85,15 @@ std::string mistake(const std::string& text) {
 
 TEST(Configuration, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(mistake("{\"tests\":[{\"name\":\"n\",\n\"a\":\"x\",\"tolerence\":1}]}"),
-            "c.json:2: /tests/0/tolerence: there is no 'tolerence' here; did you mean 'tolerance'?");
+            "c.json:2: /tests/0/tolerence: there is no 'tolerence' here; did you mean 'tolerance'? The keys are a, b, "
+            "clearance, ignore, may_touch, mode, name, tolerance");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":{"except":{"nme":"x"}}}]})"),
-            "c.json:1: /tests/0/a/except/nme: there is no 'nme' here; did you mean 'name'?");
+            "c.json:1: /tests/0/a/except/nme: there is no 'nme' here; did you mean 'name'? The keys are except, "
+            "file, group, name, path, product");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","mode":"touch"}]})"),
-            "c.json:1: /tests/0/mode: a mode is penetration, contact or clearance, not 'touch'");
+            "c.json:1: /tests/0/mode: a mode is penetration, contact or clearance, not \"touch\"");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","tolerance":"1"}]})"),
-            "c.json:1: /tests/0/tolerance: a tolerance is \"auto\" or a length from 0 up");
+            "c.json:1: /tests/0/tolerance: a tolerance is \"auto\" or a length from 0 up, not \"1\"");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"},{"name":"n","a":"y"}]})"),
             "c.json:1: /tests/1/name: two tests are named 'n'");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","mode":"clearance"}]})"),
@@ -138,11 +103,47 @@ TEST(Configuration, SaysWhatIsWrongAndWhere) {
             "c.json:3: /tests/1: mode clearance needs a \"clearance\", the distance to keep");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","clearance":1}]})"),
             "c.json:1: /tests/0/clearance: only mode clearance keeps a clearance, and this test has mode penetration");
-  EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","a":"y"}]})"), "c.json:1: /tests/0/a: this key stands here twice");
-  EXPECT_EQ(mistake(R"({"tests":[]})"), "c.json:1: there are no \"tests\"");
+  EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","a":"y"}]})"),
+            "c.json:1:33: /tests/0/a: this key stands here twice");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"}]} {})"),
-            "c.json:1: syntax error while parsing value - unexpected '{'; expected end of input");
+            "c.json:1:34: syntax error while parsing value - unexpected '{'; expected end of input");
   EXPECT_EQ(mistake(R"({"clearance":3,"mode":"clearance","tests":[{"name":"n","a":"x"}]})"), "none");
+}
+
+TEST(Configuration, SaysWhichRuleOfTheSchemaIsBroken) {
+  const std::string group =
+      "a group is a pattern of names (\"*\" is every part), an object such as {\"file\": "
+      "\"steel.glb\"}, or a list of at least one group, not ";
+  const std::string words = "this is a text that is not empty, or a list of at least one, not ";
+  for (const auto& [member, what] : std::vector<std::pair<std::string, std::string>>{
+           {R"("files":"a.off")", "/files: this is of type array, not \"a.off\""},
+           {R"("files":[""])",
+            "/files/0: a file is its name, or an object such as {\"file\": \"steel.glb\", \"scale\": 0.001}, not \"\""},
+           {R"("files":[{"scale":2}])", "/files/0: this has no \"file\""},
+           {R"("files":[{"file":"a.off","scale":0}])", "/files/0/scale: a scale is a number above 0, not 0"},
+           {R"("groups":["a"])", "/groups: this is of type object, not a list of 1"},
+           {R"("groups":{"x/y":5})", "/groups/x~1y: " + group + "5"},
+           {R"("groups":{"x":[]})", "/groups/x: " + group + "an empty list"},
+           {R"("groups":{"x":{}})", "/groups/x: " + group + "{}"},
+           {R"("groups":{"x":{"any":["a"]}})",
+            "/groups/x/any: there is no 'any' here; did you mean 'name'? The keys "
+            "are except, file, group, name, path, product"},
+           {R"("groups":{"x":["a",{"path":[]}]})", "/groups/x/1/path: " + words + "an empty list"},
+           {R"("groups":{"x":{"name":{"a":1}}})", "/groups/x/name: " + words + "an object"},
+           {R"("groups":{"x":{"file":["a",""]}})", "/groups/x/file/1: this is a text that is not empty, not \"\""},
+           {R"("tolerance":-0.5)", "/tolerance: a tolerance is \"auto\" or a length from 0 up, not -0.5"},
+           {R"("clearance":0)", "/clearance: a clearance is a length above 0, not 0"},
+           {R"("ignore":{"same_file":1})", "/ignore/same_file: this is of type boolean, not 1"},
+           {R"("ignore":{"pairs":[["a"]]})", "/ignore/pairs/0: a pair is a list of two groups, not a list of 1"},
+           {R"("ignore":{"within":[null]})", "/ignore/within/0: " + group + "null"},
+           {R"("may_touch":"all")", "/may_touch: this is true, false, or a list of pairs of groups, not \"all\""},
+           {R"("may_touch":[["a","b","c"]])", "/may_touch/0: a pair is a list of two groups, not a list of 3"}})
+    EXPECT_EQ(mistake("{" + member + R"(,"tests":[{"name":"n","a":"x"}]})"), "c.json:1: " + what);
+  EXPECT_EQ(mistake("{}"), "c.json:1: this has no \"tests\"");
+  EXPECT_EQ(mistake(R"({"tests":[{"name":"n"}]})"), "c.json:1: /tests/0: this has no \"a\"");
+  EXPECT_EQ(mistake(R"({"tests":[]})"),
+            "c.json:1: /tests: \"tests\" is a list of at least one test, such as {\"name\": "
+            "\"all\", \"a\": \"*\"}, not an empty list");
 }
 
 TEST(Configuration, ReadsClashSetsOfIfcClash) {
@@ -181,8 +182,26 @@ TEST(Configuration, ReadsClashSetsOfIfcClash) {
                 .find("is a query that impinge does not answer"),
             std::string::npos);
   EXPECT_EQ(mistake(R"([{"name":"q","a":[{"fil":"f"}]}])"),
-            "c.json:1: /0/a/0/fil: there is no 'fil' here; did you mean 'file'?");
-  EXPECT_EQ(mistake("[]"), "c.json:1: this list has no clash sets in it");
+            "c.json:1: /0/a/0/fil: there is no 'fil' here; did you mean 'file'? The keys are file, mode, selector");
+  EXPECT_EQ(mistake("[]"), "c.json:1: this is a list of at least one clash set, not an empty list");
+  for (const auto& [set, what] : std::vector<std::pair<std::string, std::string>>{
+           {R"("a":[{"file":"f"}])", "/0: this has no \"name\""},
+           {R"("name":"","a":[{"file":"f"}])", "/0/name: a name is a text that is not empty, not \"\""},
+           {R"("name":"n")", "/0: this has no \"a\""},
+           {R"("name":"n","a":[])", "/0/a: the sources \"a\" are a list of at least one, not an empty list"},
+           {R"("name":"n","a":null)", "/0/a: the sources \"a\" are a list of at least one, not null"},
+           {R"("name":"n","a":[{}])", "/0/a/0: this has no \"file\""},
+           {R"("name":"n","a":[{"file":"f","mode":"x"}])",
+            "/0/a/0/mode: the mode of a source is i (include), e (exclude) or a (all), not \"x\""},
+           {R"("name":"n","a":[{"file":"f","selector":1}])", "/0/a/0/selector: this is of type string or null, not 1"},
+           {R"("name":"n","a":[{"file":"f"}],"mode":"hit")",
+            "/0/mode: the mode of a clash set is intersection, collision or clearance, not \"hit\""},
+           {R"("name":"n","a":[{"file":"f"}],"tolerance":-1)", "/0/tolerance: a length is 0 or more, not -1"},
+           {R"("name":"n","a":[{"file":"f"}],"allow_touching":"yes")",
+            "/0/allow_touching: this is of type boolean, not \"yes\""},
+           {R"("name":"n","a":[{"file":"f"}],"mode":"clearance")",
+            "/0: mode clearance needs a \"clearance\", the distance to keep"}})
+    EXPECT_EQ(mistake("[{" + set + "}]"), "c.json:1: " + what);
 }
 
 }  // namespace
