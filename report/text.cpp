@@ -3,6 +3,7 @@
 #include "report/text.hpp"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <algorithm>
 #include <array>
@@ -99,23 +100,13 @@ std::vector<char32_t> characters(std::string_view text, std::size_t most) {
 }  // namespace
 
 Character decode(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(at);
-  if (lead < 0x80) return {lead, 1, true};
-  const std::size_t length = lead >= 0xC2 && lead <= 0xDF   ? 2
-                             : lead >= 0xE0 && lead <= 0xEF ? 3
-                             : lead >= 0xF0 && lead <= 0xF4 ? 4
-                                                            : 0;
-  const Character broken{kReplacement, 1, false};
-  if (length == 0 || text.size() - at < length) return broken;
-  char32_t code = lead & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0U) != 0x80U) return broken;
-    code = (code << 6) | (byte(at + i) & 0x3FU);
-  }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return overlong || surrogate || code > 0x10FFFF ? broken : Character{code, length, true};
+  constexpr std::size_t kLongest = 4;  // bytes of one character
+  const std::string_view rest = text.substr(at, kLongest);
+  const char* const begin = rest.data();
+  if (utf8::find_invalid(begin, begin + rest.size()) == begin) return {kReplacement, 1, false};
+  const char* next = begin;
+  const char32_t code = utf8::unchecked::next(next);
+  return {code, static_cast<std::size_t>(next - begin), true};
 }
 
 std::string valid_utf8(std::string_view text) {

@@ -78,7 +78,7 @@ bring_libraries "$bundle/libexec/impinge/impinge-import" "$bundle/libexec/imping
 bring_libraries "$bundle/bin/impinge" "$bundle/$libdir"
 bring_libraries "$bundle/bin/impinge-gpu-figures" "$bundle/$libdir"
 for header in /usr/include/CLI/CLI.hpp /usr/include/nlohmann/json.hpp /usr/include/valijson/validator.hpp \
-  /usr/include/eigen3/Eigen/Dense /usr/include/fmt/format.h /usr/include/volk.h /usr/include/vulkan/vulkan.h; do
+  /usr/include/utf8cpp/utf8.h /usr/include/eigen3/Eigen/Dense /usr/include/fmt/format.h /usr/include/volk.h /usr/include/vulkan/vulkan.h; do
   bring_licence "$header"
 done
 cp "$root/LICENSE" "$bundle/LICENSE"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/importer/gltf_json.hpp"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -15,29 +17,6 @@ namespace impinge::importer {
 namespace {
 
 constexpr std::size_t kGlbHeader = 20;  // with the first chunk's length and type
-
-/// As RFC 3629 has it: no overlong forms, no halves of pairs, nothing beyond U+10FFFF.
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const auto byte = [&](std::size_t i) {
-      return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0U;
-    };
-    const unsigned first = byte(0), second = byte(1);
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xC2 ? 0
-                               : first < 0xE0 ? 2
-                               : first < 0xF0 ? 3
-                               : first < 0xF5 ? 4
-                                              : 0;
-    if (length == 0) return false;
-    for (std::size_t i = 1; i < length; ++i)
-      if ((byte(i) & 0xC0U) != 0x80) return false;
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return false;
-    if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return false;
-    text.remove_prefix(length);
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -95,7 +74,7 @@ std::string json_text(const char* file, std::string& problem) {
   text.resize(std::min(static_cast<std::size_t>(in.gcount()), text.find('\0')));  // some pad a chunk with NULs
   text.erase(0, text.size() - io::without_byte_order_mark(text).size());
   // assimp takes any bytes in names, the parser only UTF-8.
-  if (!is_utf8(text))
+  if (!utf8::is_valid(text.begin(), text.end()))
     std::replace_if(
         text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; }, '?');
   return text;
