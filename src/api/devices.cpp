@@ -3,7 +3,7 @@
 #include "impinge/devices.hpp"
 
 #include "core/guarded.hpp"
-#include "pipeline/opened.hpp"
+#include "pipeline/ready_device.hpp"
 
 namespace impinge {
 namespace {
@@ -28,7 +28,7 @@ DeviceInfo::Type type_of(VkPhysicalDeviceType type) {
 Result<std::vector<DeviceInfo>> devices() {
   return guarded([]() -> Result<std::vector<DeviceInfo>> {
     std::vector<DeviceInfo> found;
-    for (const gpu::Known& known : gpu::Devices::of_process().list()) {
+    for (const gpu::FoundDevice& known : gpu::Devices::of_process().list()) {
       const gpu::PhysicalDevice& device = known.physical;
       found.push_back({.name = device.properties.deviceName,
                        .driver = device.driver,

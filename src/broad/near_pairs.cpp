@@ -36,7 +36,7 @@ void NearPairs::reserve(std::size_t n) {
   if (n <= boxes_.size()) return;
   assert(n < kObjectBit);
   changed_.reserve(n), has_changed_.resize(n), is_here_.resize(n);
-  groups_.resize(n), starts_.resize(n), spheres_.resize(n), roomy_.resize(n);
+  groups_.resize(n), starts_.resize(n), spheres_.resize(n), fat_boxes_.resize(n);
   boxes_.resize(n);  // last: its size is what the others have at least
 }
 
@@ -45,7 +45,7 @@ void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) n
   const bool is_here = placed.mesh != nullptr && placed.in_domain, was_here = is_here_[object] != 0;
   boxes_[object] = placed.box;
   spheres_[object] = placed.sphere;
-  const bool stays = was_here && groups_[object] == placed.group && contains(roomy_[object], placed.box);
+  const bool stays = was_here && groups_[object] == placed.group && contains(fat_boxes_[object], placed.box);
   if (is_here == was_here && (stays || !is_here)) return;
   if (std::exchange(has_changed_[object], 1) == 0) changed_.push_back(object);
   is_here_[object] = is_here ? 1 : 0;
@@ -53,11 +53,11 @@ void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) n
   if (was_here) --population_;
   if (!is_here) return;
   ++population_;
-  roomy_[object] = roomy_box(object, !was_here);
+  fat_boxes_[object] = fat_box(object, !was_here);
   starts_[object] = {placed.box.lo + placed.box.hi, frame_};
 }
 
-Box NearPairs::roomy_box(std::uint32_t object, bool is_new) const {
+Box NearPairs::fat_box(std::uint32_t object, bool is_new) const {
   const Box& box = boxes_[object];
   const Vec3 extent = box.hi - box.lo;
   // From 3/4 to 5/4, so that objects that started together do not all leave their boxes in the same frame.
@@ -95,7 +95,7 @@ void NearPairs::build() {
   build_tree();
   searches_.resize(std::max<std::size_t>(searches_.size(), 1));
   BoxTree::Search& search = searches_[0];
-  tree_.find_pairs(roomy_, groups_, search);
+  tree_.find_pairs(fat_boxes_, groups_, search);
   search.found.swap(fresh_);
   box_tests_ += search.box_tests;
   sort_fresh();
@@ -105,14 +105,14 @@ void NearPairs::build() {
 void NearPairs::build_tree() {
   entries_.clear();
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-    if (is_here_[i] != 0) entries_.emplace_back(roomy_[i], i);
+    if (is_here_[i] != 0) entries_.emplace_back(fat_boxes_[i], i);
   tree_.build(entries_);
 }
 
 void NearPairs::repair(const ForEach& for_each) {
   for (const std::uint32_t object : changed_) {
     if (is_here_[object] != 0)
-      tree_.put(object, roomy_[object]);
+      tree_.put(object, fat_boxes_[object]);
     else
       tree_.remove(object);
   }
@@ -130,7 +130,7 @@ void NearPairs::find_fresh(const ForEach& for_each) {
   const auto find_part = [&](std::size_t part) {
     const std::size_t begin = part * changed_.size() / parts, end = (part + 1) * changed_.size() / parts;
     BoxTree::Search& search = searches_[part];
-    tree_.find(std::span(changed_).subspan(begin, end - begin), roomy_, search);
+    tree_.find(std::span(changed_).subspan(begin, end - begin), fat_boxes_, search);
     // Of two changed objects, the lower one reports the pair.
     std::erase_if(search.found, [&](std::uint64_t pair) {
       const std::uint32_t changed = first_of(pair), other = second_of(pair);

@@ -21,9 +21,9 @@ struct FindConfig {
 
 /// The pairs of objects that are near each other, kept from frame to frame.
 ///
-/// Each object has a roomy box around its own, with space for the motion that it has shown. While it stays inside, its
-/// bounds are written down and that is all. One that has left its roomy box gets a new one, which is looked up among
-/// the others in a tree. The pairs whose roomy boxes overlap are the candidates; a query compares their own bounds.
+/// Each object has a fat box around its own, with space for the motion that it has shown. While it stays inside, its
+/// bounds are written down and that is all. One that has left its fat box gets a new one, which is looked up among
+/// the others in a tree. The pairs whose fat boxes overlap are the candidates; a query compares their own bounds.
 /// Where much has changed at once, the tree is built anew and walked against itself.
 class NearPairs {
  public:
@@ -48,13 +48,13 @@ class NearPairs {
   [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
 
  private:
-  /// When and where an object's roomy box was made.
+  /// When and where an object's fat box was made.
   struct Start {
     Vec3 twice_middle;
     std::uint32_t frame;
   };
 
-  [[nodiscard]] Box roomy_box(std::uint32_t object, bool is_new) const;
+  [[nodiscard]] Box fat_box(std::uint32_t object, bool is_new) const;
   void build();
   void repair(const ForEach& for_each);
   void build_tree();
@@ -71,13 +71,13 @@ class NearPairs {
 
   // By object.
   std::vector<Sphere> spheres_;
-  std::vector<Box> boxes_, roomy_;
+  std::vector<Box> boxes_, fat_boxes_;
   std::vector<Start> starts_;
   std::vector<std::uint32_t> groups_;
   std::vector<std::uint8_t> is_here_, has_changed_;
 
   std::vector<std::uint32_t> changed_;     ///< since the last update
-  BoxTree tree_;                           ///< of the roomy boxes
+  BoxTree tree_;                           ///< of the fat boxes
   std::vector<std::uint64_t> candidates_;  ///< pair keys, sorted
 
   // An update's scratch. What is in them does not matter.

@@ -159,7 +159,7 @@ HWY_INLINE M boxes_apart(const Vec* p) {
 }
 
 /// Shared vertices are in both planes.
-HWY_INLINE SignLanes see_shared(const Vec* p) {
+HWY_INLINE SignLanes find_shared_vertices(const Vec* p) {
   auto signs = hn::Zero(Bits());
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -263,7 +263,7 @@ HWY_INLINE M make_integers(PairBlock& block, std::size_t at) {
   return fits;
 }
 
-HWY_INLINE void see_lanes(PairBlock& block, std::size_t at) {
+HWY_INLINE void compute_lane_signs(PairBlock& block, std::size_t at) {
   const D d;
   const Bits bits;
   Vec p[6];
@@ -272,7 +272,7 @@ HWY_INLINE void see_lanes(PairBlock& block, std::size_t at) {
             hn::Load(d, block.rows[3 * i + 2] + at)};
   V permanents[6];
   const M apart = boxes_apart(p);
-  SignLanes signs = see_shared(p);
+  SignLanes signs = find_shared_vertices(p);
   const M shares = hn::RebindMask(
       d, hn::Ne(hn::And(signs, hn::Set(bits, std::uint64_t{511} << PairSigns::kShared)), hn::Zero(bits)));
   signs = without_those_on(hn::Or(signs, hn::Or(see_sides(p, 0, permanents), see_sides(p, 1, permanents))));
@@ -295,8 +295,8 @@ HWY_INLINE void see_lanes(PairBlock& block, std::size_t at) {
   hn::Store(hn::Or(signs, where(apart, std::uint64_t{7} << PairSigns::kAbove)), bits, &block.signs[at].bits);
 }
 
-void see(PairBlock& block) {
-  for (std::size_t at = 0; at < PairBlock::kLanes; at += hn::Lanes(D())) see_lanes(block, at);
+void compute_signs(PairBlock& block) {
+  for (std::size_t at = 0; at < PairBlock::kLanes; at += hn::Lanes(D())) compute_lane_signs(block, at);
 }
 
 void place(PairBlock& block, const Vec3* vertices_a, const Pose& pose_a, const Vec3* vertices_b, const Pose& pose_b) {
@@ -325,12 +325,12 @@ HWY_AFTER_NAMESPACE();
 namespace impinge::exact {
 
 HWY_EXPORT(place);
-HWY_EXPORT(see);
+HWY_EXPORT(compute_signs);
 
 void place(PairBlock& block, const Vec3* vertices_a, const Pose& pose_a, const Vec3* vertices_b, const Pose& pose_b) {
   HWY_DYNAMIC_DISPATCH(place)(block, vertices_a, pose_a, vertices_b, pose_b);
 }
-void see(PairBlock& block) { HWY_DYNAMIC_DISPATCH(see)(block); }
+void compute_signs(PairBlock& block) { HWY_DYNAMIC_DISPATCH(compute_signs)(block); }
 
 }  // namespace impinge::exact
 #endif

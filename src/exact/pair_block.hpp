@@ -25,6 +25,6 @@ void place(PairBlock& block, const Vec3* vertices_a, const Pose& pose_a, const V
 
 /// Fills the signs from the rows, by floating point in double and then in twice the precision, and the integers where
 /// they may be needed. Triangles whose boxes are apart are called beyond each other's plane.
-void see(PairBlock& block);
+void compute_signs(PairBlock& block);
 
 }  // namespace impinge::exact

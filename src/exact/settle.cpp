@@ -56,7 +56,7 @@ void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, 
     PairBlock &block = blocks[first / kLanes % 2], &next = blocks[(first / kLanes + 1) % 2];
     if (first + kLanes < pairs.size()) fill_from(first + kLanes, next);
     place(block, mesh_a.vertices.data(), pose_a, mesh_b.vertices.data(), pose_b);
-    see(block);
+    compute_signs(block);
     for (std::size_t i = first; i < std::min(first + kLanes, pairs.size()); ++i) {
       Outcome outcome = outcome_of(block.signs[i - first]);
       if (outcome == Outcome::open) outcome = finish(block, i - first);

@@ -73,7 +73,7 @@ schedule::CostConstants calibrate(std::string_view backend) {
 /// Questions to a device as a query would put them: the sphere against itself, a number of times.
 class Asking {
  public:
-  explicit Asking(std::shared_ptr<gpu::Opened> device) : device_(std::move(device)), mesh_(bumpy_sphere(96)) {}
+  explicit Asking(std::shared_ptr<gpu::ReadyDevice> device) : device_(std::move(device)), mesh_(bumpy_sphere(96)) {}
 
   struct Answer {
     double seconds;
@@ -110,14 +110,14 @@ class Asking {
   [[nodiscard]] double triangles() const { return static_cast<double>(mesh_.triangle_count()); }
 
  private:
-  std::shared_ptr<gpu::Opened> device_;
+  std::shared_ptr<gpu::ReadyDevice> device_;
   Mesh mesh_;
 };
 
 // The device's C_0 is the time of a question whose answer is clear at the roots; C_v and C_p follow from two questions,
 // one of which is nearly all walk and one rich in contacts. Where noise makes one of them negative, both sides'
 // constants are taken to be in one proportion.
-schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::Opened>& device) {
+schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::ReadyDevice>& device) {
   Asking asking(device);
   StageClock clock;
   double first = 0;
@@ -153,7 +153,7 @@ KnownDevices& known_devices() {
   return known;
 }
 
-std::string name_of(const gpu::Opened& device) {
+std::string name_of(const gpu::ReadyDevice& device) {
   const gpu::PhysicalDevice& physical = device.device.physical();
   return std::string(physical.properties.deviceName) + ", " + physical.driver;
 }
@@ -163,7 +163,7 @@ constexpr std::string_view kCalibrationTitle = "impinge calibration 1";
 
 }  // namespace
 
-schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::Opened>& device) {
+schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevice>& device) {
   KnownDevices& known = known_devices();
   const std::string name = name_of(*device);
   const std::lock_guard lock(known.mutex);
@@ -171,7 +171,7 @@ schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::Opened>& 
   return found != known.constants.end() ? found->second : known.constants[name] = calibrate(device);
 }
 
-void refine_calibration(const std::shared_ptr<gpu::Opened>& device, double predicted_seconds, double seconds) {
+void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds) {
   if (!(predicted_seconds > 0) || !(seconds > 0)) return;
   const double factor = std::pow(std::clamp(seconds / predicted_seconds, 0.1, 10.0), 0.25);
   KnownDevices& known = known_devices();

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "pipeline/opened.hpp"
+#include "pipeline/ready_device.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/split.hpp"
 
@@ -17,9 +17,9 @@ const schedule::CostConstants& calibrated_constants(std::string_view backend);
 
 /// Likewise of a device, whose programs are made ready on the way: some tenths of a second, unless it is known from
 /// before. A gpu::Failure passes.
-schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::Opened>& device);
+schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevice>& device);
 
 /// A part of a query was predicted to take so long, and took so long: the constants follow, a little at a time.
-void refine_calibration(const std::shared_ptr<gpu::Opened>& device, double predicted_seconds, double seconds);
+void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds);
 
 }  // namespace impinge

@@ -31,7 +31,7 @@ class DeviceDriver {
   /// `device` may be null: it is opened when it is needed. `mix`: counts of what the query has done so far, by which
   /// both sides' speeds are compared.
   DeviceDriver(const Query& query, const broad::ObjectPairs& pairs, SharedWork& work,
-               std::shared_ptr<gpu::Opened> device, const Statistics& mix)
+               std::shared_ptr<gpu::ReadyDevice> device, const Statistics& mix)
       : query_(query), pairs_(pairs), work_(work), device_(std::move(device)), mix_(mix) {}
 
   /// Sets so much of all work aside for the device, before others take from it. Without it, the device takes what it
@@ -61,7 +61,7 @@ class DeviceDriver {
   const Query& query_;
   const broad::ObjectPairs& pairs_;
   SharedWork& work_;
-  std::shared_ptr<gpu::Opened> device_;
+  std::shared_ptr<gpu::ReadyDevice> device_;
   std::optional<DevicePart> part_;
   const Statistics& mix_;
   std::optional<schedule::TwoEnded::Range> reserved_;

@@ -121,7 +121,7 @@ class DevicePart::Sorter {
   std::map<Pages, Batch> batches_;
 };
 
-DevicePart::DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::Opened> opened)
+DevicePart::DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::ReadyDevice> opened)
     : query_(query),
       pairs_(pairs),
       opened_(std::move(opened)),

@@ -13,8 +13,8 @@
 #include "exact/contact.hpp"
 #include "hierarchy/wide_walk.hpp"
 #include "impinge/contacts.hpp"
-#include "pipeline/opened.hpp"
 #include "pipeline/query.hpp"
+#include "pipeline/ready_device.hpp"
 #include "results/contact_key.hpp"
 
 namespace impinge {
@@ -33,7 +33,7 @@ class DevicePart {
   /// Takes contacts of one pair of objects, perhaps not all of them at once.
   using Sink = std::function<void(std::uint32_t object_pair, std::span<const results::ContactKey>)>;
 
-  DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::Opened> opened);
+  DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::ReadyDevice> opened);
   ~DevicePart();
   DevicePart(const DevicePart&) = delete;
   DevicePart& operator=(const DevicePart&) = delete;
@@ -44,7 +44,7 @@ class DevicePart {
 
   /// Of the pieces' meshes that are not on the device yet.
   [[nodiscard]] std::size_t triangles_to_bring(std::span<const DevicePiece> pieces) const;
-  [[nodiscard]] const std::shared_ptr<gpu::Opened>& device() const { return opened_; }
+  [[nodiscard]] const std::shared_ptr<gpu::ReadyDevice>& device() const { return opened_; }
 
  private:
   class Sorter;
@@ -55,7 +55,7 @@ class DevicePart {
 
   const Query& query_;
   const broad::ObjectPairs& pairs_;
-  std::shared_ptr<gpu::Opened> opened_;
+  std::shared_ptr<gpu::ReadyDevice> opened_;
   bool first_only_;
   ForEach for_each_;
   // Scratch of take_in.

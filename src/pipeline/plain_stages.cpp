@@ -28,7 +28,7 @@ PlainStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
 
 PlainStages::PlainStages() : partitioner_(Partition::automatic), scalar_(paper::make_scalar_backend()) {}
 
-void PlainStages::configure(const Options& options, gpu::Opened* device) {
+void PlainStages::configure(const Options& options, gpu::ReadyDevice* device) {
   partitioner_ = paper::Partitioner(options.partition);
   first_only_ = options.find == Options::Find::first;
   device_ = device;

@@ -13,8 +13,8 @@
 #include "paper/backend.hpp"
 #include "paper/dual_walk.hpp"
 #include "paper/partition.hpp"
-#include "pipeline/opened.hpp"
 #include "pipeline/query.hpp"
+#include "pipeline/ready_device.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "results/contact_key.hpp"
 
@@ -36,7 +36,7 @@ class PlainStages {
 
   PlainStages();
   /// `device`: draws the tests, and outlives the query; null: none.
-  void configure(const Options& options, gpu::Opened* device);
+  void configure(const Options& options, gpu::ReadyDevice* device);
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
@@ -52,7 +52,7 @@ class PlainStages {
   paper::Partitioner partitioner_;
   paper::Batch batch_;
   std::unique_ptr<paper::Backend> scalar_;
-  gpu::Opened* device_ = nullptr;
+  gpu::ReadyDevice* device_ = nullptr;
   bool first_only_ = false;
   std::string complaint_;
   std::vector<paper::Verdict> verdicts_;

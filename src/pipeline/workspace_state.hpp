@@ -12,8 +12,8 @@
 #include "impinge/workspace.hpp"
 #include "measure/pair_queue.hpp"
 #include "pipeline/fast_stages.hpp"
-#include "pipeline/opened.hpp"
 #include "pipeline/plain_stages.hpp"
+#include "pipeline/ready_device.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
@@ -40,7 +40,7 @@ class Crew {
   [[nodiscard]] const std::vector<Worker<Stages>*>& at_work() const { return at_work_; }
   void release();
 
-  std::shared_ptr<gpu::Opened> device;  ///< for the plain stages of the query at hand; null: none
+  std::shared_ptr<gpu::ReadyDevice> device;  ///< for the plain stages of the query at hand; null: none
 
  private:
   std::mutex mutex_;
@@ -69,8 +69,8 @@ struct Workspace::State {
   results::AssembleScratch assembly;
   Contacts spare;
   measure::PairMemory nearest;
-  bool asks_device = false;             ///< in the query at hand
-  std::shared_ptr<gpu::Opened> device;  ///< then; null: not opened yet
+  bool asks_device = false;                  ///< in the query at hand
+  std::shared_ptr<gpu::ReadyDevice> device;  ///< then; null: not opened yet
   results::Collector device_found;
   std::vector<std::string> warnings;
 };

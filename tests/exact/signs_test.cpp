@@ -113,7 +113,7 @@ TEST_P(See, SaysNothingThatIsNotTrue) {
       SCOPED_TRACE(hwy::TargetName(target));
       PairBlock block;
       for (std::size_t lane = 0; lane < kLanes; ++lane) fill(block, lane, pairs[lane]);
-      exact::see(block);
+      exact::compute_signs(block);
       for (std::size_t lane = 0; lane < kLanes; ++lane) expect_true(block, lane, truths[lane], pairs[lane]);
     }
     hwy::SetSupportedTargetsForTest(0);
@@ -171,7 +171,7 @@ TEST(See, KnowsAllSidesOnSmallLattices) {
         p = o + static_cast<double>(random.integer(-4, 4)) * u + static_cast<double>(random.integer(-4, 4)) * v;
     PairBlock block;
     for (std::size_t lane = 0; lane < kLanes; ++lane) fill(block, lane, test::varied(pair, random));
-    exact::see(block);
+    exact::compute_signs(block);
     for (const PairSigns& signs : block.signs) {
       if (signs.position(0) == exact::Position::beyond) continue;  // apart
       ASSERT_EQ(signs.on(0) & signs.on(1), 7u) << test::written(pair);
@@ -191,7 +191,7 @@ TEST(See, TellsTheNoiseOfAMotion) {
       const Point a = point(), b = point(), c = point(), d = point(), e = point();
       fill(block, lane, {Triangle{a, b, c}, Triangle{d, e, point()}});
     }
-    exact::see(block);
+    exact::compute_signs(block);
     for (const PairSigns& signs : block.signs)
       for (const int t : {0, 1}) open += signs.position(t) == exact::Position::unknown ? 1 : 0;
   }

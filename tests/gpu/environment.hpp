@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "pipeline/opened.hpp"
+#include "pipeline/ready_device.hpp"
 
 /// Programs that link this run on one software driver, with the validation layer on and silent.
 namespace impinge::test {

@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "impinge/predicates.hpp"
-#include "pipeline/opened.hpp"
+#include "pipeline/ready_device.hpp"
 #include "tests/core/support.hpp"
 #include "tests/gpu/environment.hpp"
 
@@ -163,7 +163,7 @@ TEST(Raster, ADeviceThatCannotDrawTestsSaysWhy) {
   for (const bool draws : {false, true}) {
     gpu::PhysicalDevice physical = opened->device.physical();
     physical.draws = draws, physical.fragments_store = !draws;
-    gpu::Opened poor(physical, {});
+    gpu::ReadyDevice poor(physical, {});
     try {
       (void)poor.take_raster();
       ADD_FAILURE() << "it drew";

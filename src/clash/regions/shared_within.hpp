@@ -11,7 +11,7 @@ namespace impinge::clash {
 struct SharedWithinSetting {
   LocalFrame frame;
   double tolerance;               ///< in the world
-  double resolution = tolerance;  ///< likewise; how finely lines are told (clash/resolution.hpp)
+  double resolution = tolerance;  ///< likewise; how finely lines are told (clash/regions/resolution.hpp)
 };
 
 struct SharedWithin {

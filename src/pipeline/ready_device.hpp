@@ -15,9 +15,9 @@
 namespace impinge::gpu {
 
 /// A device that is ready for work: its shaders, the meshes on it, and walks kept for the next query.
-class Opened {
+class ReadyDevice {
  public:
-  Opened(const PhysicalDevice& physical, const Limits& limits);
+  ReadyDevice(const PhysicalDevice& physical, const Limits& limits);
 
   Device device;
   const bool with_doubles;  ///< it has some, and they can be trusted
@@ -47,7 +47,7 @@ class Opened {
 };
 
 /// A device that was found, and the result of trying it out.
-struct Known {
+struct FoundDevice {
   PhysicalDevice physical;
   std::string complaint;  ///< why it is left out; empty if it is not
 };
@@ -58,15 +58,15 @@ class Devices {
   static Devices& of_process();
 
   /// All devices, tried.
-  std::vector<Known> list();
+  std::vector<FoundDevice> list();
   /// Why the list is empty.
   std::string complaint();
 
   struct Choice {
-    std::shared_ptr<Opened> opened;  ///< null: none
-    std::string complaint;           ///< then why
-    bool is_unknown = false;         ///< no device has that number or name
-    bool is_software = false;        ///< it is a program on the CPU, which would take its time from the CPU's threads
+    std::shared_ptr<ReadyDevice> opened;  ///< null: none
+    std::string complaint;                ///< then why
+    bool is_unknown = false;              ///< no device has that number or name
+    bool is_software = false;  ///< it is a program on the CPU, which would take its time from the CPU's threads
   };
   /// By number in the list or part of the name, whatever the case of its letters; empty: IMPINGE_DEVICE, or else the
   /// first that can be used.
@@ -79,8 +79,8 @@ class Devices {
 
  private:
   struct Slot {
-    Known known;
-    std::shared_ptr<Opened> opened;
+    FoundDevice known;
+    std::shared_ptr<ReadyDevice> opened;
     bool is_tried = false;
   };
   void look();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "pipeline/opened.hpp"
+#include "pipeline/ready_device.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -33,7 +33,7 @@ constexpr std::uint32_t kBuffersWithDoubles = 13;
 
 }  // namespace
 
-Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
+ReadyDevice::ReadyDevice(const PhysicalDevice& physical, const Limits& limits)
     : device(physical, limits),
       with_doubles(physical.has_doubles && !limits.no_doubles &&
                    physical.properties.limits.maxPerStageDescriptorStorageBuffers >= kBuffersWithDoubles &&
@@ -42,7 +42,7 @@ Opened::Opened(const PhysicalDevice& physical, const Limits& limits)
       meshes(device, with_doubles) {}
 
 template <class Make>
-auto Opened::with_room(const Make& make) {
+auto ReadyDevice::with_room(const Make& make) {
   while (true) {
     try {
       return make();
@@ -52,17 +52,17 @@ auto Opened::with_room(const Make& make) {
   }
 }
 
-std::unique_ptr<DeviceWalk> Opened::take_walk() {
+std::unique_ptr<DeviceWalk> ReadyDevice::take_walk() {
   if (auto kept = take_from(walks_, mutex_)) return kept;
   return with_room([&] { return std::make_unique<DeviceWalk>(device, kernels); });
 }
 
-void Opened::give_back(std::unique_ptr<DeviceWalk> walk) {
+void ReadyDevice::give_back(std::unique_ptr<DeviceWalk> walk) {
   const std::lock_guard lock(mutex_);
   walks_.push_back(std::move(walk));
 }
 
-const Drawing& Opened::raster_drawing() {
+const Drawing& ReadyDevice::raster_drawing() {
   const std::lock_guard lock(drawing_mutex_);
   if (drawing_) return *drawing_;
   if (drawing_complaint_.empty()) {
@@ -78,13 +78,13 @@ const Drawing& Opened::raster_drawing() {
   return *drawing_;
 }
 
-std::unique_ptr<paper::RasterBackend> Opened::take_raster() {
+std::unique_ptr<paper::RasterBackend> ReadyDevice::take_raster() {
   const Drawing& drawing = raster_drawing();
   if (auto kept = take_from(rasters_, mutex_)) return kept;
   return with_room([&] { return std::make_unique<paper::RasterBackend>(drawing); });
 }
 
-void Opened::give_back(std::unique_ptr<paper::RasterBackend> raster) {
+void ReadyDevice::give_back(std::unique_ptr<paper::RasterBackend> raster) {
   const std::lock_guard lock(mutex_);
   rasters_.push_back(std::move(raster));
 }
@@ -108,7 +108,7 @@ void Devices::try_out(Slot& slot) {
   }
   if (std::exchange(slot.is_tried, true)) return;
   try {
-    auto opened = std::make_shared<Opened>(slot.known.physical, limits_);
+    auto opened = std::make_shared<ReadyDevice>(slot.known.physical, limits_);
     slot.known.complaint = probe(opened->device);
     slot.known.physical.has_doubles = opened->with_doubles;
     if (slot.known.complaint.empty()) slot.opened = std::move(opened);
@@ -117,10 +117,10 @@ void Devices::try_out(Slot& slot) {
   }
 }
 
-std::vector<Known> Devices::list() {
+std::vector<FoundDevice> Devices::list() {
   const std::lock_guard lock(mutex_);
   look();
-  std::vector<Known> known;
+  std::vector<FoundDevice> known;
   for (Slot& slot : slots_) {
     try_out(slot);
     known.push_back(slot.known);
