@@ -72,6 +72,8 @@ Json json_object(std::size_t id, const ObjectFacts& facts) {
 
 std::string json_text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+std::string as_read_back(const std::string& text) { return Json::parse(json_text(text)).get<std::string>(); }
+
 void JsonDocument::begin_member(std::string_view key) {
   sink_.write(is_empty_ ? "{" : ",\n");
   is_empty_ = false;
@@ -175,10 +177,10 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
   document.list("pairs", contacts.objects.size(), [&](std::size_t row) {
     const RowCounts counts = count_row(contacts, row);
     std::string pair = json_text({{"a", contacts.objects[row][0]},
-                                {"b", contacts.objects[row][1]},
-                                {"crossing", counts.crossing},
-                                {"touching", counts.touching},
-                                {"coplanar", counts.coplanar}});
+                                  {"b", contacts.objects[row][1]},
+                                  {"crossing", counts.crossing},
+                                  {"touching", counts.touching},
+                                  {"coplanar", counts.coplanar}});
     if (arguments.triangles) pair.pop_back();  // the brace, which follows the triangles
     sink.write(pair);
     if (arguments.triangles) write_triangles(sink, contacts, row, stop);

@@ -26,6 +26,9 @@ using Json = nlohmann::ordered_json;
 /// On one line. Bytes that are not UTF-8 become U+FFFD; infinities and NaN become null.
 std::string json_text(const Json& value);
 
+/// What a reader of the JSON gets for this text: it differs where the bytes are not UTF-8.
+std::string as_read_back(const std::string& text);
+
 /// A JSON object that is written member by member, so that a long list needs the memory of one of its items.
 class JsonDocument {
  public:

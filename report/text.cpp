@@ -109,17 +109,6 @@ Character decode(std::string_view text, std::size_t at) {
   return {code, static_cast<std::size_t>(next - begin), true};
 }
 
-std::string valid_utf8(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();) {
-    const Character character = decode(text, at);
-    result += character.valid ? text.substr(at, character.length) : kReplacementBytes;
-    at += character.length;
-  }
-  return result;
-}
-
 std::string distinct_utf8(std::string_view text) {
   std::string result;
   result.reserve(text.size());

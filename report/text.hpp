@@ -20,15 +20,13 @@ struct Character {
 /// The character that begins at byte `at`, which must be inside the text.
 Character decode(std::string_view text, std::size_t at);
 
-/// The text as UTF-8: every byte that is part of no character becomes U+FFFD.
-std::string valid_utf8(std::string_view text);
-
 /// The text as UTF-8 that no other text becomes: every byte that is part of no character is spelled out (`\xff`), and
 /// so is a backslash before what looks like that (`\x5c`).
 std::string distinct_utf8(std::string_view text);
 
-/// The text as one line that cannot steer a terminal: as `valid_utf8`, with control characters, line separators and
-/// marks that turn the writing direction spelled out (`\n`, `\x1b`, `\u202e`).
+/// The text as one line that cannot steer a terminal: bytes that are part of no character become U+FFFD;
+/// control characters, line separators and marks that turn the writing direction are spelled out (`\n`, `\x1b`,
+/// `\u202e`).
 std::string printable(std::string_view text);
 
 /// How many columns of a terminal a printable text takes: wide characters two, combining marks none.

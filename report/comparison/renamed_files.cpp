@@ -10,6 +10,7 @@
 #include <set>
 
 #include "report/identity.hpp"
+#include "report/json_writer.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
 
@@ -157,7 +158,7 @@ class Renaming {
     Shapes shapes;
     for (std::size_t i = 0; i < assembly_.objects.size(); ++i) {
       const std::uint32_t file = assembly_.file_of[i];
-      add(present_[names_[file]], valid_utf8(assembly_.objects[i].path), valid_utf8(assembly_.files[file]),
+      add(present_[names_[file]], as_read_back(assembly_.objects[i].path), as_read_back(assembly_.files[file]),
           shapes.placed(assembly_.objects[i]));
     }
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "meshes.hpp"
 #include "program.hpp"
@@ -247,7 +248,7 @@ TEST_F(Clash, NamesAreMadePrintableAndCutOnTerminalsOnly) {
     Launch launch;
     launch.environment["COLUMNS"] = std::to_string(width);
     const Ended run = clash({"--depth", "--clearance", "1"}, launch);
-    EXPECT_EQ(report::valid_utf8(run.out), run.out);
+    EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
     std::istringstream lines(first_block(run.out));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
     EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";

@@ -9,16 +9,23 @@
 
 #include "program.hpp"
 #include "report/json_writer.hpp"
-#include "report/text.hpp"
 
 namespace impinge::report {
 namespace {
 
-TEST(JsonText, StringsReadBack) {
-  std::string all;
-  for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
-  for (const std::string& text : {std::string(), std::string("\"\\/\b\f\n\r\t"), std::string("\xf0\x9f\x94\xa9"), all})
-    EXPECT_EQ(nlohmann::json::parse(json_text(text)).get<std::string>(), valid_utf8(text));
+TEST(JsonText, StringsReadBackAndBytesThatAreNotUtf8AreReplaced) {
+  std::string ascii;
+  for (int byte = 0; byte < 128; ++byte) ascii += static_cast<char>(byte);
+  for (const std::string& text :
+       {std::string(), std::string("\"\\/\b\f\n\r\t"), std::string("\xf0\x9f\x94\xa9"), ascii})
+    EXPECT_EQ(as_read_back(text), text);
+  std::string high, replaced;
+  for (int byte = 128; byte < 256; ++byte) {  // none is followed by what would make a character of it
+    high += static_cast<char>(byte);
+    replaced += "\xEF\xBF\xBD";
+  }
+  EXPECT_EQ(as_read_back(high), replaced);
+  EXPECT_EQ(as_read_back("\xe2\x82z"), "\xEF\xBF\xBDz") << "a character cut short is one U+FFFD (Unicode, table 3-8)";
 }
 
 TEST(JsonText, NumbersReadBackBitForBit) {

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "meshes.hpp"
 #include "program.hpp"
@@ -118,7 +120,7 @@ TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
     const Ended run =
         impinge(folder, {"check", "a.off", "b.off", part + part + part + part + part + part + "1.off"}, launch);
     EXPECT_EQ(run.code, 1) << run.err;
-    EXPECT_EQ(report::valid_utf8(run.out), run.out);
+    EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
     std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
     EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";

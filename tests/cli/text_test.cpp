@@ -9,16 +9,16 @@
 namespace impinge::report {
 namespace {
 
-TEST(Text, InvalidUtf8IsReplacedByteByByte) {
-  EXPECT_EQ(valid_utf8("a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9"), "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9");
+TEST(Text, PrintableReplacesInvalidUtf8ByteByByte) {
+  EXPECT_EQ(printable("a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9"), "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x94\xa9");
   const std::string r = "\xEF\xBF\xBD";
-  EXPECT_EQ(valid_utf8("\x80z"), r + "z");
-  EXPECT_EQ(valid_utf8("\xc3"), r);                          // cut short
-  EXPECT_EQ(valid_utf8("\xc0\xaf"), r + r);                  // overlong
-  EXPECT_EQ(valid_utf8("\xe0\x80\x80"), r + r + r);          // overlong
-  EXPECT_EQ(valid_utf8("\xed\xa0\x80"), r + r + r);          // surrogate
-  EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), r + r + r + r);  // above U+10FFFF
-  EXPECT_EQ(valid_utf8("\xf0\x9f\x94"), r + r + r);
+  EXPECT_EQ(printable("\x80z"), r + "z");
+  EXPECT_EQ(printable("\xc3"), r);                          // cut short
+  EXPECT_EQ(printable("\xc0\xaf"), r + r);                  // overlong
+  EXPECT_EQ(printable("\xe0\x80\x80"), r + r + r);          // overlong
+  EXPECT_EQ(printable("\xed\xa0\x80"), r + r + r);          // surrogate
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), r + r + r + r);  // above U+10FFFF
+  EXPECT_EQ(printable("\xf0\x9f\x94"), r + r + r);
 }
 
 TEST(Text, DistinctUtf8KeepsDifferentTextsDifferent) {
@@ -64,7 +64,7 @@ TEST(Text, FitNeverExceedsTheWidthNorSplitsACharacter) {
   for (std::size_t width = 0; width < 20; ++width) {
     const std::string cut = fit(text, width);
     EXPECT_LE(columns(cut), width);
-    EXPECT_EQ(valid_utf8(cut), cut);
+    EXPECT_EQ(printable(cut), cut);
     // A combining mark after the dots would have lost its letter.
     EXPECT_EQ(cut.find("\xe2\x80\xa6\xcc\x88"), std::string::npos);
   }
