@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clash/local_frame.hpp"
-#include "clash/regions/region_side.hpp"
+#include "clash/regions/regions.hpp"
 #include "clash/slab.hpp"
 #include "core/guarded.hpp"
 #include "impinge/collide.hpp"
@@ -76,9 +76,7 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
                                          std::to_string(most) +
                                          " pairs of triangles that are small beside it are no farther apart; choose "
                                          "one below the size of triangles"};
-    const clash::RegionSide a(part_a), b(part_b);
-    auto regions =
-        clash::regions_of(a.side(), b.side(), *contacts, *tolerance, on_threads(options.threads), options.stop);
+    auto regions = clash::regions_of(part_a, part_b, *contacts, *tolerance, on_threads(options.threads), options.stop);
     if (!regions) return Error{Code::cancelled, "the caller's stop token asked for it"};
     return std::move(*regions);
   });

@@ -98,9 +98,9 @@ class OneSide {
     for (std::size_t i = 0; i < rim.size() && bits != (kInside | kOutside) && !space_.stop.stop_requested(); ++i) {
       const std::uint32_t at = position[rim[i]];
       if (i > 0 && position[rim[i - 1]] == at) continue;
-      const auto fan = own_.fans.triangles.begin();
-      const auto begin = fan + own_.fans.offsets[at], end = fan + own_.fans.offsets[at + 1];
-      const bool is_clear = std::any_of(begin, end, [&](std::uint32_t t) { return counts(t) && !is_near(t); });
+      const auto fan = own_.topology.fan(at);
+      const bool is_clear =
+          std::any_of(fan.begin(), fan.end(), [&](std::uint32_t t) { return counts(t) && !is_near(t); });
       if (is_clear) bits |= locate(other_, own_.body.world[rim[i]]);
     }
     return bits;

@@ -4,35 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "clash/local_frame.hpp"
+#include "clash/wall.hpp"
 
 namespace impinge::clash {
 namespace {
 
-struct Measure {
-  double area = 0, volume = 0;
-  [[nodiscard]] double wall() const { return area > 0 ? 2 * std::abs(volume) / area : 0; }
-};
-
-/// Of its triangles, and of what its shells enclose: a cavity counts as less.
+/// Measures the triangles and what the shells enclose; the volume of a cavity is negative.
 void measure(MeasuredPart& measured) {
   const solid::Part& part = measured.part;
   const LocalFrame frame = local_frame(part.body.box, part.body.box);
-  Measure whole;
-  std::vector<Measure> shells(part.topology.shells);
+  AreaAndVolume whole;
+  std::vector<AreaAndVolume> shells(part.topology.shells);
   for (std::uint32_t t = 0; t < part.body.size(); ++t) {
     const Triangle triangle = frame.to_local(part.body.triangle(t));
-    const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-    whole.area += norm(normal) / 2;
-    if (!part.solid || !part.is_boundary(t)) continue;
-    Measure& shell = shells[part.topology.shell[t]];
-    shell.area += norm(normal) / 2;
-    shell.volume += (part.sides[part.topology.shell[t]].back ? 1 : -1) * dot(triangle[0], normal) / 6;
+    whole.add(triangle);
+    if (part.solid && part.is_boundary(t)) shells[part.topology.shell[t]].add(triangle, part.is_inward(t) ? -1 : 1);
   }
-  double thinnest = std::numeric_limits<double>::infinity();
-  for (const Measure& shell : shells) {
+  whole.volume = 0;
+  double thinnest = kInfinity;
+  for (const AreaAndVolume& shell : shells) {
     whole.volume += shell.volume;
     if (shell.volume > 0) thinnest = std::min(thinnest, shell.wall());
   }

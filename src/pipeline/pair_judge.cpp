@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "clash/regions/region_side.hpp"
+#include "clash/regions/regions.hpp"
 #include "measure/nearest.hpp"
 #include "solid/locate.hpp"
 
@@ -13,13 +13,11 @@ namespace {
 
 std::vector<Region> find_regions(const solid::Part& a, const solid::Part& b, const clash::Judgement& judgement,
                                  const std::stop_token& stop) {
-  const clash::RegionSide side_a(a), side_b(b);
   const double tolerance = judgement.tolerance;
   std::optional<std::vector<exact::Contact>> within;
   if (tolerance > 0)
     within = clash::contacts_within(a.body, b.body, tolerance, clash::most_small_pairs(a.body, b.body), stop);
-  auto regions = clash::regions_of(side_a.side(), side_b.side(), within ? *within : judgement.contacts,
-                                   within ? tolerance : 0, {}, stop);
+  auto regions = clash::regions_of(a, b, within ? *within : judgement.contacts, within ? tolerance : 0, {}, stop);
   return regions ? *std::move(regions) : std::vector<Region>();
 }
 

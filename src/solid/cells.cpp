@@ -79,7 +79,7 @@ class Located {
       }
     };
     each_untouched([&](std::uint32_t t) {
-      const auto [p, q, r] = positions(t);
+      const auto [p, q, r] = own_.corners(t);
       groups_.join(p, q), groups_.join(p, r);
       return true;
     });
@@ -141,11 +141,6 @@ class Located {
     return reaches_inside(other_.body.triangle(touch.other), own_.body.triangle(touch.own));
   }
 
-  [[nodiscard]] std::array<std::uint32_t, 3> positions(std::uint32_t t) const {
-    const auto& [a, b, c] = own_.body.placed.mesh->triangles[t];
-    return {own_.topology.position[a], own_.topology.position[b], own_.topology.position[c]};
-  }
-
   /// kInside or kOutside; 0 on the other's boundary.
   template <class Point>
   [[nodiscard]] std::uint8_t location_of(const Point& point) const {
@@ -158,7 +153,7 @@ class Located {
   /// Of a vertex of an untouched triangle, or of one of a touched one with a solid.
   std::uint8_t location_of_vertex(std::uint32_t t, std::size_t corner) {
     if (!other_.solid) return kOutside;
-    std::uint8_t& known = of_group_[groups_.find(positions(t)[corner])];
+    std::uint8_t& known = of_group_[groups_.find(own_.corners(t)[corner])];
     if (known == kUnknown) known = location_of(own_.body.triangle(t)[corner]);
     return known;
   }

@@ -28,7 +28,7 @@ Part::Sides sides_of(const Body& body, const Topology& topology, std::uint32_t t
   const Triangle t = body.triangle(triangle);
   for (int number = 0;; ++number) {
     const Around found = around(body.placed, interior_point(t, number));
-    const auto is_other = [&](std::uint32_t i) { return i != triangle && topology.shell[i] != Topology::kNoShell; };
+    const auto is_other = [&](std::uint32_t i) { return i != triangle && topology.is_proper(i); };
     const auto covers = [&](std::uint32_t i) { return is_other(i) && exact::share_area(t, body.triangle(i)); };
     // No solid has triangles that cover others; were there one, no point would do.
     const bool covered = std::any_of(found.holders.begin(), found.holders.end(), covers);
@@ -41,8 +41,7 @@ Part::Sides sides_of(const Body& body, const Topology& topology, std::uint32_t t
 }  // namespace
 
 Part make_part(Body body, Topology topology, bool solid) {
-  Fans fans = fans_of(body, topology);
-  Part part{std::move(body), std::move(topology), std::move(fans), solid, {}};
+  Part part{std::move(body), std::move(topology), solid, {}};
   if (!solid) return part;
   for (std::uint32_t t = 0; t < part.body.size(); ++t)  // shells are numbered by their first triangles
     if (part.topology.shell[t] == part.sides.size()) part.sides.push_back(sides_of(part.body, part.topology, t));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,27 +11,34 @@
 
 namespace impinge::solid {
 
-/// A body with what its triangles are to each other: vertices in common, open edges, and shells with their sides.
+/// A body with its topology: adjacency, open edges, and shells with their sides.
 struct Part {
   Body body;
   Topology topology;
-  Fans fans;
   bool solid = false;
-  /// Per shell of a solid: whether the side that its triangles' normals point to, and the other one, are interior.
-  /// Where both or neither are, the shell is no part of the boundary: it is left out of all that follows.
+  /// Per shell of a solid: whether the side that its triangles' normals point to (front), and the other one, are
+  /// interior. A shell with both or neither is an internal wall, which is no part of the boundary.
   struct Sides {
     bool front, back;
   };
   std::vector<Sides> sides;
 
-  /// Whether a triangle is part of the boundary: all proper ones of a part that is not solid are.
+  /// Whether a triangle is part of the boundary: in a part that is not solid all proper triangles are.
   [[nodiscard]] bool is_boundary(std::uint32_t triangle) const {
     const std::uint32_t shell = topology.shell[triangle];
     return shell != Topology::kNoShell && (!solid || sides[shell].front != sides[shell].back);
   }
+  /// Whether the normal of a solid's boundary triangle points to the interior.
+  [[nodiscard]] bool is_inward(std::uint32_t triangle) const {
+    return solid && is_boundary(triangle) && sides[topology.shell[triangle]].front;
+  }
+  /// The positions of a triangle's corners.
+  [[nodiscard]] std::array<std::uint32_t, 3> corners(std::uint32_t triangle) const {
+    return topology.corners(body, triangle);
+  }
 };
 
-/// `solid`: closed, and no two of its triangles cross or share an area.
+/// `solid`: whether the body is closed and no two of its triangles cross or share an area.
 Part make_part(Body body, Topology topology, bool solid);
 
 }  // namespace impinge::solid

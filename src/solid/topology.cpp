@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -14,7 +15,7 @@
 namespace impinge::solid {
 namespace {
 
-/// Numbers positions in the order in which they are first seen: an open hash table of vertices, a vertex a position.
+/// Numbers positions in the order of their first vertices, by an open hash table with one vertex for each position.
 void number_positions(const std::vector<Vec3>& world, Topology& topology) {
   constexpr std::uint32_t kFree = 0xffffffff;
   const std::size_t slots = std::bit_ceil(2 * world.size() + 1);
@@ -30,53 +31,52 @@ void number_positions(const std::vector<Vec3>& world, Topology& topology) {
   }
 }
 
-/// A triangle's use of an edge, kept with the edge's lower position.
-struct Use {
-  std::uint32_t other;     ///< the higher position
-  std::uint32_t triangle;  ///< kNoShell of a degenerate one
-  int way;                 ///< +1 from the lower to the higher, -1 back
-};
-
-/// What runs along each edge, by the edge's lower position in compressed rows, each row sorted by the higher one. Edges
-/// whose ends are one position are left out.
-struct Uses {
-  std::vector<std::size_t> offsets;
-  std::vector<Use> uses;
-};
-
-Uses uses_of(const MeshData& mesh, const Topology& topology) {
+/// Lists the triangles around each position.
+void list_fans(const Body& body, Topology& topology) {
   const auto each = [&](const auto& take) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t from = topology.position[mesh.triangles[t][i]];
-        const std::uint32_t to = topology.position[mesh.triangles[t][(i + 1) % 3]];
-        if (from != to) take(static_cast<std::uint32_t>(t), from, to);
-      }
+    for (std::uint32_t t = 0; t < body.size(); ++t) {
+      const auto [p, q, r] = topology.corners(body, t);
+      take(p, t);
+      if (q != p) take(q, t);
+      if (r != p && r != q) take(r, t);
     }
   };
-  Uses rows;
-  rows.offsets.assign(topology.positions + 1, 0);
-  each([&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++rows.offsets[std::min(from, to) + 1]; });
-  for (std::size_t i = 1; i < rows.offsets.size(); ++i) rows.offsets[i] += rows.offsets[i - 1];
-  rows.uses.resize(rows.offsets.back());
-  std::vector<std::size_t> next = rows.offsets;
-  each([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    const bool proper = topology.shell[t] != Topology::kNoShell;
-    rows.uses[next[std::min(from, to)]++] = {std::max(from, to), proper ? t : Topology::kNoShell, from < to ? 1 : -1};
-  });
-  for (std::uint32_t low = 0; low < topology.positions; ++low)
-    std::sort(
-        rows.uses.data() + rows.offsets[low], rows.uses.data() + rows.offsets[low + 1],
-        [](const Use& p, const Use& q) { return std::pair(p.other, p.triangle) < std::pair(q.other, q.triangle); });
-  return rows;
+  std::vector<std::uint32_t>& offsets = topology.fan_offsets;
+  offsets.assign(topology.positions + 1, 0);
+  each([&](std::uint32_t position, std::uint32_t) { ++offsets[position + 1]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  topology.fan_triangles.resize(offsets.back());
+  std::vector<std::uint32_t> next = offsets;
+  each([&](std::uint32_t position, std::uint32_t t) { topology.fan_triangles[next[position]++] = t; });
 }
 
-/// One edge: notes whether it is open, and joins the two triangles that alone use it. The uses by degenerate triangles
-/// come last.
+/// A triangle's use of an edge from a lower position to a higher one.
+struct Use {
+  std::uint32_t high;
+  std::uint32_t triangle;  ///< kNoShell for a degenerate triangle, so that these come last
+  int way;                 ///< +1 from the lower position to the higher, -1 back
+};
+
+/// The uses of all edges to higher positions, sorted by those. An edge from a position to itself is left out.
+void list_uses(const Body& body, const Topology& topology, std::uint32_t low, std::vector<Use>& uses) {
+  uses.clear();
+  for (const std::uint32_t t : topology.fan(low)) {
+    const auto corners = topology.corners(body, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = corners[i], to = corners[(i + 1) % 3];
+      if (from == to || std::min(from, to) != low) continue;
+      uses.push_back({std::max(from, to), topology.is_proper(t) ? t : Topology::kNoShell, from < to ? 1 : -1});
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& p, const Use& q) { return std::pair(p.high, p.triangle) < std::pair(q.high, q.triangle); });
+}
+
+/// Adds an edge to the open ones if it is open, and joins two proper triangles that alone use it.
 void see_edge(std::uint32_t low, std::span<const Use> uses, DisjointSets& groups, Topology& topology) {
   int balance = 0;
   for (const Use& use : uses) balance += use.way;
-  if (balance != 0) topology.open_edges.push_back({low, uses.front().other});
+  if (balance != 0) topology.open_edges.push_back({low, uses.front().high});
   const auto proper =
       std::count_if(uses.begin(), uses.end(), [](const Use& use) { return use.triangle != Topology::kNoShell; });
   if (proper == 2 && uses[0].way != uses[1].way) groups.join(uses[0].triangle, uses[1].triangle);
@@ -85,9 +85,9 @@ void see_edge(std::uint32_t low, std::span<const Use> uses, DisjointSets& groups
 }  // namespace
 
 Topology examine(const Body& body) {
-  const MeshData& mesh = *body.placed.mesh;
   Topology topology;
   number_positions(body.world, topology);
+  list_fans(body, topology);
   topology.shell.assign(body.size(), 0);
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     const Triangle triangle = body.triangle(t);
@@ -96,44 +96,23 @@ Topology examine(const Body& body) {
     ++topology.degenerate;
   }
 
-  const Uses rows = uses_of(mesh, topology);
   DisjointSets groups(body.size());
+  std::vector<Use> uses;
   for (std::uint32_t low = 0; low < topology.positions; ++low) {
-    const std::size_t end = rows.offsets[low + 1];
-    for (std::size_t first = rows.offsets[low], last = first; first < end; first = last) {
-      while (last < end && rows.uses[last].other == rows.uses[first].other) ++last;
-      see_edge(low, std::span(rows.uses).subspan(first, last - first), groups, topology);
+    list_uses(body, topology, low, uses);
+    for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+      while (last < uses.size() && uses[last].high == uses[first].high) ++last;
+      see_edge(low, std::span(uses).subspan(first, last - first), groups, topology);
     }
   }
-  // The least triangle of a shell comes first, and is the first to be numbered.
+  // A set is named by its lowest triangle, which is also the first of its shell to be numbered.
   for (std::uint32_t t = 0; t < body.size(); ++t) {
-    if (topology.shell[t] == Topology::kNoShell) continue;
+    if (!topology.is_proper(t)) continue;
     const std::uint32_t first = groups.find(t);
     topology.shell[t] = first == t ? topology.shells++ : topology.shell[first];
   }
   topology.closed = topology.open_edges.empty() && topology.shells > 0;
   return topology;
-}
-
-Fans fans_of(const Body& body, const Topology& topology) {
-  const MeshData& mesh = *body.placed.mesh;
-  const auto each = [&](const auto& take) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      const std::uint32_t p = topology.position[a], q = topology.position[b], r = topology.position[c];
-      take(p, t);
-      if (q != p) take(q, t);
-      if (r != p && r != q) take(r, t);
-    }
-  };
-  Fans fans;
-  fans.offsets.assign(topology.positions + 1, 0);
-  each([&](std::uint32_t position, std::uint32_t) { ++fans.offsets[position + 1]; });
-  for (std::size_t i = 1; i < fans.offsets.size(); ++i) fans.offsets[i] += fans.offsets[i - 1];
-  fans.triangles.resize(fans.offsets.back());
-  std::vector<std::uint32_t> next = fans.offsets;
-  each([&](std::uint32_t position, std::uint32_t t) { fans.triangles[next[position]++] = t; });
-  return fans;
 }
 
 }  // namespace impinge::solid

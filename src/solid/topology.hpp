@@ -4,37 +4,61 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solid/body.hpp"
 
 namespace impinge::solid {
 
-/// How a body's triangles hang together. Vertices are identified by exactly equal world coordinates (contract 2.7; -0
-/// equals 0): a position.
+/// How the triangles of a body are connected. Vertices with exactly equal world coordinates (contract 2.7; -0 equals 0)
+/// are one position.
 struct Topology {
   std::vector<std::uint32_t> position;  ///< per mesh vertex, numbered from 0
   std::uint32_t positions = 0;
-  /// Per triangle: its shell. Two triangles are in one shell if a way leads from one to the other over edges that
-  /// exactly two proper triangles use, one each way. The two sides of a shell of a solid see one winding number each.
-  /// Numbered in the order of their first triangles; kNoShell where a triangle is degenerate.
+  /// Per triangle, its shell: two triangles are in one shell if a path leads from one to the other over edges that
+  /// exactly two proper triangles use, one in each direction. The winding number is constant on either side of a shell
+  /// of a solid. Shells are numbered in the order of their first triangles; a degenerate triangle has kNoShell.
   std::vector<std::uint32_t> shell;
   std::uint32_t shells = 0;
-  /// Edges (by position) that are not run through as often one way as the other, by the positions of their ends. A
-  /// degenerate triangle's edges count as any other's.
+  /// Edges, by the positions of their ends, that triangles run along more often in one direction than in the other.
+  /// Edges of degenerate triangles count like all others.
   std::vector<std::array<std::uint32_t, 2>> open_edges;
   std::uint64_t degenerate = 0;  ///< triangles whose world vertices are collinear
   bool closed = false;           ///< no open edge, and at least one proper triangle
 
+  /// Adjacency, in compressed rows: for each position the triangles that use it, each once and in ascending order.
+  std::vector<std::uint32_t> fan_offsets, fan_triangles;
+
   static constexpr std::uint32_t kNoShell = 0xffffffff;
+
+  [[nodiscard]] bool is_proper(std::uint32_t triangle) const { return shell[triangle] != kNoShell; }
+
+  /// The triangles that use a position.
+  [[nodiscard]] std::span<const std::uint32_t> fan(std::uint32_t at) const {
+    return std::span(fan_triangles).subspan(fan_offsets[at], fan_offsets[at + 1] - fan_offsets[at]);
+  }
+
+  /// The positions of a triangle's corners.
+  [[nodiscard]] std::array<std::uint32_t, 3> corners(const Body& body, std::uint32_t triangle) const {
+    const auto& [a, b, c] = body.placed.mesh->triangles[triangle];
+    return {position[a], position[b], position[c]};
+  }
+
+  /// Calls visit(triangle, k) for each use of the edge between two positions: the triangle, in ascending order, has the
+  /// edge from its corner k to the next, in either direction.
+  template <class Visit>
+  void for_each_use(const Body& body, std::uint32_t p, std::uint32_t q, const Visit& visit) const {
+    for (const std::uint32_t t : fan(fan(p).size() <= fan(q).size() ? p : q)) {
+      const auto at = corners(body, t);
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = at[k], to = at[(k + 1) % 3];
+        if ((from == p && to == q) || (from == q && to == p)) visit(t, k);
+      }
+    }
+  }
 };
 
 Topology examine(const Body& body);
-
-/// For each position, the triangles that use it, each once and in order, in compressed rows.
-struct Fans {
-  std::vector<std::uint32_t> offsets, triangles;
-};
-Fans fans_of(const Body& body, const Topology& topology);
 
 }  // namespace impinge::solid

@@ -81,8 +81,7 @@ void expect_as_by_the_book(const scenes::MeshData& shape) {
   }
   ASSERT_EQ(topology.shells, renumbered.size());
 
-  const solid::Fans fans = solid::fans_of(body, topology);
-  ASSERT_EQ(fans.offsets.size(), topology.positions + std::size_t{1});
+  ASSERT_EQ(topology.fan_offsets.size(), topology.positions + std::size_t{1});
   std::vector<std::vector<std::uint32_t>> rows(topology.positions);
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     std::set<std::uint32_t> corners;
@@ -90,9 +89,7 @@ void expect_as_by_the_book(const scenes::MeshData& shape) {
     for (const std::uint32_t position : corners) rows[position].push_back(t);
   }
   for (std::uint32_t p = 0; p < topology.positions; ++p)
-    ASSERT_EQ(std::vector<std::uint32_t>(fans.triangles.begin() + fans.offsets[p],
-                                         fans.triangles.begin() + fans.offsets[p + 1]),
-              rows[p]);
+    ASSERT_EQ(std::vector<std::uint32_t>(topology.fan(p).begin(), topology.fan(p).end()), rows[p]);
 }
 
 TEST(Topology, IsWhatMapsAndSetsCount) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "clash/point_grid.hpp"
 
@@ -12,20 +13,21 @@ namespace impinge::clash {
 namespace {
 
 /// A body's positions, each with the contacts of the triangles that have it: those of one triangle follow each other.
-class Fans {
+class ContactFans {
  public:
-  Fans(const Side& side, std::span<const exact::Contact> contacts) : offsets_(side.positions + 1) {
+  ContactFans(const solid::Part& part, std::span<const exact::Contact> contacts)
+      : offsets_(part.topology.positions + 1) {
     for (std::size_t begin = 0, end = 0; begin < contacts.size(); begin = end) {
       while (end < contacts.size() && contacts[end].a == contacts[begin].a) ++end;
       runs_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
     }
     for (const Run& run : runs_)
-      for (const std::uint32_t p : side.corners(contacts[run.begin].a)) ++offsets_[p + 1];
+      for (const std::uint32_t p : part.corners(contacts[run.begin].a)) ++offsets_[p + 1];
     std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
     of_position_.resize(offsets_.back());
     std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
     for (std::uint32_t i = 0; i < runs_.size(); ++i)
-      for (const std::uint32_t p : side.corners(contacts[runs_[i].begin].a)) of_position_[next[p]++] = i;
+      for (const std::uint32_t p : part.corners(contacts[runs_[i].begin].a)) of_position_[next[p]++] = i;
   }
 
   /// The contacts of all triangles of a that have this position.
@@ -61,6 +63,25 @@ class Last {
   std::vector<std::array<std::uint32_t, 2>> seen_;
 };
 
+/// Half of the steps from a cell to those around it up to two cells away; the other half are the reverse ones.
+std::vector<Vec3> steps_to_neighbours() {
+  std::vector<Vec3> steps;
+  for (int i = 63; i < 125; ++i)
+    steps.push_back(
+        {static_cast<double>(i / 25 - 2), static_cast<double>(i / 5 % 5 - 2), static_cast<double>(i % 5 - 2)});
+  return steps;
+}
+
+bool are_near(const PointGrid::Cell& x, const PointGrid::Cell& y, double tolerance) {
+  const auto is_within = [&](const Vec3& way) { return norm((1 / tolerance) * way) <= 1; };
+  const Vec3 gap = max(max(x.box.lo - y.box.hi, y.box.lo - x.box.hi), Vec3{0, 0, 0});
+  if (!is_within((1 - 0x1p-40) * gap)) return false;
+  for (const PointGrid::Entry& p : x.entries)
+    for (const PointGrid::Entry& q : y.entries)
+      if (is_within(q.point - p.point)) return true;
+  return false;
+}
+
 void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups) {
   std::unordered_map<Vec3, std::uint32_t, PointHash> first;
   std::size_t last = 0;  // the same row as the one before holds the same points
@@ -76,13 +97,31 @@ void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSet
 
 }  // namespace
 
+// The diagonal of a cell is a little less than the tolerance, so that all points of a cell are near each other: many
+// corners within one tolerance must not be compared each with each.
+void join_near_corners(const SharedParts& parts, std::size_t contacts, double tolerance, DisjointSets& groups) {
+  PointGrid grid(tolerance / 1.75);
+  std::unordered_set<Vec3, PointHash> seen;
+  for (std::uint32_t i = 0; i < contacts; ++i)
+    for (const Corner& corner : parts[i])
+      if (seen.insert(corner.point).second) groups.join(grid.add(corner.point, i).entries.front().number, i);
+  const std::vector<Vec3> steps = steps_to_neighbours();
+  for (const auto& [at, cell] : grid.cells())
+    for (const Vec3& step : steps) {
+      const auto other = grid.cells().find(at + step);
+      if (other == grid.cells().end()) continue;
+      const std::uint32_t one = cell.entries.front().number, two = other->second.entries.front().number;
+      if (groups.find(one) != groups.find(two) && are_near(cell, other->second, tolerance)) groups.join(one, two);
+    }
+}
+
 // Two pairs are neighbours if and only if some position p of a's triangles and some position q of b's are in both. All
 // pairs are looked at once for each p: those that have a triangle of b in common also have its three q.
-void join_neighbours(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                     DisjointSets& groups) {
-  const Fans fans(a, contacts);
-  Last at_triangle(b.body.size()), at_position(b.positions);
-  for (std::uint32_t p = 0; p < a.positions; ++p)
+void join_neighbours(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+                     const SharedParts& parts, DisjointSets& groups) {
+  const ContactFans fans(a, contacts);
+  Last at_triangle(b.body.size()), at_position(b.topology.positions);
+  for (std::uint32_t p = 0; p < a.topology.positions; ++p)
     fans.for_each(p, [&](std::uint32_t contact) {
       const std::uint32_t t = contacts[contact].b;
       if (at_triangle.join(t, p, contact, groups)) return;

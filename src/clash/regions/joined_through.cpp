@@ -5,7 +5,6 @@
 
 #include "clash/regions/connected_patches.hpp"
 #include "clash/regions/grouping.hpp"
-#include "exact/segment.hpp"
 
 /// The surface of a body is cut into patches by the lines of contact. Where a patch lies inside the other body, its rim
 /// is one region. What holds a patch together is found on its edges: pieces of edges between two points of contact join
@@ -26,26 +25,24 @@ std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
   return std::uint64_t{std::min(p, q)} << 32 | std::max(p, q);
 }
 
-using Inside = std::function<bool(const Vec3&)>;
-
 class Surface {
  public:
-  Surface(const Side& side, bool first, std::span<const exact::Contact> contacts, const SharedParts& parts,
+  Surface(const solid::Part& part, bool first, std::span<const exact::Contact> contacts, const SharedParts& parts,
           DisjointSets& groups)
-      : side_(side),
+      : part_(part),
         shift_(first ? 0 : 3),
         parts_(parts),
         groups_(groups),
-        vertex_(side.positions),
-        patches_(side.positions) {
+        vertex_(part.topology.positions),
+        patches_(part.topology.positions) {
     for (std::uint32_t i = 0; i < contacts.size(); ++i) touched_.emplace_back(first ? contacts[i].a : contacts[i].b, i);
     std::sort(touched_.begin(), touched_.end());
-    for (std::size_t i = 0; i < side.position.size(); ++i) vertex_[side.position[i]] = side.body.world[i];
+    for (std::size_t i = 0; i < part.body.world.size(); ++i) vertex_[part.topology.position[i]] = part.body.world[i];
   }
 
   void put_points() {
     for (const auto& [triangle, contact] : touched_) {
-      const auto corners = side_.corners(triangle);
+      const auto corners = part_.corners(triangle);
       for (const Corner& corner : parts_[contact])
         for (int e = 0; e < 3; ++e)
           if ((edges_of(corner) >> e & 1) != 0) put(corners[e], corners[(e + 1) % 3], corner.point, contact);
@@ -58,9 +55,9 @@ class Surface {
   /// Vertices that no point of contact parts are on one side of the other body. Of a triangle without area it is not
   /// known which points of contact are on its edges.
   void join_vertices() {
-    for (std::uint32_t t = 0; t < side_.body.size(); ++t) {
-      const auto corners = side_.corners(t);
-      if (!is_proper(t)) continue;
+    for (std::uint32_t t = 0; t < part_.body.size(); ++t) {
+      const auto corners = part_.corners(t);
+      if (!part_.topology.is_proper(t)) continue;
       for (int e = 0; e < 3; ++e) {
         const std::uint32_t p = corners[e], q = corners[(e + 1) % 3];
         if (patches_.find(p) != patches_.find(q) && !has_points(edge_key(p, q))) patches_.join(p, q);
@@ -69,7 +66,7 @@ class Surface {
   }
 
   /// Asks whether a point is inside only where the answer joins two groups.
-  void join_along_edges(const Inside& inside) {
+  void join_along_edges(const IsInside& inside) {
     for (std::size_t begin = 0, end = 0; begin < points_.size(); begin = end) {
       for (end = begin; end < points_.size() && points_[end].edge == points_[begin].edge; ++end) {
         if (end == begin || points_[end].along == points_[end - 1].along) continue;
@@ -82,21 +79,22 @@ class Surface {
     }
   }
 
-  void join_islands(const Inside& inside) {
+  void join_patches(const IsInside& inside) {
     std::vector<Mark> marks;
     for (std::size_t begin = 0, end = 0; begin < touched_.size(); begin = end) {
       const std::uint32_t triangle = touched_[begin].first;
       marks.clear();
       for (end = begin; end < touched_.size() && touched_[end].first == triangle; ++end)
         mark(touched_[end].second, marks);
-      if (!is_proper(triangle) || std::all_of(marks.begin(), marks.end(), [](const Mark& m) { return m.on_border; }))
+      if (!part_.topology.is_proper(triangle) ||
+          std::all_of(marks.begin(), marks.end(), [](const Mark& m) { return m.on_border; }))
         continue;
-      for (const Sight& sight : sights(side_.body.triangle(triangle), marks))
-        if (!is_joined(sight) && inside(middle(sight.from, sight.to))) join(sight, side_.corners(triangle));
+      for (const Sight& sight : sights(part_.body.triangle(triangle), marks))
+        if (!is_joined(sight) && inside(middle(sight.from, sight.to))) join(sight, part_.corners(triangle));
     }
   }
 
-  void join_rims(const Inside& inside) {
+  void join_rims(const IsInside& inside) {
     std::sort(rims_.begin(), rims_.end());
     for (std::size_t begin = 0, end = 0; begin < rims_.size(); begin = end) {
       bool several = false;
@@ -156,13 +154,9 @@ class Surface {
     }
   }
 
-  [[nodiscard]] bool is_proper(std::uint32_t triangle) const {
-    const Triangle t = side_.body.triangle(triangle);
-    return exact::find_projection(t[0], t[1], t[2]) >= 0;
-  }
   [[nodiscard]] unsigned edges_of(const Corner& corner) const { return corner.edges >> shift_ & 7U; }
 
-  const Side& side_;
+  const solid::Part& part_;
   int shift_;  ///< of the bits of this body's edges
   const SharedParts& parts_;
   DisjointSets& groups_;
@@ -175,15 +169,14 @@ class Surface {
 
 }  // namespace
 
-void join_through(const Side& side, const Side& other, bool first, std::span<const exact::Contact> contacts,
-                  const SharedParts& parts, DisjointSets& groups) {
-  if (!other.holds) return;
-  Surface surface(side, first, contacts, parts, groups);
+void join_through(const solid::Part& part, bool first, std::span<const exact::Contact> contacts,
+                  const SharedParts& parts, const IsInside& is_inside, DisjointSets& groups) {
+  Surface surface(part, first, contacts, parts, groups);
   surface.put_points();
   surface.join_vertices();
-  surface.join_along_edges(other.holds);
-  surface.join_islands(other.holds);
-  surface.join_rims(other.holds);
+  surface.join_along_edges(is_inside);
+  surface.join_patches(is_inside);
+  surface.join_rims(is_inside);
 }
 
 }  // namespace impinge::clash

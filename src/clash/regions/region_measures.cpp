@@ -27,12 +27,12 @@ Vec3 unit(Vec3 v) {
 }
 
 /// The outward unit normal; 0 of a triangle without area.
-Vec3 outward_normal(const Side& side, std::uint32_t i) {
-  const Triangle t = side.body.triangle(i);
+Vec3 outward_normal(const solid::Part& part, std::uint32_t i) {
+  const Triangle t = part.body.triangle(i);
   const Vec3 u = t[1] - t[0], v = t[2] - t[0];
   const double scale = 1 / unit_of(std::max(max_component(abs(u)), max_component(abs(v))));
   const Vec3 n = unit(cross(scale * u, scale * v));
-  return !side.inward.empty() && side.inward[i] != 0 ? -1.0 * n : n;
+  return part.is_inward(i) ? -1.0 * n : n;
 }
 
 /// A sum of weights and of what is weighed.
@@ -59,8 +59,8 @@ void add_lengths(std::span<const Vec3> points, Mean& mean) {
 /// Works in coordinates about the middle of the region's box, in a unit near its size.
 class Measures {
  public:
-  Measures(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-           std::span<const std::uint32_t> members, double within)
+  Measures(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+           const SharedParts& parts, std::span<const std::uint32_t> members, double within)
       : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), within_(within) {}
 
   Region region() {
@@ -234,7 +234,7 @@ class Measures {
     region_.normal = norm(direction) > kCancelled * weight + off ? unit(direction) : Vec3{0, 0, 0};
   }
 
-  const Side &a_, &b_;
+  const solid::Part &a_, &b_;
   std::span<const exact::Contact> contacts_;
   const SharedParts& parts_;
   std::span<const std::uint32_t> members_;
@@ -251,8 +251,8 @@ class Measures {
 
 }  // namespace
 
-Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members, double within) {
+Region measured(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+                const SharedParts& parts, std::span<const std::uint32_t> members, double within) {
   return Measures(a, b, contacts, parts, members, within).region();
 }
 

@@ -11,7 +11,7 @@ namespace impinge::clash {
 
 /// The region made of the contacts that `members` numbers. Lines are one where they are no farther apart than
 /// `within`; 0: than rounding leaves.
-Region measured(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                std::span<const std::uint32_t> members, double within = 0);
+Region measured(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+                const SharedParts& parts, std::span<const std::uint32_t> members, double within = 0);
 
 }  // namespace impinge::clash

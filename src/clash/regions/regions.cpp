@@ -6,13 +6,14 @@
 #include <tuple>
 
 #include "clash/contact_pairs.hpp"
+#include "clash/local_frame.hpp"
 #include "clash/regions/grouping.hpp"
-#include "clash/regions/near_corners.hpp"
 #include "clash/regions/region_measures.hpp"
-#include "clash/regions/resolution.hpp"
 #include "clash/regions/shared_parts.hpp"
 #include "clash/regions/welded.hpp"
+#include "clash/slab.hpp"
 #include "measure/nearest.hpp"
+#include "solid/locate.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -38,35 +39,64 @@ bool are_all_one(DisjointSets& groups, std::size_t contacts) {
   return true;
 }
 
-/// A point that is near the boundary is on it.
-Side within(const Side& side, double tolerance) {
-  Side result = side;
-  if (tolerance > 0 && side.holds)
-    result.holds = [&side, tolerance](const Vec3& p) {
-      return side.holds(p) && !measure::nearest_point(side.body.placed, p, tolerance, tolerance);
-    };
-  return result;
+/// The radius of the circle within: 2 area / perimeter, as the wall of a solid is 2 volume / area.
+double width(const Triangle& t) {
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0];
+  const double perimeter = norm(u) + norm(v) + norm(t[2] - t[1]);
+  return perimeter > 0 ? norm(cross(u, v)) / perimeter : 0;
+}
+
+/// The one in the middle: a few slivers say nothing of the others.
+double median_width(const solid::Body& body, std::vector<std::uint32_t> triangles, const LocalFrame& frame) {
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::vector<double> widths;
+  widths.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) widths.push_back(width(frame.to_local(body.triangle(t))));
+  if (widths.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return *middle;
+}
+
+Reach reach_of(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts, double tolerance) {
+  if (tolerance == 0) return {};
+  const LocalFrame frame = local_frame(a.box, b.box);
+  std::vector<std::uint32_t> of_a, of_b;
+  for (const exact::Contact& pair : contacts) of_a.push_back(pair.a), of_b.push_back(pair.b);
+  const double width = std::min(median_width(a, std::move(of_a), frame), median_width(b, std::move(of_b), frame));
+  // No finer than rounding, however narrow they are.
+  const double least = std::max(0x1p-8 * tolerance, kLeastTolerance * frame.scale / frame.unit);
+  return {tolerance, std::min(tolerance, std::max(width / (4 * frame.unit), least))};
+}
+
+/// The test for points in a solid's interior. A point within the tolerance of the boundary counts as on it.
+IsInside inside_of(const solid::Part& part, double tolerance) {
+  return [&part, tolerance](const Vec3& p) {
+    return solid::winding_number(part.body.placed, p).value_or(0) != 0 &&
+           !(tolerance > 0 && measure::nearest_point(part.body.placed, p, tolerance, tolerance));
+  };
 }
 
 }  // namespace
 
-std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& exact_b,
+std::optional<std::vector<Region>> regions_of(const solid::Part& a, const solid::Part& b,
                                               std::span<const exact::Contact> contacts, double tolerance,
                                               const ForEach& for_each, const std::stop_token& stop) {
-  const Side a = within(exact_a, tolerance), b = within(exact_b, tolerance);
-  const Reach reach = reach_of(a, b, contacts, tolerance);
-  SharedParts parts = shared_parts(a, b, contacts, reach, for_each, stop);
+  const Reach reach = reach_of(a.body, b.body, contacts, tolerance);
+  SharedParts parts = shared_parts(a.body, b.body, contacts, reach, for_each, stop);
   if (stop.stop_requested()) return std::nullopt;
-  // Twice the distance over which points were moved, for lines have moved too.
+  // Twice the distance over which points were moved, since lines have moved too.
   const double within_line = tolerance > 0 ? 2 * welding_distance(parts, reach) : 0;
-  if (tolerance > 0) parts = welded(a, b, contacts, parts, reach);
+  if (tolerance > 0) parts = welded(a.body, b.body, contacts, parts, reach);
   DisjointSets groups(contacts.size());
   if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
   join_neighbours(a, b, contacts, parts, groups);
   for (const bool first : {true, false}) {
     if (stop.stop_requested()) return std::nullopt;
-    if (!are_all_one(groups, contacts.size()))
-      join_through(first ? a : b, first ? b : a, first, contacts, parts, groups);
+    const solid::Part &part = first ? a : b, &other = first ? b : a;
+    if (other.solid && !are_all_one(groups, contacts.size()))
+      join_through(part, first, contacts, parts, inside_of(other, tolerance), groups);
   }
   const auto members = members_of(groups, contacts.size());
   std::vector<Region> regions(members.size());
@@ -74,7 +104,7 @@ std::optional<std::vector<Region>> regions_of(const Side& exact_a, const Side& e
     if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i], within_line);
   });
   if (stop.stop_requested()) return std::nullopt;
-  // Groups are in the order of their first pairs, which decide between equals.
+  // Groups are in the order of their first pairs, which decides between equal regions.
   std::stable_sort(regions.begin(), regions.end(), [](const Region& x, const Region& y) {
     return std::tie(x.area, x.length, x.pairs) > std::tie(y.area, y.length, y.pairs);
   });

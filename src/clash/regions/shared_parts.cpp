@@ -24,15 +24,15 @@ void SharedParts::append(const SharedParts& others) {
   widen_gap(others.gap_);
 }
 
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const Reach& reach,
-                         const ForEach& for_each, const std::stop_token& stop) {
+SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
+                         const Reach& reach, const ForEach& for_each, const std::stop_token& stop) {
   constexpr std::size_t kChunk = 1024;
-  const SharedWithinSetting near{local_frame(a.body.box, b.body.box), reach.tolerance, reach.resolution};
+  const SharedWithinSetting near{local_frame(a.box, b.box), reach.tolerance, reach.resolution};
   std::vector<SharedParts> pieces((contacts.size() + kChunk - 1) / kChunk);
   run_each(for_each, pieces.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
-      const Triangle of_a = a.body.triangle(pair.a), of_b = b.body.triangle(pair.b);
+      const Triangle of_a = a.triangle(pair.a), of_b = b.triangle(pair.b);
       if (reach.tolerance > 0) {
         const SharedWithin part = shared_within(of_a, of_b, near);
         pieces[i].add({part.shared.corners.data(), part.shared.size});

@@ -9,11 +9,20 @@
 #include <stop_token>
 #include <vector>
 
-#include "clash/regions/regions.hpp"
-#include "clash/regions/resolution.hpp"
 #include "clash/regions/shared_part.hpp"
+#include "core/for_each.hpp"
+#include "exact/contact.hpp"
+#include "solid/body.hpp"
 
 namespace impinge::clash {
+
+/// What counts as in contact, and as one. Both 0: exactly.
+struct Reach {
+  double tolerance = 0;
+  /// How finely lines of contact and outlines of areas are told: within the tolerance, but also within a quarter of how
+  /// wide the triangles in contact are. If more were one point, nothing would be left of their borders.
+  double resolution = 0;
+};
 
 /// What each of many pairs shares. Pairs that meet in a common vertex alone have one row together: a fan of n
 /// triangles on another is n² of them.
@@ -45,7 +54,7 @@ class SharedParts {
 };
 
 /// With a tolerance, what each pair shares within it (`shared_within`). Incomplete if stopped.
-SharedParts shared_parts(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const Reach& reach,
-                         const ForEach& for_each, const std::stop_token& stop);
+SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
+                         const Reach& reach, const ForEach& for_each, const std::stop_token& stop);
 
 }  // namespace impinge::clash

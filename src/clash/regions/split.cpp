@@ -8,65 +8,37 @@
 #include <utility>
 
 namespace impinge::clash {
-namespace {
 
-constexpr std::size_t kFew = 8;
+Splitter::Splitter(std::vector<Vec3> points, const Setting& setting)
+    : setting_(setting), points_(sorted(std::move(points))), tree_(local(points_)) {}
 
-int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
-
-/// The part of a segment below a bound along an axis, or above it.
-bool clip(Segment& segment, int axis, double bound, bool below) {
-  const double sign = below ? 1 : -1;
-  const double from = sign * (component(segment[0], axis) - bound), to = sign * (component(segment[1], axis) - bound);
-  if (from > 0 && to > 0) return false;
-  if (from <= 0 && to <= 0) return true;
-  segment[from > 0 ? 0 : 1] = segment[0] + (from / (from - to)) * (segment[1] - segment[0]);
-  return true;
-}
-
-}  // namespace
-
-Splitter::Splitter(std::vector<Vec3> points, const Setting& setting) : setting_(setting) {
+std::vector<Vec3> Splitter::sorted(std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(), less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  points_.reserve(points.size());
-  for (const Vec3& p : points) points_.push_back({local(p), p});
-  build(0, points_.size(), 0);
+  return points;
 }
 
-void Splitter::build(std::size_t begin, std::size_t end, int axis) {
-  if (end - begin <= kFew) return;
-  const auto at = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
-  const std::size_t middle = begin + (end - begin) / 2;
-  std::nth_element(at(begin), at(middle), at(end), [axis](const Point& p, const Point& q) {
-    return component(p.local, axis) < component(q.local, axis);
-  });
-  build(begin, middle, next_axis(axis));
-  build(middle + 1, end, next_axis(axis));
-}
-
-void Splitter::look_at(const Segment& edge, const Point& point, std::vector<Found>& found) const {
-  const Vec3 way = edge[1] - edge[0], from = point.local - edge[0];
-  const double along = dot(from, way), square = dot(way, way);
-  if (!(along > 0 && along < square) || point.local == edge[1]) return;
-  const double share = along / square, off = norm(from - share * way);
-  if (off <= setting_.within) found.push_back({share, off, point});
+std::vector<Vec3> Splitter::local(const std::vector<Vec3>& points) const {
+  std::vector<Vec3> result;
+  result.reserve(points.size());
+  for (const Vec3& p : points) result.push_back(local(p));
+  return result;
 }
 
 // Twice `within` leaves room for the rounding of clipped ends, which is a few 2^-53 of coordinates up to 2.
-void Splitter::search(const Segment& edge, const Segment& rest, std::size_t begin, std::size_t end, int axis,
-                      std::vector<Found>& found) const {
-  if (end - begin <= kFew) {
-    for (std::size_t i = begin; i < end; ++i) look_at(edge, points_[i], found);
-    return;
-  }
-  const std::size_t middle = begin + (end - begin) / 2;
-  look_at(edge, points_[middle], found);
-  const double bound = component(points_[middle].local, axis), margin = 2 * setting_.within + 0x1p-48;
-  if (Segment low = rest; clip(low, axis, bound + margin, true))
-    search(edge, low, begin, middle, next_axis(axis), found);
-  if (Segment high = rest; clip(high, axis, bound - margin, false))
-    search(edge, high, middle + 1, end, next_axis(axis), found);
+std::vector<Splitter::Found> Splitter::points_beside(const Segment& edge) const {
+  std::vector<Found> found;
+  const Vec3 way = edge[1] - edge[0];
+  const double square = dot(way, way);
+  tree_.near(edge, 2 * setting_.within + 0x1p-48, [&](std::uint32_t i) {
+    const Point point{local(points_[i]), points_[i]};
+    const Vec3 from = point.local - edge[0];
+    const double along = dot(from, way);
+    if (!(along > 0 && along < square) || point.local == edge[1]) return;
+    const double share = along / square, off = norm(from - share * way);
+    if (off <= setting_.within) found.push_back({share, off, point});
+  });
+  return found;
 }
 
 std::vector<Piece> Splitter::split(const std::vector<Piece>& pieces) const {
@@ -93,11 +65,9 @@ std::vector<Piece> Splitter::split(const std::vector<Piece>& pieces, std::size_t
     return x.along != y.along ? x.along < y.along : less(x.point.world, y.point.world);
   };
   std::vector<Piece> result;
-  std::vector<Found> found;
   for (const Piece& whole : pieces) {
     const Segment edge{local(whole.from), local(whole.to)};
-    found.clear();
-    search(edge, edge, 0, points_.size(), 0, found);
+    std::vector<Found> found = points_beside(edge);
     if (closely) keep_what_shortens(edge, found);
     std::sort(found.begin(), found.end(), by_way);
     Vec3 from = whole.from;

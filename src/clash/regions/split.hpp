@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "clash/kd_tree.hpp"
 #include "clash/regions/lines.hpp"
 
 namespace impinge::clash {
@@ -41,13 +42,13 @@ class Splitter {
   [[nodiscard]] std::size_t budget(const std::vector<Piece>& pieces) const;
   [[nodiscard]] std::vector<Piece> split(const std::vector<Piece>& pieces, std::size_t most, bool closely) const;
   static void keep_what_shortens(const Segment& edge, std::vector<Found>& found);
-  void build(std::size_t begin, std::size_t end, int axis);
-  void look_at(const Segment& edge, const Point& point, std::vector<Found>& found) const;
-  void search(const Segment& edge, const Segment& rest, std::size_t begin, std::size_t end, int axis,
-              std::vector<Found>& found) const;
+  static std::vector<Vec3> sorted(std::vector<Vec3> points);
+  [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const;
+  [[nodiscard]] std::vector<Found> points_beside(const Segment& edge) const;
 
   Setting setting_;
-  std::vector<Point> points_;  ///< a k-d tree: the middle of each range parts the rest
+  std::vector<Vec3> points_;  ///< in the world
+  KdTree tree_;               ///< over them, in local coordinates
 };
 
 }  // namespace impinge::clash

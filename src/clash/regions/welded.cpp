@@ -54,14 +54,14 @@ double welding_distance(const SharedParts& parts, const Reach& reach) {
   return 1.25 * std::min(parts.gap(), reach.resolution) + 0x1p-8 * reach.resolution;
 }
 
-SharedParts welded(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                   const Reach& reach) {
+SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
+                   const SharedParts& parts, const Reach& reach) {
   const Moves moves = find_moves(parts.corners(), welding_distance(parts, reach));
   SharedParts result;
   result.reserve(contacts.size());
   std::vector<Corner> row;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Triangle of_a = a.body.triangle(contacts[i].a), of_b = b.body.triangle(contacts[i].b);
+    const Triangle of_a = a.triangle(contacts[i].a), of_b = b.triangle(contacts[i].b);
     row.clear();
     for (const Corner& corner : parts[i]) {
       const Vec3 point = moves.find(corner.point)->second;

@@ -16,7 +16,7 @@ double welding_distance(const SharedParts& parts, const Reach& reach);
 /// The parts with corners that are no farther than the snapping distance from one chosen before them moved onto it:
 /// what exact parts have in common, near ones have up to rounding and gaps. Points are chosen in lexicographic order.
 /// Corners get the edges that they are near.
-SharedParts welded(const Side& a, const Side& b, std::span<const exact::Contact> contacts, const SharedParts& parts,
-                   const Reach& reach);
+SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
+                   const SharedParts& parts, const Reach& reach);
 
 }  // namespace impinge::clash

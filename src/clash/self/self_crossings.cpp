@@ -11,6 +11,7 @@
 
 #include "clash/local_frame.hpp"
 #include "clash/vertex_contact.hpp"
+#include "clash/wall.hpp"
 #include "exact/triangle_pair.hpp"
 
 namespace impinge::clash {
@@ -77,16 +78,16 @@ bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance
 double defect_tolerance(const solid::Body& body, const solid::Topology& topology, double tolerance) {
   if (!topology.closed) return tolerance;
   const LocalFrame frame = local_frame(body.box, body.box);
-  double area = 0, volume = 0;
-  std::vector<double> volumes(topology.shells);
+  AreaAndVolume whole;
+  std::vector<AreaAndVolume> shells(topology.shells);
   for (std::uint32_t t = 0; t < body.size(); ++t) {
-    if (topology.shell[t] == solid::Topology::kNoShell) continue;
+    if (!topology.is_proper(t)) continue;
     const Triangle triangle = frame.to_local(body.triangle(t));
-    const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-    area += norm(normal) / 2, volumes[topology.shell[t]] += dot(triangle[0], normal) / 6;
+    whole.add(triangle), shells[topology.shell[t]].add(triangle);
   }
-  for (const double of_shell : volumes) volume += std::abs(of_shell);
-  return area > 0 ? std::min(tolerance, volume / area / 2 / frame.unit) : tolerance;
+  whole.volume = 0;
+  for (const AreaAndVolume& shell : shells) whole.volume += std::abs(shell.volume);
+  return whole.area > 0 ? std::min(tolerance, whole.wall() / 4 / frame.unit) : tolerance;
 }
 
 }  // namespace impinge::clash

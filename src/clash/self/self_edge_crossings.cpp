@@ -10,16 +10,15 @@
 #include <numbers>
 #include <optional>
 #include <tuple>
-#include <unordered_map>
 
 #include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
+#include "clash/wall.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
 /// What passes goes on by so many tolerances on all four sides, and along the line. Less is a sliver's height, or the
 /// end of a triangle where the next one bends away.
 constexpr double kFarther = 16;
@@ -46,65 +45,52 @@ class SelfEdgeCrossings {
   [[nodiscard]] double reach() const { return tolerance_ / frame_.unit; }
 
   bool is_one(std::uint32_t a, std::uint32_t b) {
-    if (!is_proper(a) || !is_proper(b) || common_positions(a, b) > 1) return false;
+    if (!topology_.is_proper(a) || !topology_.is_proper(b) || common_positions(a, b) > 1) return false;
     return passes(a, b) || passes(b, a);
   }
 
  private:
-  [[nodiscard]] bool is_proper(std::uint32_t t) const { return topology_.shell[t] != solid::Topology::kNoShell; }
-
-  /// As PartFacts::wall, in local units.
+  /// The thickness of the body's wall, in local units.
   [[nodiscard]] double wall() const {
-    double area = 0, volume = 0;
-    for (std::uint32_t t = 0; t < body_.size(); ++t) {
-      const Triangle triangle = local(t);
-      const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-      area += norm(normal) / 2, volume += dot(triangle[0], normal) / 6;
-    }
-    return area > 0 ? 2 * std::abs(volume) / area : 0;
+    AreaAndVolume whole;
+    for (std::uint32_t t = 0; t < body_.size(); ++t) whole.add(local(t));
+    return whole.wall();
   }
 
-  [[nodiscard]] std::array<std::uint32_t, 3> corners(std::uint32_t t) const {
-    const auto& [a, b, c] = body_.placed.mesh->triangles[t];
-    return {topology_.position[a], topology_.position[b], topology_.position[c]};
-  }
   [[nodiscard]] int common_positions(std::uint32_t a, std::uint32_t b) const {
     int common = 0;
-    for (const std::uint32_t p : corners(a))
-      for (const std::uint32_t q : corners(b)) common += int{p == q};
+    for (const std::uint32_t p : topology_.corners(body_, a))
+      for (const std::uint32_t q : topology_.corners(body_, b)) common += int{p == q};
     return common;
   }
   [[nodiscard]] Triangle local(std::uint32_t t) const { return frame_.to_local(body_.triangle(t)); }
 
-  /// The two triangles of an edge that has no more.
+  /// The positions of an edge's ends, the lower one first.
+  using Edge = std::array<std::uint32_t, 2>;
+  [[nodiscard]] Edge edge_of(std::uint32_t t, std::size_t k) const {
+    const auto at = topology_.corners(body_, t);
+    return {std::min(at[k], at[(k + 1) % 3]), std::max(at[k], at[(k + 1) % 3])};
+  }
+
+  /// The two proper triangles that use an edge; nothing if there are more or fewer.
   using Pair = std::array<std::uint32_t, 2>;
-  std::optional<Pair> sheet_at(std::uint32_t t, std::size_t edge) {
-    if (pairs_.empty()) list_pairs();
-    const auto at = corners(t);
-    const auto found = pairs_.find(key(at[edge], at[(edge + 1) % 3]));
-    if (found == pairs_.end() || found->second[1] == kNone || found->second[0] == kNone) return std::nullopt;
-    return found->second;
+  [[nodiscard]] std::optional<Pair> sheet_at(const Edge& edge) const {
+    Pair pair{};
+    std::size_t uses = 0;
+    topology_.for_each_use(body_, edge[0], edge[1], [&](std::uint32_t t, std::uint32_t) {
+      if (!topology_.is_proper(t)) return;
+      if (uses < 2) pair[uses] = t;
+      ++uses;
+    });
+    return uses == 2 ? std::optional(pair) : std::nullopt;
   }
-  static std::uint64_t key(std::uint32_t p, std::uint32_t q) {
-    return std::uint64_t{std::min(p, q)} << 32 | std::max(p, q);
-  }
-  void list_pairs() {
-    for (std::uint32_t t = 0; t < body_.size(); ++t) {
-      if (!is_proper(t)) continue;
-      const auto at = corners(t);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [found, is_new] = pairs_.try_emplace(key(at[k], at[(k + 1) % 3]), Pair{t, kNone});
-        if (is_new) continue;
-        found->second = found->second[1] == kNone ? Pair{found->second[0], t} : Pair{kNone, kNone};
-      }
-    }
-  }
-  [[nodiscard]] Vec3 apex(std::uint32_t t, std::uint64_t edge) const {
-    const auto at = corners(t);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (at[k] != static_cast<std::uint32_t>(edge >> 32) && at[k] != static_cast<std::uint32_t>(edge))
-        return local(t)[k];
-    return local(t)[0];
+
+  /// The corner of a triangle that is not on its edge.
+  [[nodiscard]] Vec3 apex(std::uint32_t t, const Edge& edge) const {
+    const auto at = topology_.corners(body_, t);
+    std::size_t k = 0;
+    while (k < 2 && (at[k] == edge[0] || at[k] == edge[1])) ++k;
+    return local(t)[k];
   }
 
   /// Whether the surface passes through b, or through an edge of b, along an edge of a.
@@ -115,8 +101,9 @@ class SelfEdgeCrossings {
     for (std::size_t e = 0; e < 3; ++e) {
       const auto near = clipped({of_a[e], of_a[(e + 1) % 3]}, *slab);
       if (!near || norm(near->to - near->from) <= kFarther * tolerance_) continue;
-      const auto sheet = sheet_at(a, e);
-      if (sheet && passes_at(*sheet, key(corners(a)[e], corners(a)[(e + 1) % 3]), *near, b, *slab)) return true;
+      const Edge edge = edge_of(a, e);
+      const auto sheet = sheet_at(edge);
+      if (sheet && passes_at(*sheet, edge, *near, b, *slab)) return true;
     }
     return false;
   }
@@ -141,7 +128,7 @@ class SelfEdgeCrossings {
   }
 
   /// The sheets around the middle of what two triangles share: whether they alternate.
-  bool passes_at(const Pair& sheet, std::uint64_t edge, const Stretch& near, std::uint32_t b, const Slab& slab) {
+  bool passes_at(const Pair& sheet, const Edge& edge, const Stretch& near, std::uint32_t b, const Slab& slab) {
     const Vec3 middle = 0.5 * (near.from + near.to), along = near.to - near.from;
     const std::array<Vec3, 2> own{apex(sheet[0], edge) - middle, apex(sheet[1], edge) - middle};
     std::array<Vec3, 2> other;
@@ -150,8 +137,8 @@ class SelfEdgeCrossings {
     other = {cross(normal, along), cross(along, normal)};
     for (std::size_t e = 0; e < 3; ++e) {
       if (!is_on_line(near, {of_b[e], of_b[(e + 1) % 3]})) continue;
-      const auto sheet_b = sheet_at(b, e);
-      const std::uint64_t edge_b = key(corners(b)[e], corners(b)[(e + 1) % 3]);
+      const Edge edge_b = edge_of(b, e);
+      const auto sheet_b = sheet_at(edge_b);
       if (!sheet_b || edge_b == edge) return false;
       other = {apex((*sheet_b)[0], edge_b) - middle, apex((*sheet_b)[1], edge_b) - middle};
       return alternate(along, own, other);
@@ -213,7 +200,6 @@ class SelfEdgeCrossings {
   LocalFrame frame_;
   double tolerance_;  ///< in local units
   bool is_told_;
-  std::unordered_map<std::uint64_t, Pair> pairs_;
 };
 
 }  // namespace

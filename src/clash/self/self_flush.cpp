@@ -12,6 +12,7 @@
 #include "clash/local_frame.hpp"
 #include "clash/regions/shared_within.hpp"
 #include "clash/slab.hpp"
+#include "clash/wall.hpp"
 #include "core/disjoint_sets.hpp"
 #include "measure/nearest.hpp"
 
@@ -64,28 +65,24 @@ class SelfFlush {
     DisjointSets pieces(topology.positions);
     const auto each_proper = [&](const auto& look_at) {
       for (std::uint32_t t = 0; t < body.size(); ++t)
-        if (is_proper(t)) look_at(t);
+        if (topology.is_proper(t)) look_at(t);
     };
     each_proper([&](std::uint32_t t) {
-      const auto& [i, j, k] = body.placed.mesh->triangles[t];
-      pieces.join(topology.position[i], topology.position[j]), pieces.join(topology.position[i], topology.position[k]);
+      const auto [i, j, k] = topology.corners(body, t);
+      pieces.join(i, j), pieces.join(i, k);
     });
-    std::vector<Measure> measures(topology.positions);
-    Measure whole;
+    std::vector<AreaAndVolume> measures(topology.positions);
+    AreaAndVolume whole;
     piece_.resize(body.size());
     each_proper([&](std::uint32_t t) {
       const Triangle triangle = setting_.frame.to_local(body.triangle(t));
-      const Vec3 normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-      piece_[t] = pieces.find(topology.position[body.placed.mesh->triangles[t][0]]);
-      for (Measure* const measure : {&measures[piece_[t]], &whole})
-        measure->area += norm(normal) / 2, measure->volume += dot(triangle[0], normal) / 6;
+      piece_[t] = pieces.find(topology.corners(body, t)[0]);
+      measures[piece_[t]].add(triangle), whole.add(triangle);
     });
-    const auto most = [&](const Measure& m) {
-      return m.area > 0 ? 2 * std::abs(m.volume) / m.area / setting_.frame.unit / kOfWall : 0;
-    };
+    const auto most = [&](const AreaAndVolume& m) { return m.wall() / setting_.frame.unit / kOfWall; };
     is_outward_ = whole.volume > 0;
     whole_ = most(whole);
-    for (const Measure& measure : measures) most_.push_back(most(measure));
+    for (const AreaAndVolume& measure : measures) most_.push_back(most(measure));
   }
 
   /// Of all pairs: how far triangles may be from each other to be of interest.
@@ -98,7 +95,7 @@ class SelfFlush {
   }
 
   [[nodiscard]] bool is_one(const TrianglePair& pair) const {
-    if (!is_proper(pair.a) || !is_proper(pair.b)) return false;
+    if (!topology_.is_proper(pair.a) || !topology_.is_proper(pair.b)) return false;
     SharedWithinSetting setting = setting_;
     setting.tolerance = setting.resolution =
         std::min({setting.tolerance, most_[piece_[pair.a]], most_[piece_[pair.b]]});
@@ -121,11 +118,6 @@ class SelfFlush {
   }
 
  private:
-  struct Measure {
-    double area = 0, volume = 0;
-  };
-  [[nodiscard]] bool is_proper(std::uint32_t t) const { return topology_.shell[t] != solid::Topology::kNoShell; }
-
   /// Whether what lies half-way to the other triangle is before this one, and not behind it.
   [[nodiscard]] bool is_in_front(std::span<const Vec3> polygon, const Triangle& a, const Vec3& normal) const {
     double height = 0;

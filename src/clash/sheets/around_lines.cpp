@@ -90,10 +90,9 @@ std::vector<std::uint32_t> triangles_of(const Uses& uses) {
 std::vector<Uses> edges_of(const MetSide& side) {
   std::map<std::array<std::uint32_t, 2>, Uses> edges;
   for (std::uint32_t t = 0; t < side.sheets.ids.size(); ++t) {
-    const auto& corners = side.part.body.placed.mesh->triangles[side.sheets.ids[t]];
+    const auto corners = side.part.corners(side.sheets.ids[t]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = side.part.topology.position[corners[k]];
-      const std::uint32_t q = side.part.topology.position[corners[(k + 1) % 3]];
+      const std::uint32_t p = corners[k], q = corners[(k + 1) % 3];
       edges[{std::min(p, q), std::max(p, q)}].push_back(3 * t + static_cast<std::uint32_t>(k));
     }
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clash/kd_tree.hpp"
 #include "clash/sheets/common_corners.hpp"
 #include "core/vec3.hpp"
 #include "solid/part.hpp"
@@ -27,26 +28,14 @@ class EdgeCuts {
     std::uint32_t position;
     Vec3 at;
   };
-  /// What of the corners in the tree is near a piece of an edge.
-  struct Piece {
-    std::uint32_t from, to;  ///< positions
-    Segment edge;
-    double within;  ///< of the edge a corner is on it; 0: exactly
-    Vec3 start, end;
-  };
-  struct Range {
-    std::uint32_t first, last;
-  };
 
+  static std::vector<Corner> corners_of(const solid::Part& part, const std::vector<std::uint32_t>& ids);
   [[nodiscard]] const Corner& corner(std::uint32_t position) const;
-  void build(Range range);
-  void find(Range range, const Piece& piece, std::vector<std::uint32_t>& found) const;
 
   CornerReach reach_;
   double rounding_;
-  std::vector<Corner> corners_;       ///< sorted
-  std::vector<std::uint32_t> order_;  ///< places among the corners: a k-d tree, the middle of each range its root
-  std::vector<std::uint8_t> axis_;    ///< of the root in each place
+  std::vector<Corner> corners_;  ///< sorted by position
+  KdTree tree_;                  ///< over them
 };
 
 }  // namespace impinge::clash

@@ -13,12 +13,6 @@
 namespace impinge::clash {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;  ///< positions
-
-std::size_t place_of(std::uint32_t position, const Corners& corners) {
-  return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), position) - corners.begin());
-}
-
 /// What is beyond an edge.
 struct EdgeNeighbor {
   Triangle local;
@@ -26,29 +20,26 @@ struct EdgeNeighbor {
   int turn;          ///< -1 where its normal looks the other way
 };
 
-/// The one other triangle at the edge from a corner to the next; nothing if there are none or more. Those that are one
-/// but for the winding count as one.
+/// The one other boundary triangle at the edge from a corner to the next; nothing if there are none or several.
+/// Triangles with the same corners count as one.
 std::optional<EdgeNeighbor> neighbor(const PartTriangle& triangle, std::size_t edge) {
-  const auto& [offsets, triangles] = triangle.part.fans;
   const solid::Part& part = triangle.part;
-  const Corners own = corners_of(part, triangle.id);
-  std::uint32_t at = own[edge], far = own[(edge + 1) % 3];
-  if (offsets[far + 1] - offsets[far] < offsets[at + 1] - offsets[at]) std::swap(at, far);
+  const auto own = part.corners(triangle.id);
   const std::uint32_t own_apex = own[(edge + 2) % 3];
   std::optional<EdgeNeighbor> found;
   std::uint32_t apex = own_apex;
-  for (const std::uint32_t t : std::span(triangles).subspan(offsets[at], offsets[at + 1] - offsets[at])) {
-    const Corners corners = corners_of(part, t);
-    const std::size_t from = place_of(at, corners), to = place_of(far, corners);
-    if (t == triangle.id || to == 3 || !part.is_boundary(t)) continue;
-    const std::uint32_t next_apex = corners[3 - from - to];
-    if (next_apex == own_apex || (found && next_apex == apex)) continue;
-    if (found) return std::nullopt;
+  bool is_only = true;
+  part.topology.for_each_use(part.body, own[edge], own[(edge + 1) % 3], [&](std::uint32_t t, std::uint32_t corner) {
+    if (t == triangle.id || !part.is_boundary(t)) return;
+    const auto corners = part.corners(t);
+    const std::uint32_t next_apex = corners[(corner + 2) % 3];
+    if (next_apex == own_apex || (found && next_apex == apex)) return;
+    if (found) is_only = false;
     apex = next_apex;
-    const bool runs = to == (from + 1) % 3, own_runs = at == own[edge];
-    found = {triangle.frame.to_local(part.body.triangle(t)), 3 - from - to, runs != own_runs ? 1 : -1};
-  }
-  return found;
+    const int turn = corners[corner] == own[edge] ? -1 : 1;
+    found = {triangle.frame.to_local(part.body.triangle(t)), (corner + 2) % 3, turn};
+  });
+  return is_only ? found : std::nullopt;
 }
 
 /// Of unit length; nothing where it may be off by more than 2^-20 (see make_slab).

@@ -14,27 +14,18 @@
 namespace impinge::clash {
 namespace {
 
-/// Whether those of a part's triangles that have an edge in common with this one all go the same way from it as it
-/// does.
+/// Whether all boundary triangles that use an edge go the same way from it as the given one does.
 bool is_end(const std::array<std::uint32_t, 2>& edge, const TriangleEdge& of, const solid::Part& part) {
-  const auto& [offsets, triangles] = part.fans;
-  std::uint32_t at = edge[0], far = edge[1];
-  if (offsets[far + 1] - offsets[far] < offsets[at + 1] - offsets[at]) std::swap(at, far);
-  const auto fan = std::span(triangles).subspan(offsets[at], offsets[at + 1] - offsets[at]);
-  return std::all_of(fan.begin(), fan.end(), [&](std::uint32_t t) {
-    if (t == of.triangle || !part.is_boundary(t)) return true;
-    const auto corners = corners_of(part, t);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
-      if (((from == at && to == far) || (from == far && to == at)) && !go_one_way(part, of, {t, k})) return false;
-    }
-    return true;
+  bool ends = true;
+  part.topology.for_each_use(part.body, edge[0], edge[1], [&](std::uint32_t t, std::uint32_t corner) {
+    ends = ends && (t == of.triangle || !part.is_boundary(t) || go_one_way(part, of, {t, corner}));
   });
+  return ends;
 }
 
 /// Whether the surface ends there too as the whole part has it, which may go on in triangles that the sheets leave out.
 bool is_end(const Sheets::End& end, const solid::Part& part) {
-  const auto corners = corners_of(part, end.of.triangle);
+  const auto corners = part.corners(end.of.triangle);
   return is_end(end.positions, end.of, part) &&
          is_end({corners[end.of.corner], corners[(end.of.corner + 1) % 3]}, end.of, part);
 }
@@ -52,12 +43,12 @@ class Borders {
   Borders(const solid::Part& part, const Box& box, const CornerReach& reach) : part_(part), reach_(reach) {
     std::vector<broad::BoxTree::Entry> entries;
     for (const auto& edge : part.topology.open_edges)
-      each_use(edge, [&](const TriangleEdge& use) {
-        const Triangle t = part.body.triangle(use.triangle);
-        const Segment at{t[use.corner], t[(use.corner + 1) % 3]};
-        if (!overlap(box_of(at), box)) return;
+      part.topology.for_each_use(part.body, edge[0], edge[1], [&](std::uint32_t id, std::uint32_t corner) {
+        const Triangle t = part.body.triangle(id);
+        const Segment at{t[corner], t[(corner + 1) % 3]};
+        if (!part.is_boundary(id) || !overlap(box_of(at), box)) return;
         entries.emplace_back(box_of(at), static_cast<std::uint32_t>(edges_.size()));
-        edges_.push_back({at, use});
+        edges_.push_back({at, {id, corner}});
       });
     tree_.build(entries);
   }
@@ -93,22 +84,6 @@ class Borders {
     Segment at;
     TriangleEdge use;
   };
-
-  /// Calls `take` with each of a part's triangles that use an edge.
-  template <class Take>
-  void each_use(const std::array<std::uint32_t, 2>& edge, const Take& take) const {
-    const auto& [offsets, triangles] = part_.fans;
-    const auto size = [&](std::uint32_t position) { return offsets[position + 1] - offsets[position]; };
-    const std::uint32_t at = size(edge[0]) <= size(edge[1]) ? edge[0] : edge[1];
-    for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
-      if (!part_.is_boundary(triangles[i])) continue;
-      const auto corners = corners_of(part_, triangles[i]);
-      for (std::uint32_t k = 0; k < 3; ++k)
-        if (std::array{corners[k], corners[(k + 1) % 3]} == edge ||
-            std::array{corners[(k + 1) % 3], corners[k]} == edge)
-          take(TriangleEdge{triangles[i], k});
-    }
-  }
 
   /// Where along a piece, in lengths from its beginning, an edge runs within a distance of it.
   static void add_covered(const Segment& piece, const Segment& edge, double within,

@@ -38,7 +38,7 @@ std::vector<Stand> stands_of(const solid::Part& part, const std::vector<std::uin
   };
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < ids.size(); ++i) {
-    auto corners = corners_of(part, ids[i]);
+    auto corners = part.corners(ids[i]);
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     const int way = corners[1] < corners[2] ? 1 : -1;
     std::sort(corners.begin(), corners.end());
@@ -75,7 +75,7 @@ std::vector<EdgeUse> edge_uses(const solid::Part& part, const std::vector<std::u
   std::vector<EdgeUse> uses;
   for (std::uint32_t i = 0; i < ids.size(); ++i) {
     if (stands[i].index != i) continue;
-    const auto corners = corners_of(part, ids[i]);
+    const auto corners = part.corners(ids[i]);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
       uses.push_back({std::min(from, to), std::max(from, to), i, k, from < to ? 1 : -1});
@@ -117,7 +117,7 @@ std::vector<EdgeUse> cut_up(const std::vector<EdgeUse>& uses, const solid::Part&
     for (std::uint32_t& position : along) position = common.of(position);
     // A triangle may be so narrow that its third corner is on the edge but for the tolerance.
     for (const EdgeUse& use : edge)
-      if (along.size() > 2) std::erase(along, common.of(corners_of(part, ids[use.triangle])[(use.corner + 2) % 3]));
+      if (along.size() > 2) std::erase(along, common.of(part.corners(ids[use.triangle])[(use.corner + 2) % 3]));
     along.erase(std::unique(along.begin(), along.end()), along.end());
     for (EdgeUse use : edge) {
       const int way = use.way;
@@ -205,7 +205,7 @@ void find_clusters(const solid::Part& part, const std::vector<EdgeUse>& uses, co
                    Sheets& sheets) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;
   for (std::uint32_t i = 0; i < sheets.ids.size(); ++i)
-    for (const std::uint32_t position : corners_of(part, sheets.ids[i])) corners.emplace_back(common.of(position), i);
+    for (const std::uint32_t position : part.corners(sheets.ids[i])) corners.emplace_back(common.of(position), i);
   for (const EdgeUse& use : uses)
     corners.emplace_back(use.low, use.triangle), corners.emplace_back(use.high, use.triangle);
   std::sort(corners.begin(), corners.end());
@@ -216,11 +216,6 @@ void find_clusters(const solid::Part& part, const std::vector<EdgeUse>& uses, co
 }
 
 }  // namespace
-
-std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle) {
-  const auto& [a, b, c] = part.body.placed.mesh->triangles[triangle];
-  return {part.topology.position[a], part.topology.position[b], part.topology.position[c]};
-}
 
 bool go_one_way(const solid::Part& part, const TriangleEdge& p, const TriangleEdge& q) {
   constexpr double kFlat = 0x1p-6;  // what the tolerance parts is folded up flat as well

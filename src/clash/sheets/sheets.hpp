@@ -53,9 +53,6 @@ struct Sheets {
   }
 };
 
-/// Positions.
-std::array<std::uint32_t, 3> corners_of(const solid::Part& part, std::uint32_t triangle);
-
 /// Whether of two triangles at a line along which both have an edge one lies on the other: the surface is folded up
 /// flat there, if they are of one.
 bool go_one_way(const solid::Part& part, const TriangleEdge& p, const TriangleEdge& q);
