@@ -21,20 +21,21 @@ bool has_inner_shells(const solid::Part& part) {
   return std::any_of(part.sides.begin(), part.sides.end(), [](const auto& side) { return side.front == side.back; });
 }
 
-/// What of one part is near the other.
+/// The triangles of one part that are near the other.
 struct NearSide {
   const std::vector<std::uint32_t>& triangles;  ///< sorted
-  std::vector<TrianglePair> pairs;              ///< own first, sorted; not those of two small ones
+  std::vector<TrianglePair> pairs;              ///< own triangle first, sorted, without pairs of two small triangles
   const LeftOut& left_out;
 };
 
-/// One part's boundary against the other's.
+/// Locates the boundary of one part in the other.
 class OneSide {
  public:
   OneSide(const solid::Part& own, const solid::Part& other, const LocatorSettings& space, NearSide near)
       : own_(own), other_(other), space_(space), near_(std::move(near)) {}
 
-  /// The bits of what has no near triangle of the other's: shells, and the rims of what is left of those that have.
+  /// The bits of triangles that are not near the other part: by a vertex of each shell without near triangles, and by
+  /// the vertices at which near triangles adjoin others.
   std::uint8_t look_at_clear() {
     std::vector<bool> is_met(own_.topology.shells, false);
     std::uint32_t unmet = own_.topology.shells;
@@ -55,8 +56,8 @@ class OneSide {
     return bits | look_at_rims();
   }
 
-  /// The bits of the near triangles, cut into pieces; `so_far` is told of each triangle's, and ends it by true. False
-  /// if some could not be told.
+  /// The bits of the near triangles, which are cut into pieces. Passes those of each triangle to `so_far`, until it
+  /// returns true. False if some triangle could not be located.
   template <class SoFar>
   bool look_at_near(const SoFar& so_far) {
     TriangleLocator near(other_, space_);
@@ -78,7 +79,7 @@ class OneSide {
 
  private:
   [[nodiscard]] std::uint32_t shell_of(std::uint32_t triangle) const { return own_.topology.shell[triangle]; }
-  /// To a solid's boundary degenerate triangles add nothing; a surface has the segments and points that they are.
+  /// Degenerate triangles are segments or points: they are no part of a solid's boundary, but of a surface.
   [[nodiscard]] bool has_degenerate_cells() const { return !own_.solid && own_.topology.degenerate > 0; }
   [[nodiscard]] bool counts(std::uint32_t triangle) const {
     return !own_.solid || shell_of(triangle) != solid::Topology::kNoShell;

@@ -10,15 +10,15 @@
 
 namespace impinge::clash {
 
-/// Where the boundaries of two parts lie to each other, to within a tolerance: kNear is what is certainly no farther
-/// than that from the other's boundary; kInside and kOutside stand for points that are farther, or not certainly near.
-/// Of a part that is not solid there is no inside: all that is not near is kOutside.
+/// Where the boundary of each of two parts lies in the other, within a tolerance: kNear stands for points certainly no
+/// farther than that from the other boundary, kInside and kOutside for all others. A part that is not solid has no
+/// inside: all points that are not near it are kOutside.
 ///
-/// Stops early once `enough(cells)`. Nothing where floating point cannot tell apart what it must, a shell is no
-/// boundary, or it was asked to stop.
+/// Stops early once `enough(cells)`. Nothing where the tolerance is too small for floating point, a part has internal
+/// walls, or a stop was requested.
 struct CellsWithinSearch {
   double tolerance;
-  const ContactPairs& contact_pairs;  ///< of the two, within the tolerance
+  const ContactPairs& contact_pairs;  ///< of the two parts, within the tolerance
   solid::Enough enough;
   std::stop_token stop{};
 };

@@ -17,18 +17,18 @@ namespace {
 
 bool is_proper(const Triangle& t) { return exact::find_projection(t[0], t[1], t[2]) >= 0; }
 
-/// Of triangles that share one corner and nothing else.
+/// The kind of contact of two triangles that share one corner and nothing else.
 Kind kind_of(const Triangle& a, const Triangle& b, std::size_t corner_b) {
   for (const std::size_t other : {(corner_b + 1) % 3, (corner_b + 2) % 3})
     if (exact::orient3d(a[0], a[1], a[2], b[other]) != 0) return Kind::touching;
   return is_proper(a) && is_proper(b) ? Kind::coplanar : Kind::touching;
 }
 
-/// Of triangles; takes no room until one is there.
+/// A set of triangles that takes no memory while it is empty.
 class Marks {
  public:
   [[nodiscard]] bool has(std::uint32_t triangle) const { return !marks_.empty() && marks_[triangle]; }
-  /// False if it was there.
+  /// Returns false if the triangle was in the set.
   bool add(std::uint32_t triangle, std::size_t triangles) {
     if (marks_.empty()) marks_.resize(triangles);
     const bool is_new = !marks_[triangle];
@@ -102,7 +102,7 @@ class ContactSearch {
   const solid::Body &a_, &b_;
   const ContactPairsGoal& goal_;
   ContactPairs result_;
-  Marks small_a_, small_b_;  ///< those that are near, in some pair of small ones
+  Marks small_a_, small_b_;  ///< triangles in some near pair of small ones
 };
 
 }  // namespace

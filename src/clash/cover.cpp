@@ -18,7 +18,7 @@ struct Plane {
   Vec3 origin, normal;
 };
 
-/// By the two edges that are the farthest from being parallel; nothing where the sine of their angle is small.
+/// The plane through the two edges that are farthest from parallel; nothing where the sine of their angle is small.
 std::optional<Plane> plane_of(const Triangle& t) {
   constexpr double kLeastSine = 0.125;
   const auto direction = [](const Vec3& from, const Vec3& to) { return (1 / norm(to - from)) * (to - from); };
@@ -46,7 +46,7 @@ Point2 operator-(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.
 double cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
 double length(const Point2& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
-/// Whether they are farther apart along a line's normal than `gap`.
+/// Whether two sets of points are farther apart than `gap` along the normal of a line.
 template <class Points, class Others>
 bool are_apart_across(const Point2& from, const Point2& to, const Points& points, const Others& others, double gap) {
   const Point2 along = to - from;
@@ -66,12 +66,12 @@ bool are_apart_across(const Point2& from, const Point2& to, const Points& points
   return lo > hi_other + gap || lo_other > hi + gap;
 }
 
-/// Seen along the normal of the whole triangle, with all that lies flat on it.
+/// Projects the piece and the triangles that lie flat on it along the normal of the whole triangle.
 ///
 /// Heights of a triangle's vertices over the other's plane are off by the length to them, 3.5 largest coordinates at
 /// most, times the error of the normal, 2^-50 over the sine, which is below w; so with heights of w at most the two
-/// are within 2 w of each other wherever one lies over the other, or 2.1 w along the whole's normal. Points as they
-/// are seen are off by less than w / 8, and true points of the piece by another w.
+/// are within 2 w of each other wherever one lies over the other, or 2.1 w along the whole's normal. Projected points
+/// are off by less than w / 8, and the true points of the piece are within another w of the computed ones.
 class Cover {
  public:
   Cover(const CoverSearch& search, const Plane& plane) : search_(search), plane_(plane) {
@@ -81,8 +81,8 @@ class Cover {
     for (const Vec3& p : search.piece) piece_.push_back(seen(p));
   }
 
-  /// Let U be what the flat ones cover. If it holds one point of the piece and not another, then somewhere on the way
-  /// from one to the other, which can be chosen to meet no vertex, U ends: at an edge over the piece, of a flat
+  /// Let U be the union of the flat triangles. If it holds one point of the piece and not another, then somewhere on
+  /// the way from one to the other, which can be chosen to meet no vertex, U ends: at an edge over the piece, of a flat
   /// triangle. But if each of those is the edge of another flat one on its other side too, U does not end there.
   [[nodiscard]] bool is_whole() {
     if (!holds_one_point()) return false;
@@ -101,7 +101,7 @@ class Cover {
  private:
   struct Edge {
     Vec3 from, to;
-    int side;  ///< where its triangle is; 0 where that is not certain
+    int side;  ///< the side on which the triangle lies; 0 where that is not certain
   };
   static bool before(const Edge& p, const Edge& q) {
     const auto key = [](const Edge& e) { return std::tie(e.from.x, e.from.y, e.from.z, e.to.x, e.to.y, e.to.z); };
@@ -120,14 +120,14 @@ class Cover {
     return farthest_from(plane_, t) <= search_.w || farthest_from(*plane, search_.whole) <= search_.w;
   }
 
-  /// Of a point, or of a triangle's third corner; 0 if it may be on the other side.
+  /// On which side of an edge a point lies; 0 if rounding may have put it there.
   [[nodiscard]] int side(const Point2& from, const Point2& to, const Point2& p) const {
     const double turn = cross(to - from, p - from);
     if (!(std::abs(turn) > 2 * search_.w * (length(to - from) + length(p - from)))) return 0;
     return turn > 0 ? 1 : -1;
   }
 
-  /// Any but one through which edges of a regular mesh often run.
+  /// Tests one point of the piece: not its middle, through which edges of regular meshes often run.
   [[nodiscard]] bool holds_one_point() const {
     const Polygon& piece = search_.piece;
     const Point2 p = seen(0.71 * piece.middle() + 0.18 * piece[0] + 0.11 * piece[1]);

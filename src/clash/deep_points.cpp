@@ -33,7 +33,7 @@ std::vector<Shell> shells_of(const solid::Part& part) {
 
 double area_of(const Triangle& t) { return norm(cross(t[1] - t[0], t[2] - t[0])) / 2; }
 
-/// The deepest of some points under a triangle's middle.
+/// The deepest of some points on the inward normal from a triangle's centroid.
 std::optional<DeepPoint> deepest_below(const solid::Part& part, std::uint32_t t, const LocalFrame& frame, double size) {
   constexpr int kTries = 10;
   const Triangle triangle = part.body.triangle(t), local = frame.to_local(triangle);
@@ -66,7 +66,7 @@ std::vector<DeepPoint> deep_points(const solid::Part& part, double enough) {
     if (shell.triangles.empty()) continue;
     const LocalFrame frame = local_frame(shell.box, shell.box);
     const double size = norm(frame.unit * (shell.box.hi - shell.box.lo)) / frame.unit;
-    // Under the largest: below a sliver another face is near.
+    // The largest triangles come first: below a sliver another face is near.
     std::vector<std::pair<double, std::uint32_t>> order;
     for (const std::uint32_t t : shell.triangles)
       order.emplace_back(-area_of(frame.to_local(part.body.triangle(t))), t);

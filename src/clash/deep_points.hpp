@@ -9,14 +9,15 @@
 
 namespace impinge::clash {
 
-/// A point of a solid's interior.
+/// A point in the interior of a solid.
 struct DeepPoint {
   Vec3 point;
-  double depth;         ///< its distance from the boundary is at least this
-  std::uint32_t shell;  ///< the nearest: nothing of the boundary is between it and the point
+  double depth;         ///< a lower bound of its distance from the boundary
+  std::uint32_t shell;  ///< the nearest shell: no other part of the boundary lies between it and the point
 };
 
-/// Up to three for each shell, deeper than what is enough if a few tries find such; none for a shell that is too thin.
+/// Up to three points for each shell of a solid. A few places are tried, until three points are deeper than `enough`; a
+/// shell that is too thin has none.
 std::vector<DeepPoint> deep_points(const solid::Part& part, double enough);
 
 }  // namespace impinge::clash

@@ -10,17 +10,17 @@
 
 namespace impinge::clash {
 
-/// The pairs of a mesh's own triangles that keep it from being a solid: how many, and the first in order.
+/// The pairs of a mesh's own triangles that keep it from being a solid: their number, and the first in order.
 struct Defects {
   std::uint64_t count = 0;
   std::optional<TrianglePair> first{};
 };
 
-/// The defects of a mesh as it was made, kept for whoever asks next: they do not depend on where it stands. Those of
-/// the last tolerance alone. Safe from many threads.
+/// Keeps the defects of a mesh in its own frame, which do not depend on its pose, for the last tolerance alone. Safe to
+/// use from several threads.
 class DefectCache {
  public:
-  /// Nothing if this was not the last tolerance.
+  /// Nothing if another tolerance was the last.
   [[nodiscard]] std::optional<Defects> find(const std::optional<double>& tolerance) const {
     const std::lock_guard lock(mutex_);
     return tolerance == tolerance_ ? defects_ : std::nullopt;

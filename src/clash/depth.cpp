@@ -20,15 +20,15 @@
 namespace impinge::clash {
 namespace {
 
-/// A part of a triangle, and the most that any of its points is deep.
+/// A piece of a triangle with an upper bound of the depth of its points.
 struct TrianglePiece {
   Polygon polygon;
   double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
-  std::vector<std::uint32_t> near;  ///< the other body's triangles that may come near; none: it is all on one side
-  std::uint32_t whole = 0;          ///< the triangle that it is of
-  bool is_inside = false;           ///< the middle; not looked up where it does not matter
-  double most = 0, radius = 0;
-  std::uint32_t nearest = 0;  ///< the other body's triangle that is nearest to the middle
+  std::vector<std::uint32_t> near;  ///< triangles of the other body that may be near; if none, the piece is on one side
+  std::uint32_t whole = 0;          ///< the triangle from which it was cut
+  bool is_inside = false;           ///< whether the middle is inside; not computed where it does not matter
+  double most = 0, radius = 0;  ///< the upper bound of the depth; the distance of the farthest vertex from the middle
+  std::uint32_t nearest = 0;    ///< the other body's triangle that is nearest to the middle
   friend bool operator<(const TrianglePiece& p, const TrianglePiece& q) { return p.most < q.most; }
 };
 
@@ -39,13 +39,13 @@ Vec3 unit(const Vec3& v) {
 
 double longest_edge(const Triangle& t) { return std::max({norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2])}); }
 
-/// Whether a plane across `n` shows that they are farther apart than `gap`.
+/// Whether a plane normal to `n` separates the polygon from the triangle by more than `gap`.
 bool are_apart_along(const Vec3& n, const Polygon& polygon, const Triangle& t, double gap) {
   const double most = std::max({0.0, dot(n, t[1] - t[0]), dot(n, t[2] - t[0])}) + gap * norm(n);
   return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& v) { return dot(n, v - t[0]) > most; });
 }
 
-/// Most are told apart by the triangle's own plane or sides.
+/// Whether the polygon may be within `gap` of the triangle. The triangle's own plane or sides separate most pairs.
 bool are_near(const Polygon& polygon, const Triangle& t, double gap) {
   const Vec3 up = cross(unit(t[1] - t[0]), unit(t[2] - t[0]));
   if (are_apart_along(up, polygon, t, gap) || are_apart_along(-1.0 * up, polygon, t, gap)) return false;
@@ -56,8 +56,8 @@ bool are_near(const Polygon& polygon, const Triangle& t, double gap) {
   return false;
 }
 
-/// The side of a flat body that stands off a triangle by `margin` over which a polygon reaches farthest, and which cuts
-/// it; sharp corners are cut off, as those of a slab are. With its top and bottom only if asked for.
+/// Offsets the sides of a triangle by `margin`, cutting off sharp corners as make_slab does, and returns the one that
+/// cuts the polygon and over which the polygon reaches farthest. `with_top`: the offset faces count too.
 std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle& t, double margin, bool with_top) {
   std::optional<HalfSpace> best;
   double most_over = 1.125 * margin;
@@ -81,16 +81,17 @@ std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle
   return best;
 }
 
-/// Branch and bound: the piece that may be deepest is cut in two until it is known well enough.
+/// Branch and bound: the piece with the greatest upper bound is cut in two until the interval is narrow enough.
 ///
 /// Let W be the largest coordinate and w = 2^-45 W. Pieces that were cut so often that their points may have moved by
 /// more than w are cut no further. Triangles of the other body that are farther than 5 w from a triangle, or than 3.5 w
 /// from a piece of it, are more than 2.5 w from the true piece, whose points are within w of the computed ones: neither
 /// they nor the way to its computed middle meet them. Where that goes for all of them, the piece is on one side.
 ///
-/// A piece that comes near a triangle is cut along the sides of a flat body that stands off by 4 w: what is in the body
-/// is some w deep at most, which is nothing, and the rest is clear of that triangle. So what lies outside but touches,
-/// beside a flush face or on top of it, is told after a few cuts. Halving it would go on down to that depth, all along.
+/// A piece that comes near a triangle is cut along the sides of the triangle offset by 4 w: the part within is some w
+/// deep at most, which counts as 0, and the rest is clear of that triangle. So pieces that lie outside but touch,
+/// beside a flush face or on top of it, are decided after a few cuts. Halving would go on down to that depth all along
+/// the face.
 class Search {
  public:
   Search(const solid::Body& inner, const solid::Body& outer, const DepthGoal& goal)
@@ -124,9 +125,10 @@ class Search {
  private:
   [[nodiscard]] bool is_good(double most) const { return most <= (1 + goal_.precision) * least_ || most <= nothing_; }
 
-  // Depth is 0 outside, and no two points' depths differ by more than their distance: with the middle in the depth d,
-  // no point of a piece of radius r is deeper than d + r, and with it farther than r outside none is inside at all. Nor
-  // is any farther from the boundary than the farthest vertex is from any one triangle of it, which is convex.
+  // Depth is 0 outside, and the depths of two points differ by no more than their distance: if the middle of a piece of
+  // radius r has the depth d, no point of it is deeper than d + r, and if the middle is outside and farther than r from
+  // the boundary, no point is inside. Nor is any point farther from the boundary than the farthest vertex of the piece
+  // is from any one triangle, since distance from a convex set is convex.
   void look_at(TrianglePiece piece) {
     ++effort_;
     const Vec3 middle = piece.polygon.middle();
@@ -203,8 +205,9 @@ class Search {
     return near;
   }
 
-  /// Along the border of the triangle that is nearest, where the piece reaches over it: what lies over one triangle is
-  /// as far from it as its vertices are. Or out of a triangle that it comes near. Where these are small, in halves.
+  /// Cuts a piece along the border of the nearest triangle if it reaches beyond that (over one triangle the distance is
+  /// greatest at a vertex of the piece), or out of a triangle to which it is near; otherwise, and where these triangles
+  /// are small beside the piece, in halves.
   [[nodiscard]] Cut part(const TrianglePiece& piece) const {
     if (piece.polygon.is_full()) return halve(piece.polygon);
     const bool is_clear = piece.near.empty();
@@ -217,20 +220,20 @@ class Search {
     return halve(piece.polygon);
   }
 
-  static constexpr std::size_t kBoxesAPoint = 256;  ///< are looked at in no more time
-  static constexpr std::size_t kEdgesAPoint = 16;   ///< likewise the edges of so many triangles
+  static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
+  static constexpr std::size_t kEdgesAPoint = 16;   ///< the edges of so many triangles take as much time as one point
 
   const solid::Body &inner_, &outer_;
   const DepthGoal& goal_;
   double largest_;
   double most_drift_ = 0x1p-45 * largest_;  ///< w above
   double near_ = 3.5 * most_drift_, beside_ = 4 * most_drift_;
-  double nothing_ = 8 * most_drift_;   ///< no depth is found out more closely
-  double floor_ = 0x1p-48 * largest_;  ///< what rounding leaves of a length
-  double least_ = 0;                   ///< some point is so deep
-  double laid_aside_ = 0;              ///< none of the pieces that were laid aside is deeper
+  double nothing_ = 8 * most_drift_;   ///< a depth up to this counts as 0
+  double floor_ = 0x1p-48 * largest_;  ///< the rounding error of a length
+  double least_ = 0;                   ///< some point is at least so deep
+  double laid_aside_ = 0;              ///< no piece that was laid aside is deeper
   std::priority_queue<TrianglePiece> open_;
-  std::uint64_t effort_ = 0;  ///< in points looked at
+  std::uint64_t effort_ = 0;  ///< in points examined
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ bool have_one_normal(const Triangle& a, const Triangle& b) {
   return exact::orient2d(p, a[0], a[1], a[2]) == exact::orient2d(p, b[0], b[1], b[2]);
 }
 
-/// One pair of parts on its way to a verdict.
+/// Judges one pair of parts under one tolerance.
 class Case {
  public:
   Case(const MeasuredPart& a, const MeasuredPart& b, const JudgeGoal& goal)
@@ -59,7 +59,7 @@ class Case {
     if (is_asked && met_.is_near()) j.note = Note::tolerance_not_applied;
   }
 
-  /// A surface has no wall; there its extent stands for it.
+  /// The lesser thickness of the two parts: the thinnest wall of a solid, the extent of a surface.
   static double thinnest(const MeasuredPart& a, const MeasuredPart& b) {
     const auto thickness = [](const MeasuredPart& known) {
       const solid::Part& part = known.part;
@@ -83,7 +83,7 @@ class Case {
   }
   bool is_exact(Verdict verdict) { return find_exactly().verdict == verdict; }
 
-  /// False where floating point, or the points that are looked at, cannot tell.
+  /// Judges with the tolerance. False where floating point, or the deep points, cannot decide.
   bool judge_nearly() {
     const auto found = cells_within(a_, b_, {judgement_.tolerance, met_, enough(), goal_.stop});
     if (!found) return false;
@@ -100,9 +100,10 @@ class Case {
     return true;
   }
 
-  /// What is near is shared: with both interiors on one side if somewhere deep within the one part lies the other too.
-  /// And what lies deep within one and outside of the other is not inside of it, wherever its boundary is near.
-  /// False if no point tells, while all of both is near: they may be one or lie side by side.
+  /// Decides by deep points where the boundaries are near each other. If a point deep inside one solid is inside the
+  /// other too, the near boundaries have both interiors on one side; if it is outside, the one solid is not inside the
+  /// other. False if no point decides while all of both boundaries is near: the solids may be equal or lie side by
+  /// side.
   bool look_deep(Cells& cells) const {
     constexpr std::uint8_t kFarOff = solid::kInside | kOutside;
     const Spread of_a = spread(measured_a_, b_), of_b = spread(measured_b_, a_);
@@ -122,14 +123,14 @@ class Case {
     const auto overlap = [&](const exact::Contact& contact) { return has_interiors_on_one_side(contact); };
     if (verdict == Verdict::touching && std::any_of(met_.contacts.begin(), met_.contacts.end(), overlap))
       return differs;
-    // Boundaries that are cut where they meet the other may go on beyond without a pair that crosses.
+    // Where meshes have edges along the line in which their boundaries cross, no pair of triangles crosses.
     const bool is_so = verdict == Verdict::touching && kinds_.a_is_solid && kinds_.b_is_solid
                            ? are_parted() || !solid::reach_into_each_other(a_, b_, met_.contacts)
                            : is_exact(verdict);
     return is_so ? Note::none : differs;
   }
 
-  /// Whether the plane of some shared area has the two on either side: most flush parts lie so.
+  /// Whether the plane of some common area separates the two parts, as it does most flush parts.
   [[nodiscard]] bool are_parted() const {
     const auto& contacts = met_.contacts;
     const auto flush = std::find_if(contacts.begin(), contacts.end(),
@@ -164,8 +165,8 @@ class Case {
     return (front(a_, contact.a) == front(b_, contact.b)) == same_way;
   }
 
-  /// Where points deep within one solid are to the other, of those that tell: farther than the tolerance from either's
-  /// boundary.
+  /// Whether some deep points of one solid are inside or outside of the other. Only points farther than the tolerance
+  /// from both boundaries count.
   struct Spread {
     bool inside = false, outside = false;
   };
@@ -187,7 +188,7 @@ class Case {
   const JudgeGoal& goal_;
   Kinds kinds_;
   double thinnest_;
-  ContactPairs met_;  ///< within the tolerance
+  ContactPairs met_;  ///< the pairs within the tolerance
   Judgement judgement_;
 };
 

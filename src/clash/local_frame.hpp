@@ -20,7 +20,7 @@ struct LocalFrame {
 /// The largest |coordinate| in a box; 0 in an empty one.
 double largest_coordinate(const Box& box);
 
-/// For what lies in either box.
+/// The frame for points in either box: about the middle of the smaller one.
 LocalFrame local_frame(const Box& a, const Box& b);
 
 }  // namespace impinge::clash

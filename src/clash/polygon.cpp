@@ -9,7 +9,7 @@ namespace {
 
 using Heights = std::array<double, Polygon::kMost>;
 
-/// From the highest corner to the lowest, either way around.
+/// Flattens corners that rise above the plane again on the way from the highest corner to the lowest.
 void keep_below(Heights& height, std::size_t from, std::size_t to, std::size_t step, std::size_t size) {
   bool is_below = false;
   for (std::size_t i = from; i != to; i = (i + step) % size) {
@@ -18,8 +18,9 @@ void keep_below(Heights& height, std::size_t from, std::size_t to, std::size_t s
   }
 }
 
-/// Around a convex polygon heights fall once and rise once. Where they do not, the polygon is not quite convex for
-/// rounding, and what is in the way lies on the plane but for as much: so a plane meets two borders at most.
+/// Around a convex polygon heights fall once and rise once. Where they do not, rounding has made the polygon not quite
+/// convex, and the corners in question lie on the plane up to rounding. With these at height 0 a plane meets two edges
+/// at most.
 void keep_one_fall(Heights& height, std::size_t size) {
   std::size_t above = 0, below = 0;  // runs
   for (std::size_t i = 0; i < size; ++i) {

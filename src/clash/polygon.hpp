@@ -10,14 +10,14 @@
 
 #include "core/vec3.hpp"
 
-/// Convex polygons in space, in floating point: pieces of a triangle. Cuts are off by a few roundings of the
-/// coordinates; whoever cuts leaves a margin for them.
+/// Convex polygons in space, in floating point: pieces of a triangle. The vertices that a cut makes are off by a few
+/// roundings of the coordinates, for which callers leave a margin.
 namespace impinge::clash {
 
 /// A convex polygon of a few vertices.
 class Polygon {
  public:
-  static constexpr std::size_t kFull = 12, kMost = 24;  ///< a cut adds one vertex at most; whoever cuts looks
+  static constexpr std::size_t kFull = 12, kMost = 24;  ///< a cut adds one vertex at most; callers halve a full polygon
 
   Polygon() = default;
   explicit Polygon(const Triangle& triangle) : points_{triangle[0], triangle[1], triangle[2]}, size_(3) {}
@@ -51,7 +51,7 @@ struct Cut {
 };
 Cut cut(const Polygon& polygon, const HalfSpace& half_space);
 
-/// Across its greatest extent along an axis.
+/// Cuts a polygon in half across the axis along which it is longest.
 Cut halve(const Polygon& polygon);
 
 }  // namespace impinge::clash

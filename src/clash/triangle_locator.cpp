@@ -16,9 +16,10 @@ using solid::kInside;
 using solid::kNear;
 using solid::kOutside;
 
-/// In tolerances: pieces of at most this radius are halved until they are small, rather than cut by a great many slabs.
+/// Pieces with a radius of at most so many tolerances are halved until they are small, rather than cut by many slabs.
 constexpr double kHalved = 32;
-/// Of the tolerance: a triangle so near leaves room for the piece itself; where none is, the nearest is the best.
+/// A triangle within this share of the tolerance of a point leaves room for the piece around it; where there is none,
+/// the nearest triangle is taken.
 constexpr double kNotTooNear = 0.75;
 
 double radius(const Polygon& piece, const Vec3& middle) {
@@ -52,13 +53,14 @@ std::optional<std::uint8_t> TriangleLocator::look_at(const Triangle& triangle, s
   return is_exhausted() ? std::nullopt : std::optional(bits_);
 }
 
-// A triangle takes a step for each slab and piece, or for each two slabs where they lie over each other; with many
-// more, floating point got lost.
+// A triangle takes a step for each slab and piece, or for each two slabs that overlap. Many more steps mean that
+// rounding keeps the search from ending.
 bool TriangleLocator::is_exhausted() const {
   return effort_ > (1 << 17) + 64 * slabs_.size() * slabs_.size() || space_.stop.stop_requested();
 }
 
-// Those that reach one triangle. What is left of it outside of them all meets nothing of the other part.
+// Makes the slabs that reach one triangle. The rest of the triangle, outside of all slabs, meets no triangle of the
+// other part.
 bool TriangleLocator::make_slabs(const Triangle& own, std::span<const TrianglePair> near,
                                  const std::array<bool, 3>& corners) {
   for (const TrianglePair& pair : near) {
@@ -72,7 +74,7 @@ bool TriangleLocator::make_slabs(const Triangle& own, std::span<const TrianglePa
   return true;
 }
 
-// Halves a piece until few slabs reach it, or halving does not part those that lie over each other.
+// Halves a piece until few slabs reach it, or until halving no longer separates slabs that overlap.
 void TriangleLocator::divide(const Polygon& piece, const SlabIds& slabs, Before before) {
   constexpr std::size_t kFew = 8;
   constexpr int kPatience = 3;
@@ -99,7 +101,7 @@ void TriangleLocator::divide(const Polygon& piece, const SlabIds& slabs, Before 
   }
 }
 
-// What is left of a piece outside of all slabs is evaluated: each part that a slab's side cuts off goes on alone.
+// Subtracts the slabs from a piece and evaluates the rest: each part that a side of a slab cuts off goes on alone.
 void TriangleLocator::subtract(Polygon piece, const SlabIds& slabs, std::size_t next) {
   ++effort_;
   if (is_exhausted()) return;
@@ -131,9 +133,9 @@ void TriangleLocator::subtract(Polygon piece, const SlabIds& slabs, std::size_t 
   if (go_on(slab.top) && go_on(slab.bottom)) bits_ |= kNear;
 }
 
-// A piece outside of the slabs, or what is left of it, or a small one, is on one side where it is far: near where
-// all of it is near one triangle; else some point of it is farther than the tolerance from all, or halving it goes
-// on. Where all points that are looked at are near however small the piece, what is farther is so by rounding alone.
+// Locates a piece whose far points, those farther than the tolerance from the other boundary, are all on one side of
+// it. The piece is near if all of it is near one triangle, and located by any far point that is found; otherwise it is
+// halved. A tiny piece without a far point is near: a point of it that is farther is so by rounding alone.
 void TriangleLocator::evaluate(const Polygon& piece, const SlabIds& slabs) {
   ++effort_;
   if (is_exhausted()) return;
@@ -161,7 +163,7 @@ void TriangleLocator::evaluate(const Polygon& piece, const SlabIds& slabs) {
     if (half->size() > 0) evaluate(*half, slabs);
 }
 
-// A piece that is small beside the tolerance, whatever slabs reach it: in halves until each is told.
+// Locates a piece that is small beside the tolerance without slabs: halves it until each half is located.
 void TriangleLocator::settle(const Polygon& piece) {
   constexpr double kSmallest = 0x1p-4;
   ++effort_;
@@ -175,10 +177,10 @@ void TriangleLocator::settle(const Polygon& piece) {
     if (half->size() > 0) settle(*half);
 }
 
-// Distances to a boundary differ by no more than their points do. With the middle in the distance d, all of a piece
-// of radius r is near where d + r <= t, and far, on one side, where d - r > t. And of two points on different sides
-// the boundary meets the way from one to the other: if both are farther than t from it, they are more than 2 t
-// apart. So where one point is far, all far ones within 2 t of it are on its side, whatever lies between.
+// The distances of two points from a boundary differ by no more than the distance between them. If the middle of a
+// piece of radius r has the distance d, all of the piece is near where d + r <= t, and far, on one side, where d - r >
+// t. The segment between two points on different sides meets the boundary: if both are farther than t from it, they are
+// more than 2 t apart. So all far points within 2 t of a far point are on its side, whatever lies between.
 //
 // Points are off by a few roundings of the largest coordinate for each time that their piece was halved: less than
 // the slack, which is 2^-11 t at most. A point is far here if it is not certainly near, in a distance of more than
@@ -201,7 +203,7 @@ bool TriangleLocator::is_told(const Polygon& piece, const Vec3& middle, double s
   return is_told_by_corners(piece);
 }
 
-// The farthest that the piece's points are from a triangle: at its vertices, for the triangle is convex.
+// A point of the piece farthest from a triangle is one of its vertices, since distance from a convex set is convex.
 bool TriangleLocator::is_near(const Polygon& piece, const Triangle& triangle) const {
   return std::all_of(piece.begin(), piece.end(), [&](const Vec3& p) {
     const auto found = measure::point_distance(p, triangle, kInfinity);
@@ -213,15 +215,15 @@ bool TriangleLocator::is_near(const Polygon& piece, std::uint32_t triangle) cons
   return is_near(piece, space_.frame.to_local(other_.body.triangle(triangle)));
 }
 
-// Of the other part, certainly within the tolerance but for the roundings of a point.
+// The nearest point of the other part, if it is certainly within the tolerance but for the rounding of `point`.
 std::optional<measure::NearestPoint> TriangleLocator::nearest(const Vec3& point, double enough) const {
   const Vec3 world = space_.frame.to_world(point);
   const double within = most_ / space_.frame.unit;
   return measure::nearest_point(other_.body.placed, world, within, enough, space_.stop);
 }
 
-// Of a piece that is on one side where it is far: whether some corner is far, or what is nearest to it near to all
-// of the piece. Where faces meet, that need not be what is nearest to the middle.
+// Locates a piece whose far points are all on one side if some corner is far, or if the triangle nearest to a corner is
+// near to all of the piece. Where faces meet, that need not be the triangle nearest to the middle.
 bool TriangleLocator::is_told_by_corners(const Polygon& piece) {
   for (const Vec3& corner : piece) {
     const auto found = nearest(corner, kNotTooNear * space_.tolerance);

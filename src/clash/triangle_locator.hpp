@@ -17,37 +17,38 @@
 
 namespace impinge::clash {
 
-/// What a search within a tolerance is about.
+/// What all searches within one tolerance have in common.
 struct LocatorSettings {
   LocalFrame frame;
   double tolerance;  ///< in the world
   const std::stop_token& stop;
 };
 
-/// Where a point is that is not near a part: kInside or kOutside, or kNear if it is on it.
+/// Where a point lies to a part: kInside, kOutside, or kNear if it is on the boundary.
 std::uint8_t locate(const solid::Part& part, const Vec3& point);
 
-/// Where triangles lie to another part, to within a tolerance: one after the other is cut into pieces until each is
-/// told.
+/// Locates triangles in another part, within a tolerance: cuts each triangle into pieces until every piece is known to
+/// be near, inside or outside.
 class TriangleLocator {
  public:
-  /// In tolerances: pieces of at most this radius are told by distances alone, without slabs.
+  /// Pieces with a radius of at most so many tolerances are located by distances alone, without slabs.
   static constexpr double kSmall = 4;
 
   TriangleLocator(const solid::Part& other, const LocatorSettings& space) : other_(other), space_(space) {}
 
-  /// The bits of a triangle (in the world) with all of the other's that are near it; `corners` are those in which some
-  /// were left out. Of one whose radius is small none need be given. Nothing if it could not be told.
+  /// The bits of a triangle in world coordinates. `near` are all of the other part's triangles near it, `corners` those
+  /// of its corners at which some were left out; for a triangle with a small radius neither is needed. Nothing if the
+  /// triangle could not be located.
   std::optional<std::uint8_t> look_at(const Triangle& triangle, std::span<const TrianglePair> near,
                                       const std::array<bool, 3>& corners);
 
  private:
-  /// Of a triangle; or of a corner, about which lie those that were left out.
+  /// The slab of a triangle, or of a corner at which triangles were left out.
   struct NearSlab {
     Slab slab;
     std::optional<Triangle> triangle;
   };
-  /// How many slabs reached a piece some halvings ago.
+  /// The number of slabs that reached a piece some halvings ago.
   struct Before {
     std::size_t slabs;
     int halvings;
@@ -71,7 +72,7 @@ class TriangleLocator {
   const LocatorSettings& space_;
   double tolerance_ = space_.frame.unit * space_.tolerance;  ///< in local units, as what follows
   double most_ = tolerance_ * (1 - 0x1p-16);                 ///< certainly within the tolerance
-  std::vector<NearSlab> slabs_;                              ///< of the triangle at work
+  std::vector<NearSlab> slabs_;                              ///< of the triangle being located
   std::uint8_t bits_ = 0;
   std::size_t effort_ = 0;
 };

@@ -16,7 +16,8 @@ bool interiors_meet(const Cells& c) { return ((c.a | c.b) & (kInside | kSameSide
 
 bool may_be_equal(const Cells& c) { return ((c.a | c.b) & (kInside | kOutside | kOtherSide)) == 0; }
 
-/// The inner one's boundary has nothing outside of the outer one, and the outer one's nothing inside of the inner one.
+/// No cell of the inner boundary is outside of the outer part, and no cell of the outer boundary inside of the inner
+/// part.
 bool may_lie_inside(std::uint8_t inner, std::uint8_t outer) {
   return (inner & (kOutside | kOtherSide)) == 0 && (outer & (kInside | kOtherSide)) == 0;
 }
@@ -29,7 +30,7 @@ Finding of_solids(const Cells& c, bool touch) {
   return {Verdict::penetrating};
 }
 
-/// `cells` are the surface's.
+/// `cells` are those of the surface in the solid.
 Finding of_surface_and_solid(std::uint8_t cells, bool touch, int surface) {
   if ((cells & kInside) == 0) return {touch ? Verdict::touching : Verdict::apart};
   if ((cells & kOutside) != 0) return {Verdict::crossing};
@@ -46,7 +47,7 @@ Finding verdict_of(const Cells& cells, const Kinds& kinds, bool touch, bool pass
   return {!touch ? Verdict::apart : pass ? Verdict::crossing : Verdict::touching};
 }
 
-// Bits are only ever added, and each of the three that come before `penetrating` is ruled out for good by a bit.
+// Bits are only ever added, and a bit rules out each of the three verdicts before `penetrating` for good.
 bool is_settled(const Cells& cells, const Kinds& kinds) {
   if (kinds.a_is_solid || kinds.b_is_solid) {
     const Verdict verdict = verdict_of(cells, kinds, false, false).verdict;

@@ -12,14 +12,14 @@ struct Finding {
   int inner = -1;  ///< as `Clash::inner`
 };
 
-/// What two parts are.
+/// Which of two parts are solid.
 struct Kinds {
   bool a_is_solid, b_is_solid;
 };
 
-/// The verdict that follows from where the cells of either boundary are (docs/verdicts.md). kNear counts for nothing:
-/// whoever has it says first what it amounts to. `touch`: they share a point, or come as near as the tolerance;
-/// `pass`: two surfaces go through each other.
+/// The verdict that follows from where the cells of either boundary are (docs/verdicts.md). kNear is ignored: the
+/// caller replaces it where it means that the boundaries are shared. `touch`: the parts share a point, or are no
+/// farther apart than the tolerance; `pass`: two surfaces cross.
 Finding verdict_of(const solid::Cells& cells, const Kinds& kinds, bool touch, bool pass);
 
 /// Whether no further cell could change the verdict.

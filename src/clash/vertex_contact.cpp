@@ -9,7 +9,7 @@
 namespace impinge::clash {
 namespace {
 
-/// The directions of a triangle's two edges from a corner, and the one between them.
+/// The directions of a triangle's two edges from a corner, and that of their bisector.
 struct Wedge {
   Vec3 first, second, middle;
   bool is_proper;

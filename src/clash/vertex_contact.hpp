@@ -9,14 +9,14 @@
 
 namespace impinge::clash {
 
-/// Two triangles that come together in a corner each, and part from there: whatever they share is within an eighth of
-/// the tolerance of the corner of either. Where the two corners are the same point, it is all that they share.
+/// Vertex contact: the triangles are within tolerance only near one vertex of each. All points that they share are
+/// within an eighth of the tolerance of both corners; where the two corners are the same point, it is the only one.
 struct VertexContact {
   std::uint8_t corner_a, corner_b;
   bool is_one_point;
 };
 
-/// Nothing where the corners are farther from each other than a quarter of the tolerance, or it is not certain.
+/// Nothing where the corners are farther apart than a quarter of the tolerance, or where it is not certain.
 std::optional<VertexContact> find_vertex_contact(const Triangle& a, const Triangle& b, double tolerance);
 
 }  // namespace impinge::clash

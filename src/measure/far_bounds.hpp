@@ -11,20 +11,20 @@
 
 namespace impinge::measure {
 
-/// From A's origin to B's in the world, in A's unit.
+/// The vector from A's origin to B's in the world, in A's unit.
 Vec3 offset_of(const hierarchy::Frame& a, const hierarchy::Frame& b, const Pose& pose_a,
                const hierarchy::TreeRelation& relation);
 
-/// Two nodes or leaves that are far apart beside their size. There the rounding of single precision, which is a part of
-/// the distance, is large beside them, and gaps between boxes tell little. Projections onto the line from the one
-/// origin to the other are off by parts of the nodes' sizes alone.
+/// Lower bounds for two nodes or leaves that are far apart compared with their sizes. There the rounding of single
+/// precision, which is relative to the distance, is large compared with the nodes, and gaps between boxes say little.
+/// Projections onto the line from one origin to the other have errors relative to the nodes' sizes only.
 class FarBounds {
  public:
-  /// Nothing for two that are not far apart.
+  /// Nothing for two nodes that are not far apart.
   static std::optional<FarBounds> of(const hierarchy::TreeRef& a, const Pose& pose_a, const hierarchy::TreeRef& b,
                                      const Pose& pose_b, const hierarchy::TreeRelation& relation);
 
-  /// So far apart that other bounds are useless.
+  /// Whether they are so far apart that no other bound is of use.
   [[nodiscard]] bool are_remote() const { return remote_; }
 
   /// No points of child i of A and child j of B, a leaf being its own only child, are nearer to each other than

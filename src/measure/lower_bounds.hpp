@@ -8,21 +8,21 @@
 #include "hierarchy/tree_relation.hpp"
 #include "hierarchy/wide_tree.hpp"
 
-/// How near boxes of two wide trees, or triangles of two leaves, may be to each other: in single precision, in A's unit
-/// and in lengths of the world, never above the true distance.
+/// Lower bounds of the distances between boxes of two wide trees, or triangles of two leaves: in single precision, as
+/// lengths of the world in A's unit, never above the true distance.
 namespace impinge::measure {
 
 struct BoxBounds {
   std::uint64_t bits;  ///< bit 8 i + j: box i of the one side and j of the other may be within the limit
-  bool b_is_one;       ///< B is the one side: a leaf, whose only box is held against the other's eight
+  bool b_is_one;       ///< B is the one side: a leaf, whose only box is compared with the other's eight
   alignas(64) float lower[hierarchy::kWidth][hierarchy::kWidth];
 };
 
-/// Of the children of two nodes, a leaf being its own only child.
+/// The bounds of the children of two nodes; a leaf is its own only child.
 void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, const hierarchy::TreeRelation& relation,
                  float limit, BoxBounds& bounds);
 
-/// Of triangles (TreeConfig).
+/// The greatest number of triangles in a leaf (TreeConfig).
 inline constexpr int kMostInLeaf = 256;
 
 /// The triangles in places `a` and `b` of two leaves.

@@ -12,13 +12,13 @@
 #include "hierarchy/placed_tree.hpp"
 #include "impinge/contacts.hpp"
 
-/// Distances between placed meshes as sets of triangles (their surfaces; what they enclose does not count), by branch
-/// and bound over their wide trees. A distance is a double with a bound on its error, in which the rounding of the
-/// points found is counted; it is 0 if and only if the sets share a point, exactly.
+/// Distances between placed meshes as sets of triangles (their surfaces, not the volumes that they enclose), by branch
+/// and bound over their wide trees. A distance is a double with a bound of its error, which includes the rounding of
+/// the points found; it is 0 if and only if the sets share a point, exactly.
 namespace impinge::measure {
 
 struct NearestPoint {
-  double distance;  ///< from the point asked about; the true one is within `error` of it
+  double distance;  ///< from the given point; the true distance is within `error` of it
   double error;
   Vec3 point;  ///< on the triangle, up to rounding
   std::uint32_t triangle;
@@ -39,16 +39,16 @@ struct PairMemory;
 
 /// How a search is run.
 struct SearchMeans {
-  ForEach for_each{};            ///< shares the making of large nodes
+  ForEach for_each{};            ///< builds large nodes of the trees in parallel
   std::stop_token stop{};        ///< a search that was stopped finds nothing
-  PairMemory* memory = nullptr;  ///< of an earlier search, to be used again (measure/pair_queue.hpp)
+  PairMemory* memory = nullptr;  ///< memory of an earlier search, which is reused (measure/pair_queue.hpp)
 };
 
-/// The nearest points of two bodies; same rules.
+/// The nearest points of two bodies, by the same rules.
 std::optional<NearestPair> nearest_pair(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
                                         double enough = 0, const SearchMeans& means = {});
 
-/// What is done with a pair of triangles that was found; false ends the search.
+/// Called with each pair of triangles that is found; returns false to end the search.
 using TakePair = std::function<bool(const TrianglePair&)>;
 
 /// Every pair of triangles whose distance is at most `within` (0: those that may share a point), and perhaps some that
@@ -56,7 +56,7 @@ using TakePair = std::function<bool(const TrianglePair&)>;
 void near_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within, const TakePair& take,
                 const std::stop_token& stop = {});
 
-/// The same without looking at more than the triangles' boxes, so that there are more of them.
+/// The same by the triangles' boxes alone, which finds more pairs.
 void candidate_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, double within,
                      const TakePair& take, const std::stop_token& stop = {});
 

@@ -12,19 +12,19 @@
 
 namespace impinge::measure {
 
-/// Pairs that wait for their turn, about the nearest first: a stack for each 32nd of the range that they are in. In
-/// order to the last digit, as a heap has them, most of the time would go into the order. Of pairs as near as each
-/// other, as all are whose boxes overlap, the last that came is first, and so the deepest: not many wait at a time.
+/// A priority queue of pairs, roughly the nearest first: a stack for each 32nd of the range of distances. An exact
+/// order, as a heap keeps it, would take most of the time. Of equally near pairs, as are all whose boxes overlap, the
+/// last one pushed comes first: it is the deepest, which keeps the queue short.
 class PairQueue {
  public:
   static constexpr std::size_t kStacks = 32;
   using Stacks = std::array<std::vector<NodePair>, kStacks>;
 
-  /// For pairs nearer than `limit`, begun with some of them. What was in the stacks is dropped, their memory used.
+  /// A queue for pairs nearer than `limit`, filled with `pairs`. Clears the stacks and reuses their memory.
   PairQueue(Stacks& stacks, std::span<const NodePair> pairs, double limit) : stacks_(stacks), base_(limit) {
     for (std::vector<NodePair>& stack : stacks_) stack.clear();
     for (const NodePair& pair : pairs) base_ = std::min(base_, pair.lower);
-    // As parts of the whole range, so that neither a tiny one nor a huge one leaves the range of numbers.
+    // Scaled to the whole range, so that neither a tiny nor a huge one over- or underflows.
     per_length_ = limit > base_ ? 1 / (limit - base_) : 0;
     for (const NodePair& pair : pairs) push(pair);
   }
@@ -47,11 +47,11 @@ class PairQueue {
 
  private:
   Stacks& stacks_;
-  std::size_t first_ = 0;  ///< below it all are empty
+  std::size_t first_ = 0;  ///< all stacks below it are empty
   double base_, per_length_;
 };
 
-/// What a search for the nearest pair keeps for the next one.
+/// Memory that a search for the nearest pair leaves for the next one.
 struct PairMemory {
   std::vector<NodePair> open, children;
   std::vector<NearTriangles> near;

@@ -15,35 +15,35 @@ namespace impinge::measure {
 /// A triangle's world vertices (contract 1.1).
 Triangle world_triangle(const hierarchy::PlacedTree& body, std::uint32_t triangle);
 
-/// Two children of nodes, or leaves; no points of theirs are nearer to each other than `lower`.
+/// Two children of nodes, or leaves; no two of their points are nearer to each other than `lower`.
 struct NodePair {
   static constexpr std::int8_t kSelf = -1;
   double lower;
-  hierarchy::TreeRef a, b;     ///< parents, not to be asked for their children before the pair's turn comes
-  std::int8_t lane_a, lane_b;  ///< kSelf: no parent but the node or leaf itself
+  hierarchy::TreeRef a, b;     ///< parents, whose children are made when the pair's turn comes
+  std::int8_t lane_a, lane_b;  ///< the child's lane, or kSelf for the node or leaf itself
   std::uint16_t depth;
 };
 
-/// The way down two trees together. All lengths are the world's.
+/// Descends two trees together. All lengths are in the world.
 class PairWalk {
  public:
   PairWalk(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree& b, const ForEach& for_each = {});
 
-  /// A is the body of the larger unit: the caller's second one if so.
+  /// A is the body with the larger unit; if swapped, it is the caller's second one.
   [[nodiscard]] bool is_swapped() const { return swapped_; }
   [[nodiscard]] const hierarchy::PlacedTree& a() const { return a_; }
   [[nodiscard]] const hierarchy::PlacedTree& b() const { return b_; }
 
   [[nodiscard]] NodePair roots() const;
-  /// Whether the bodies are so far apart beside their size that the rounding of the distance is no longer small beside
-  /// the differences between their points'.
+  /// Whether the bodies are so far apart compared with their sizes that the rounding of a distance is no longer small
+  /// compared with the differences between distances.
   [[nodiscard]] bool are_remote() const;
 
-  /// Makes the two out of their parents' children, where that is still to be done.
+  /// Replaces parents by the children in the pair's lanes, making these if need be.
   void reach(NodePair& pair) const;
-  /// Appends the pairs of children that may be within the limit. For a pair that was reached, not both of it leaves.
+  /// Appends the pairs of children that may be within the limit. The pair was reached, and not both are leaves.
   void open(const NodePair& pair, double limit, std::vector<NodePair>& children) const;
-  /// Replaces the list by the pairs of triangles of two leaves that may be.
+  /// Replaces the list by the pairs of triangles of two leaves that may be within the limit.
   void open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const;
   [[nodiscard]] double world_length(double lower) const { return unit_ * lower; }
 
@@ -52,7 +52,7 @@ class PairWalk {
 
   bool swapped_;
   const hierarchy::PlacedTree &a_, &b_;
-  double unit_;  ///< A's
+  double unit_;  ///< that of A
   hierarchy::TreeRelation relation_;
   ForEach for_each_;
 };

@@ -18,7 +18,7 @@
 namespace impinge::solid {
 namespace {
 
-/// A pair of boundary triangles that share a point, as one of the two sees it.
+/// A pair of boundary triangles that share a point; `own` belongs to the part whose cells are located.
 struct Touch {
   std::uint32_t own, other;
   Kind kind;
@@ -41,7 +41,7 @@ std::vector<Touch> turned(std::vector<Touch> touches) {
   return touches;
 }
 
-/// What two triangles that share an area have of both boundaries. A side is +1 if it is the one the normal points to.
+/// The bit of the area that two triangles share. A side is +1 if the interior is where the normal points to.
 Where shared_cell(const Part& a, const Part& b, const Touch& touch) {
   if (!a.solid || !b.solid) return kSameSide;
   const int side_a = a.sides[a.topology.shell[touch.own]].front ? 1 : -1;
@@ -50,10 +50,10 @@ Where shared_cell(const Part& a, const Part& b, const Touch& touch) {
   return (side_a == side_b) != turned ? kSameSide : kOtherSide;
 }
 
-/// The cells of one part's boundary that lie inside or outside of the other part. What the two share is known already.
+/// Finds which cells of one part's boundary lie inside or outside of the other part. Common cells are known already.
 ///
-/// Only boundary triangles of either count. Another sheet of the other part has the inside, or the outside, on both its
-/// sides: points in it are located by what is beside them.
+/// Only boundary triangles of either part count. An internal wall of the other part has the inside, or the outside, on
+/// both sides: a point on it is located by a point beside it.
 class Located {
  public:
   Located(const Part& own, const Part& other, std::vector<Touch> touches)
@@ -66,8 +66,8 @@ class Located {
     }
   }
 
-  /// What untouched triangles say. They share no point with the other's boundary, and neither does a patch of them that
-  /// hangs together: one of its vertices says where all of it lies.
+  /// Locates the untouched triangles, which share no point with the other boundary. A connected patch of them does not
+  /// either, so that one of its vertices locates all of it.
   template <class Enough>
   void locate_patches(const Enough& enough) {
     const auto each_untouched = [&](const auto& take) {
@@ -90,8 +90,8 @@ class Located {
     });
   }
 
-  /// What the vertices of touched triangles say: beside one that is off the other's boundary, the cells of its
-  /// triangles lie where it does. Triangles that have such a vertex, and that nothing cuts, are done.
+  /// Locates the vertices of touched triangles: around a vertex that is not on the other boundary, the cells of its
+  /// triangles lie where the vertex does. A triangle with such a vertex that no other triangle cuts is done.
   template <class Enough>
   void locate_vertices(const Enough& enough) {
     for (Touched& t : touched_) {
@@ -110,7 +110,7 @@ class Located {
     }
   }
 
-  /// What is left: cut to pieces, of each of which a point says where it lies.
+  /// Cuts the remaining triangles to pieces and locates a point of each.
   template <class Enough>
   void locate_pieces(const Enough& enough, bool of_shared = true) {
     const auto shares = [](const Touch& touch) { return touch.shares_area; };
@@ -130,7 +130,7 @@ class Located {
   };
   static constexpr std::uint8_t kUnknown = 0xff;
 
-  /// Whether nothing is left to be found.
+  /// Whether no other bit can be found.
   [[nodiscard]] bool is_complete() const {
     return (bits_ & kOutside) != 0 && ((bits_ & kInside) != 0 || !other_.solid);
   }
@@ -141,7 +141,7 @@ class Located {
     return reaches_inside(other_.body.triangle(touch.other), own_.body.triangle(touch.own));
   }
 
-  /// kInside or kOutside; 0 on the other's boundary.
+  /// Where a point lies: kInside, kOutside, or 0 on the other boundary.
   template <class Point>
   [[nodiscard]] std::uint8_t location_of(const Point& point) const {
     const Around found = around(other_.body.placed, point);
@@ -150,7 +150,7 @@ class Located {
     return found.beside != 0 ? kInside : kOutside;
   }
 
-  /// Of a vertex of an untouched triangle, or of one of a touched one with a solid.
+  /// Where a corner of a triangle lies: any corner if the other part is solid, else one of an untouched triangle.
   std::uint8_t location_of_vertex(std::uint32_t t, std::size_t corner) {
     if (!other_.solid) return kOutside;
     std::uint8_t& known = of_group_[groups_.find(own_.corners(t)[corner])];
@@ -169,7 +169,7 @@ class Located {
       if (touch.shares_area)
         shared.push_back(other);
       else if (other_.solid)
-        cutting.push_back(other);  // outside of what is not solid all pieces lie alike
+        cutting.push_back(other);  // all pieces outside of a surface have one bit
     }
     const CutTriangle cut(triangle, shared, cutting);
     if (!other_.solid) {
@@ -178,20 +178,20 @@ class Located {
     }
     for (std::size_t i = 0; i < cut.pieces() && !is_complete(); ++i) {
       const std::uint8_t where = location_of(cut.point_in(i));
-      assert(where != 0);  // or a piece still meets the other's boundary
+      assert(where != 0);  // no piece meets the other boundary
       bits_ |= where;
     }
   }
 
   const Part &own_, &other_;
-  std::vector<Touch> touches_;    ///< by triangle
+  std::vector<Touch> touches_;    ///< sorted by triangle
   std::vector<Touched> touched_;  ///< by triangle
-  DisjointSets groups_;           ///< positions in one patch
+  DisjointSets groups_;           ///< connected patches of positions
   std::vector<std::uint8_t> of_group_;
   std::uint8_t bits_ = 0;
 };
 
-/// The cells of a surface's triangles without an area: the segments and points that they are.
+/// The bits of a surface's degenerate triangles, which are segments and points.
 template <class Enough>
 std::uint8_t locate_degenerate(const Part& own, const Part& other, std::span<const exact::Contact> contacts,
                                bool own_is_first, const Enough& enough) {
@@ -213,9 +213,9 @@ std::uint8_t locate_degenerate(const Part& own, const Part& other, std::span<con
 
 }  // namespace
 
-// What is cheap comes first: shared areas, patches, vertices, and then pieces. A crossing pair is no proof by itself:
-// along the line in which it crosses, another triangle of the same solid may stand with its edge, and turn what is
-// inside to the outside; a vertex nearby mostly is.
+// The cheap steps come first: shared areas, patches, vertices, and then pieces. A crossing pair alone does not prove
+// that a cell is inside: another triangle of the same solid may have an edge along the line of the crossing, with the
+// outside on both sides.
 Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts, const Enough& enough) {
   std::vector<Touch> touches = touches_of(a, b, contacts);
   std::uint8_t shared = 0;

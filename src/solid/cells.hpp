@@ -20,23 +20,23 @@ enum Where : std::uint8_t {
   kNear = 16,      ///< within the tolerance of its boundary (with a tolerance: in place of the two above)
 };
 
-/// Which bits occur among the cells of a (cut by b) and of b (cut by a).
+/// The bits of the cells of a (cut by b) and of b (cut by a).
 struct Cells {
   std::uint8_t a = 0, b = 0;
 };
 
-/// Whether no further cell is of interest.
+/// Returns whether no further cell matters.
 using Enough = std::function<bool(const Cells&)>;
 
-/// Exactly, by rational numbers where points must be constructed. `contacts` are all pairs of triangles that share a
-/// point, of whichever kind. The inside and outside of a part that is not solid are not looked for: the other's cells
-/// are then only in its triangles or kOutside. What lies in the triangles of both is kSameSide unless both are solid.
-/// Stops early, with what was found until then, once `enough(cells)`.
+/// Locates the cells exactly, by rational numbers where points must be constructed. `contacts` are all pairs of
+/// triangles that share a point, of any kind. A part that is not solid has no inside: the other's cells are in its
+/// triangles or kOutside. A common cell is kSameSide unless both parts are solid. Stops early, with the bits found so
+/// far, once `enough(cells)`.
 Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts, const Enough& enough);
 
-/// Whether a cell of one lies in the other's interior, told in a part of the time: by the vertices, and by pieces of
-/// triangles that share no area with the other. What is inside with all its corners on the other's boundary and its
-/// sides in the other's faces is not seen.
+/// Whether a cell of one part lies in the interior of the other, in a part of the time: by vertices, and by pieces of
+/// triangles that share no area with the other part. A cell with all corners on the other boundary and all sides in the
+/// other's faces is missed.
 bool reach_into_each_other(const Part& a, const Part& b, std::span<const exact::Contact> contacts);
 
 }  // namespace impinge::solid

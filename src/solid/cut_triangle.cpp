@@ -19,7 +19,7 @@ using exact::lowest_bit_of;
 using Int = exact::Integer;
 using IntPoint = std::array<Int, 3>;
 
-/// So many others need not be parted any further.
+/// A piece with so few traces near it is not divided any further.
 constexpr std::size_t kFew = 12;
 
 Int dot(const IntPoint& p, const IntPoint& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
@@ -191,8 +191,8 @@ CutTriangle::Trace CutTriangle::trace_of_crossing(const Triangle& triangle) {
   return trace;
 }
 
-/// By halves, so that each trace is held against the pieces near it alone: where there are many of them, the piece is
-/// cut between them as well, which does no harm.
+/// Halves the piece, so that each trace is tested against pieces near it only. Where there are many traces, the piece
+/// is cut between them as well, which does no harm.
 void CutTriangle::divide(Piece piece, const std::vector<const Trace*>& traces, int depth) {
   const Bounds bounds = bounds_of(piece);
   std::vector<const Trace*> near;
@@ -212,7 +212,7 @@ void CutTriangle::divide(Piece piece, const std::vector<const Trace*>& traces, i
   std::move(pieces.begin(), pieces.end(), std::back_inserter(pieces_));
 }
 
-/// Across an axis, with half of the traces' centres on either side.
+/// A line across an axis with half of the traces' centres on either side.
 const CutTriangle::Line* CutTriangle::line_between(const std::vector<const Trace*>& traces, std::size_t axis) {
   std::vector<double> centers;
   for (const Trace* const trace : traces)
@@ -224,8 +224,8 @@ const CutTriangle::Line* CutTriangle::line_between(const std::vector<const Trace
   return axis == 0 ? line(along, 0, at) : line(0, along, at);
 }
 
-/// Pieces, triangles and chords are convex, and a chord's line is one: the interior of a piece meets that of a
-/// triangle, or a chord, unless an edge of one has all of the other on its outer side.
+/// Pieces, triangles and chords are convex: the interior of a piece meets a chord, or the interior of a triangle,
+/// unless an edge of one has all of the other on its outer side.
 bool CutTriangle::meets_inside(const Piece& piece, const Trace& trace) {
   if (!overlap(bounds_of(piece), trace.bounds)) return false;
   for (const Edge& edge : piece)
@@ -246,7 +246,7 @@ void CutTriangle::take_out(const Trace& trace, std::vector<Piece>& pieces) const
       left.push_back(std::move(piece));
       continue;
     }
-    for (const Line* const edge : trace.lines) {  // what is beyond an edge is left; the rest goes on to the next
+    for (const Line* const edge : trace.lines) {  // the part beyond an edge is kept; the rest goes on to the next edge
       const std::vector<int> sides = sides_if_cut(piece, *edge);
       if (sides.empty()) continue;
       left.push_back(part_of(piece, *edge, -trace.inner, sides));
@@ -281,8 +281,8 @@ std::vector<exact::RationalPoint> CutTriangle::corners(std::size_t i) const {
   return points;
 }
 
-// The mean of the rounded corners is a point of few digits, and inside unless the piece is a sliver; of the first three
-// corners, which are on no line, the exact mean is.
+// The mean of the rounded corners has few digits, and is inside unless the piece is a sliver; the exact mean of the
+// first three corners, which are not collinear, always is.
 exact::RationalPoint CutTriangle::point_in(std::size_t i) const {
   const Piece& piece = pieces_[i];
   double u = 0, v = 0;
@@ -305,7 +305,7 @@ exact::RationalPoint CutTriangle::in_space(const Corner& p) const {
   exact::RationalPoint point;
   point[u_] = in_world(p.u, p.w, component(origin_, u_));
   point[v_] = in_world(p.v, p.w, component(origin_, v_));
-  // n . x = 0 for the last coordinate.
+  // The last coordinate follows from n . x = 0.
   const Int& n = normal_[w_];
   const Int rest = -(normal_[u_] * p.u + normal_[v_] * p.v);
   point[w_] =

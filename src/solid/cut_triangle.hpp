@@ -12,45 +12,46 @@
 
 namespace impinge::solid {
 
-/// A proper triangle cut into convex pieces by others that meet it, exactly. Pieces are bounded by lines in the
-/// triangle's plane, projected along an axis, and corners are where two of those lines meet: however often pieces are
-/// cut, numbers grow no longer than that makes them. All are integers on a grid that holds the vertices of all
-/// triangles, about one of the triangle's own.
+/// Cuts a proper triangle exactly into convex pieces by the triangles that meet it. Pieces are bounded by lines in the
+/// triangle's plane, projected along an axis, and their corners are where two of these lines meet: however often pieces
+/// are cut, numbers grow no longer than that. All numbers are integers on a grid that holds the vertices of all
+/// triangles, with one vertex of the triangle as its origin.
 class CutTriangle {
  public:
-  /// All are proper. Of `shared`, which lie in the triangle's plane, what they cover is taken out. Of `cutting`, whose
-  /// planes are not parallel to it, none meets the interior of a piece, not in a point either.
+  /// All triangles are proper. Those in `shared` lie in the triangle's plane: the areas that they cover are removed.
+  /// Those in `cutting` have other planes: no point of them lies in the interior of a piece.
   CutTriangle(const Triangle& triangle, std::span<const Triangle> shared, std::span<const Triangle> cutting);
 
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
-  /// In order along its boundary.
+  /// The corners of a piece, in order along its boundary.
   [[nodiscard]] std::vector<exact::RationalPoint> corners(std::size_t piece) const;
-  /// A point of a piece's interior.
+  /// A point in the interior of a piece.
   [[nodiscard]] exact::RationalPoint point_in(std::size_t piece) const;
 
  private:
   using Int = exact::Integer;
   using IntPoint = std::array<Int, 3>;
 
-  /// a u + b v + c = 0, exactly and rounded: relatively within 2^-51 each, but for one factor, a power of two.
+  /// The line a u + b v + c = 0, exact and rounded: `rounded` is relatively within 2^-51 of (a, b, c) times a power of
+  /// two.
   struct Line {
     Int a, b, c;
     std::array<double, 3> rounded;
   };
-  /// (u, v) / w, w > 0; `rounded` is relatively within 2^-50.
+  /// The point (u, v) / w with w > 0; `rounded` is relatively within 2^-50 of it.
   struct Corner {
     Int u, v, w;
     std::array<double, 2> rounded;
   };
   struct Edge {
     const Line* line;
-    int side;  ///< of the line: where the piece is
+    int side;  ///< the side of the line on which the piece lies
     Corner from;
   };
   using Piece = std::vector<Edge>;
   using Lines = std::vector<const Line*>;
 
-  /// Certainly around what is rounded.
+  /// A box that certainly holds the exact points.
   struct Bounds {
     std::array<double, 2> lo, hi;
   };
@@ -59,11 +60,11 @@ class CutTriangle {
     return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1];
   }
 
-  /// What another triangle has of the plane.
+  /// The intersection of another triangle with the plane.
   struct Trace {
-    std::vector<Corner> corners;  ///< its own, or the ends of its chord
+    std::vector<Corner> corners;  ///< the corners of a coplanar triangle, or the ends of a chord
     Lines lines;                  ///< along its edges, or along its chord
-    int inner;                    ///< the side of the edges on which it lies; 0 of a chord
+    int inner;                    ///< the side of the edges on which the triangle lies; 0 for a chord
     Bounds bounds;
   };
 
@@ -85,18 +86,18 @@ class CutTriangle {
   static bool meets_inside(const Piece& piece, const Trace& trace);
   void take_out(const Trace& trace, std::vector<Piece>& pieces) const;
   void split(const Trace& trace, std::vector<Piece>& pieces) const;
-  /// The sides of a piece's corners of a line; empty where the line does not pass through its interior.
+  /// On which sides of a line a piece's corners lie; empty if the line does not pass through its interior.
   static std::vector<int> sides_if_cut(const Piece& piece, const Line& line);
-  /// The part of a piece on one side of a line that passes through its interior; `sides` are those of its corners.
+  /// The part of a piece on one side of a line through its interior; `sides` are those of its corners.
   static Piece part_of(const Piece& piece, const Line& line, int side, const std::vector<int>& sides);
   [[nodiscard]] exact::RationalPoint in_space(const Corner& p) const;
   static bool holds(const Piece& piece, const Corner& p);
 
   Vec3 origin_;
-  int unit_ = 0;               ///< the grid's: 2 to this power
-  int u_ = 0, v_ = 1, w_ = 2;  ///< axes: the last is left out
+  int unit_ = 0;               ///< the grid's spacing is 2 to this power
+  int u_ = 0, v_ = 1, w_ = 2;  ///< the axes; the last one is projected away
   IntPoint normal_;
-  std::deque<Line> lines_;  ///< which pieces refer to
+  std::deque<Line> lines_;  ///< to which pieces refer
   std::vector<Piece> pieces_;
 };
 

@@ -25,14 +25,14 @@ RationalPoint cross(const RationalPoint& p, const RationalPoint& q) {
 }
 Rational dot(const RationalPoint& p, const RationalPoint& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
-/// A segment, and the shares of its length at which it is cut. More cuts than needed do no harm.
+/// A segment, and the shares of its length at which it is cut. Unnecessary cuts do no harm.
 class CutSegment {
  public:
   explicit CutSegment(const Segment& segment) : from_(exact::rational(segment[0])), to_(exact::rational(segment[1])) {
     while (axis_ < 2 && from_[axis_] == to_[axis_]) ++axis_;
   }
 
-  /// At the triangle's plane; within its plane at the lines of its edges, and level with its vertices.
+  /// Cuts the segment at the triangle's plane; within the plane at the lines of its edges, and level with its vertices.
   void cut_by(const Triangle& t) {
     const std::array corners{exact::rational(t[0]), exact::rational(t[1]), exact::rational(t[2])};
     const RationalPoint normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
@@ -62,7 +62,7 @@ class CutSegment {
   }
 
  private:
-  /// Where what is p at the one end and q at the other is 0.
+  /// Cuts where a linear function is 0 that is p at one end and q at the other.
   void cut_between(const Rational& p, const Rational& q) {
     if (p.sign() * q.sign() < 0) shares_.emplace_back(p / (p - q));
   }
@@ -71,11 +71,11 @@ class CutSegment {
   }
 
   RationalPoint from_, to_;
-  std::size_t axis_ = 0;  ///< in which the ends differ, unless they are one point
+  std::size_t axis_ = 0;  ///< an axis along which the ends differ, unless they are equal
   std::vector<Rational> shares_{0, 1};
 };
 
-/// 0 on the boundary of a solid.
+/// The bit of a point; 0 on the boundary of a solid.
 std::uint8_t location_of(const RationalPoint& point, const Part& other) {
   const Around found = around(other.body.placed, point);
   if (!other.solid) return found.holders.empty() ? kOutside : kSameSide;

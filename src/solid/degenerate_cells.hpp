@@ -9,8 +9,8 @@
 
 namespace impinge::solid {
 
-/// Where the points of a degenerate triangle of a part that is no solid, a segment or a point, are to another part:
-/// bits as in Cells. `touching` are the other's triangles that share a point with it, all of them.
+/// Where the points of a surface's degenerate triangle, which is a segment or a point, lie in another part: bits as in
+/// Cells. `touching` are all triangles of the other part that share a point with it.
 std::uint8_t cells_of_degenerate(const Triangle& degenerate, const Part& other,
                                  const std::vector<std::uint32_t>& touching);
 

@@ -21,7 +21,7 @@ int turn_beside(const PointSigns& p, const Vec3& u, const Vec3& v) {
   return by_y != 0 ? by_y : sign(u.y, v.y);
 }
 
-/// Comparisons, no more: whether the ray's line, or p, can meet the triangle at all, and not just behind p.
+/// Whether the triangle's box shows that the ray may meet it, or p lie on it. Only compares coordinates.
 template <class PointSigns>
 bool on_the_way(const PointSigns& p, const Triangle& t) {
   const auto spans = [&](int axis) {
@@ -40,10 +40,10 @@ bool on_the_way(const PointSigns& p, const Triangle& t) {
   return spans(1) && spans(2) && reaches();
 }
 
-/// How the ray from p' = p + (e³, e, e²) crosses the triangle: +1 out of its front, -1 into it, 0 not at all. If the
-/// triangle without its x holds p' there, it is proper and p' is in the open triangle: a crossing lies ahead if p' is
-/// behind the plane as the ray goes. Where p is in the plane, it lies on the triangle, for closed triangles keep the
-/// limit of what they hold; then p' is beside the plane by rule.
+/// How the ray from p' = p + (e³, e, e²) crosses the triangle: +1 out of its front, -1 into it, 0 not at all. If p',
+/// projected along x, is in the projected triangle, it is in its interior and the triangle is proper: the ray crosses
+/// it if p' is behind the plane in the direction of the ray. If p is in the plane, it lies on the closed triangle, as
+/// the limit of p'; then the side of p' follows from the rule.
 template <class PointSigns>
 int crossing(const PointSigns& p, const Triangle& t) {
   const int first = turn_beside(p, t[0], t[1]);

@@ -11,25 +11,25 @@
 
 namespace impinge::solid {
 
-/// How often the body's surface winds around a point, exactly on the world vertices; nothing if the point lies on a
-/// triangle. Defined for every closed body, crossing itself or not; for others it counts the signed crossings of a ray
-/// along +x. A ray from p runs infinitesimally beside p, at (p.y + e, p.z + e²), so that it meets no vertex and no
-/// edge: ties are broken by rule (Edelsbrunner and Mücke, "Simulation of Simplicity", 1990). The point must be in the
-/// exact domain.
+/// The winding number of the body's surface around a point, exact on the world vertices; nothing if the point lies on a
+/// triangle. It is defined for every closed body, even one that crosses itself; for others it is the number of signed
+/// crossings of a ray along +x. The ray from p runs infinitesimally beside p, at (p.y + e, p.z + e²), so that it meets
+/// no vertex and no edge: ties are broken by rule (Edelsbrunner and Mücke, "Simulation of Simplicity", 1990). The point
+/// must be in the exact domain.
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const Vec3& point);
 /// The same for a point whose coordinates are rational numbers.
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
 
-/// What is around a point that may lie on the surface.
+/// The surface around a point that may lie on it.
 struct Around {
-  int beside;  ///< the winding number of p + (e³, e, e²), which no triangle holds; of p itself where none holds p
-  std::vector<std::uint32_t> holders;  ///< the triangles that p lies on, closed and degenerate ones included, unsorted
+  int beside;  ///< the winding number of p + (e³, e, e²), which is on no triangle; of p itself if p is on none
+  std::vector<std::uint32_t> holders;  ///< the closed triangles, also degenerate ones, on which p lies; unsorted
 };
 Around around(const hierarchy::PlacedTree& body, const Vec3& point);
 Around around(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
 
-/// To which side of the plane of a proper triangle that holds p the point p + (e³, e, e²) lies: +1 if it is the one
-/// that the normal points to, -1 the other one.
+/// On which side of a proper triangle on which p lies the point p + (e³, e, e²) is: +1 where the normal points to, -1
+/// on the other side.
 int side_beside(const Triangle& triangle);
 
 }  // namespace impinge::solid

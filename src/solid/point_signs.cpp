@@ -13,7 +13,7 @@ namespace {
 
 using exact::Integer;
 
-/// Differences with a rounded rational are no multiples of 2^-358, so that products may underflow: by less than this.
+/// Differences with a rounded rational are no multiples of 2^-358, so that products may underflow, by less than this.
 constexpr double kUnderflow = 0x1p-1000;
 
 int certain_sign(double value, double bound) { return value > bound ? 1 : value < -bound ? -1 : exact::kUnsure; }
@@ -39,7 +39,7 @@ Integer RationalPointSigns::difference(double from, int axis, int unit) const {
 }
 
 int RationalPointSigns::sign_of_difference(double x, int axis) const {
-  const double rounded = x - component(near_, axis);  // it has the difference's sign, and 2^-53 of an error
+  const double rounded = x - component(near_, axis);  // the sign is right, and the relative error 2^-53
   const int sign = certain_sign(rounded, 2 * component(off_, axis));
   return sign != exact::kUnsure ? sign : -difference(x, axis, x != 0 ? std::min(0, lowest_bit(x)) : 0).sign();
 }
@@ -92,7 +92,7 @@ bool lies_on(const PointSigns& point, const Triangle& t) {
     if (below == 0 || above == 0) return false;
   }
   const int proper = exact::find_projection(t[0], t[1], t[2]);
-  if (proper < 0) {  // in the box of a segment: on it if and only if on its line
+  if (proper < 0) {  // a point in the box of a segment is on it if and only if it is on its line
     const Segment segment = exact::extremes(t);
     for (const exact::Projection& projection : exact::kProjections)
       if (point.turn(projection, segment[0], segment[1]) != 0) return false;

@@ -16,8 +16,8 @@ using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 using hierarchy::WideNode;
 
-/// A ray in the tree's unit, in the mesh's frame or in a node's. `slack`: the triangles that it meets are no farther
-/// from it than this, in every coordinate.
+/// A ray in the tree's unit, in the frame of the mesh or of a node. Triangles that the exact ray meets are within
+/// `slack` of this one, in every coordinate.
 struct Ray {
   Vec3 start, direction;
   double slack;

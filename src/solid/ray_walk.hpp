@@ -10,11 +10,11 @@
 
 namespace impinge::solid {
 
-/// A triangle on a ray's way: its world vertices and its number in the mesh.
+/// Called with the world vertices of a triangle and its index in the mesh.
 using Visit = std::function<void(const Triangle&, std::uint32_t)>;
 
-/// Visits every triangle that the ray from `start` along +x may meet, at most once each: all of those that share a
-/// point with the ray from any point within 2^-51 of `start`, relatively and per coordinate, and perhaps others.
+/// Visits each triangle that the ray from `start` along +x may meet once: all triangles that share a point with the ray
+/// from any point within 2^-51 of `start`, relatively and per coordinate, and perhaps others.
 void walk_ray(const hierarchy::PlacedTree& body, const Vec3& start, const Visit& visit);
 
 }  // namespace impinge::solid

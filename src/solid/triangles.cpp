@@ -15,7 +15,7 @@ const exact::Projection& projection_of(const Triangle& t) {
   return exact::kProjections[exact::find_projection(t[0], t[1], t[2])];
 }
 
-/// Of a triangle's vertices to a plane.
+/// On which sides of a plane a triangle has vertices, and its vertices on the plane.
 struct Sides {
   bool above = false, below = false;
   std::vector<Vec3> on;
@@ -28,8 +28,8 @@ struct Sides {
   }
 };
 
-/// A point or a segment in the triangle's plane and its open inside: they meet unless a line along an edge, or along
-/// the segment, has the one on one side and the other not strictly on the other.
+/// Whether a point or segment in the triangle's plane meets its interior. It does unless the line of an edge, or of the
+/// segment, separates the two.
 bool meets_inside(const std::vector<Vec3>& points, const Triangle& t) {
   const exact::Projection& p = projection_of(t);
   const int inner = exact::orient2d(p, t[0], t[1], t[2]);

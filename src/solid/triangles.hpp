@@ -4,16 +4,16 @@
 
 #include "core/vec3.hpp"
 
-/// How two proper triangles that share a point lie to each other, exactly, by signs alone.
+/// Exact relations of two proper triangles that share a point, by signs alone.
 namespace impinge::solid {
 
-/// Of a pair whose kind is `touching`: whether `reaching`, closed, meets the interior of `t`, which is open.
+/// Whether the closed triangle `reaching` meets the interior of `t`, for a pair whose kind is `touching`.
 bool reaches_inside(const Triangle& reaching, const Triangle& t);
 
-/// Of coplanar ones: whether `cover` holds all of `t`.
+/// Whether `cover` contains `t`, for coplanar triangles.
 bool covers(const Triangle& cover, const Triangle& t);
 
-/// Of coplanar ones: whether their normals point the same way.
+/// Whether the normals of two coplanar triangles point the same way.
 bool same_orientation(const Triangle& a, const Triangle& b);
 
 }  // namespace impinge::solid

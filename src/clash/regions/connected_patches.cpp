@@ -11,19 +11,19 @@
 namespace impinge::clash {
 namespace {
 
-/// The coordinate in which patches look, and the one across.
+/// The coordinate along which lines of sight run, and the one across.
 struct Axes {
   int along, across;
 };
 
-/// Those of the coordinate plane to which the triangle is nearest.
+/// The axes of the coordinate plane that is most nearly parallel to the triangle.
 Axes axes_of(const Triangle& t) {
   const Vec3 normal = abs(cross(t[1] - t[0], t[2] - t[0]));
   if (normal.x >= std::max(normal.y, normal.z)) return {1, 2};
   return normal.y >= normal.z ? Axes{2, 0} : Axes{0, 1};
 }
 
-/// Marks that have an end in common.
+/// Connects marks that have an end in common.
 DisjointSets chains_of(std::span<const Mark> marks) {
   std::vector<std::pair<Vec3, std::uint32_t>> ends;
   for (std::uint32_t i = 0; i < marks.size(); ++i)
@@ -35,8 +35,8 @@ DisjointSets chains_of(std::span<const Mark> marks) {
   return chains;
 }
 
-/// Segments by strips across the looks: about as many strips as the root of their number, so that long ones do not fill
-/// memory.
+/// Segments in strips along the lines of sight. There are about as many strips as the square root of the number of
+/// segments, so that long segments, which are in many strips, do not fill the memory.
 class Strips {
  public:
   Strips(std::span<const Segment> segments, const Axes& axes) : segments_(segments), axes_(axes) {
@@ -54,7 +54,7 @@ class Strips {
     }
   }
 
-  /// The nearest segment beyond `from` that counts, and where.
+  /// The first segment that counts on the line of sight from a point, and where it is met.
   template <class Counts>
   [[nodiscard]] std::pair<std::uint32_t, Vec3> first_from(const Vec3& from, const Counts& counts) const {
     std::uint32_t best = kNone;

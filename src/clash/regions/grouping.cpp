@@ -12,7 +12,7 @@
 namespace impinge::clash {
 namespace {
 
-/// A body's positions, each with the contacts of the triangles that have it: those of one triangle follow each other.
+/// For each position of part a, the contacts of the triangles that use it; contacts of one triangle are consecutive.
 class ContactFans {
  public:
   ContactFans(const solid::Part& part, std::span<const exact::Contact> contacts)
@@ -30,7 +30,7 @@ class ContactFans {
       for (const std::uint32_t p : part.corners(contacts[runs_[i].begin].a)) of_position_[next[p]++] = i;
   }
 
-  /// The contacts of all triangles of a that have this position.
+  /// Calls visit(contact) for the contacts of all triangles of a that use the position.
   template <class Visit>
   void for_each(std::uint32_t position, const Visit& visit) const {
     for (std::size_t i = offsets_[position]; i < offsets_[position + 1]; ++i)
@@ -42,15 +42,15 @@ class ContactFans {
     std::uint32_t begin, end;
   };
   std::vector<std::size_t> offsets_;
-  std::vector<Run> runs_;                   ///< of one triangle of a each
-  std::vector<std::uint32_t> of_position_;  ///< numbers of runs
+  std::vector<Run> runs_;                   ///< the contacts of each triangle of a
+  std::vector<std::uint32_t> of_position_;  ///< indices of runs
 };
 
-/// Per position or triangle of b, the last contact that was there, for one position of a after the other.
+/// For each position or triangle of b, the last contact seen there while one position of a is visited (a turn).
 class Last {
  public:
   explicit Last(std::size_t size) : seen_(size) {}
-  /// Joins the contact to the last one that was here in this turn; false if it is the first.
+  /// Joins the contact to the last one seen here in this turn; false if it is the first one.
   bool join(std::size_t place, std::uint32_t turn, std::uint32_t contact, DisjointSets& groups) {
     auto& [last_turn, last] = seen_[place];
     const bool is_known = last_turn == turn + 1;
@@ -84,7 +84,7 @@ bool are_near(const PointGrid::Cell& x, const PointGrid::Cell& y, double toleran
 
 void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups) {
   std::unordered_map<Vec3, std::uint32_t, PointHash> first;
-  std::size_t last = 0;  // the same row as the one before holds the same points
+  std::size_t last = 0;  // consecutive contacts may share a row, which holds the same points
   for (std::uint32_t i = 0; i < contacts; ++i) {
     if (i > 0 && parts[i].data() == parts[last].data() && parts[i].size() == parts[last].size()) {
       if (!parts[i].empty()) groups.join(i, static_cast<std::uint32_t>(last));
@@ -115,8 +115,8 @@ void join_near_corners(const SharedParts& parts, std::size_t contacts, double to
     }
 }
 
-// Two pairs are neighbours if and only if some position p of a's triangles and some position q of b's are in both. All
-// pairs are looked at once for each p: those that have a triangle of b in common also have its three q.
+// Two pairs are neighbours if and only if their triangles of a have some position p in common and those of b some
+// position q. All pairs are visited once for each p: pairs with a common triangle of b also have its three q in common.
 void join_neighbours(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
                      const SharedParts& parts, DisjointSets& groups) {
   const ContactFans fans(a, contacts);

@@ -6,14 +6,15 @@
 #include "clash/regions/connected_patches.hpp"
 #include "clash/regions/grouping.hpp"
 
-/// The surface of a body is cut into patches by the lines of contact. Where a patch lies inside the other body, its rim
-/// is one region. What holds a patch together is found on its edges: pieces of edges between two points of contact join
-/// these; pieces that end at a vertex join a point of contact and the vertex; whole edges join their vertices. That
-/// leaves contacts that reach no edge of a triangle: patches in it, which look for what is beside them.
+/// The lines of contact cut the surface of a part into patches. Where a patch lies inside the other part, all contacts
+/// on its rim are one region. Edges of the mesh connect a patch: a piece of an edge between two points of contact
+/// connects these, a piece that ends at a vertex connects a point of contact and the vertex, and a whole edge connects
+/// its vertices. Contacts in the interior of a triangle, which reach none of its edges, are connected by lines of sight
+/// (regions/connected_patches.hpp).
 namespace impinge::clash {
 namespace {
 
-/// A point of contact on an edge of the body.
+/// A point of contact on an edge of the part.
 struct OnEdge {
   std::uint64_t edge;  ///< its two positions, the lower one first
   double along;        ///< grows from the first to the second
@@ -52,8 +53,8 @@ class Surface {
     });
   }
 
-  /// Vertices that no point of contact parts are on one side of the other body. Of a triangle without area it is not
-  /// known which points of contact are on its edges.
+  /// Joins the vertices of each edge without a point of contact: both are on one side of the other part. Degenerate
+  /// triangles are left out, since the points of contact on their edges are not known.
   void join_vertices() {
     for (std::uint32_t t = 0; t < part_.body.size(); ++t) {
       const auto corners = part_.corners(t);
@@ -65,7 +66,8 @@ class Surface {
     }
   }
 
-  /// Asks whether a point is inside only where the answer joins two groups.
+  /// Joins neighbouring points of contact on an edge if the edge is inside between them. That is asked only where it
+  /// joins two groups.
   void join_along_edges(const IsInside& inside) {
     for (std::size_t begin = 0, end = 0; begin < points_.size(); begin = end) {
       for (end = begin; end < points_.size() && points_[end].edge == points_[begin].edge; ++end) {
@@ -108,7 +110,8 @@ class Surface {
  private:
   static Vec3 middle(const Vec3& p, const Vec3& q) { return 0.5 * p + 0.5 * q; }
 
-  /// Points are rounded once, and rounding keeps the order: a coordinate in which the edge is not constant orders them.
+  /// Orders points along an edge by the coordinate in which the edge is longest: points are rounded once, which keeps
+  /// their order.
   [[nodiscard]] double along(std::uint32_t p, std::uint32_t q, const Vec3& point) const {
     const Vec3 step = vertex_[std::max(p, q)] - vertex_[std::min(p, q)], size = abs(step);
     const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
@@ -123,11 +126,12 @@ class Surface {
                                      [](const OnEdge& point, std::uint64_t key) { return point.edge < key; });
     return at != points_.end() && at->edge == edge;
   }
-  /// Nothing lies between a point of contact and the vertex. A vertex that is itself in contact is in no patch.
+  /// Adds a point of contact to the rim of the patch of a vertex, if no other point lies between them. A vertex that is
+  /// itself in contact is in no patch.
   void reach(const OnEdge& point, std::uint32_t vertex) {
     if (point.point != vertex_[vertex]) rims_.emplace_back(patches_.find(vertex), point.contact);
   }
-  /// The sides of what a pair shares.
+  /// Adds the sides of the polygon, segment or point that a pair shares.
   void mark(std::uint32_t contact, std::vector<Mark>& marks) const {
     const std::span<const Corner> corners = parts_[contact];
     const std::size_t sides = corners.size() > 2 ? corners.size() : 1;
@@ -139,7 +143,8 @@ class Surface {
   [[nodiscard]] bool is_joined(const Sight& sight) {
     return sight.seen < Sight::kBorder && groups_.find(sight.seen) == groups_.find(sight.patch);
   }
-  /// A piece of the border is known by a point of contact at its end, or by a vertex.
+  /// Joins a patch to a contact in its sight, or, at the border, to the next point of contact or the vertex on that
+  /// edge.
   void join(const Sight& sight, const std::array<std::uint32_t, 3>& corners) {
     if (sight.seen < Sight::kBorder) return groups_.join(sight.seen, sight.patch);
     const std::uint32_t e = sight.seen - Sight::kBorder, p = corners[e], q = corners[(e + 1) % 3];
@@ -157,14 +162,14 @@ class Surface {
   [[nodiscard]] unsigned edges_of(const Corner& corner) const { return corner.edges >> shift_ & 7U; }
 
   const solid::Part& part_;
-  int shift_;  ///< of the bits of this body's edges
+  int shift_;  ///< the place of this part's edges among the bits of a corner
   const SharedParts& parts_;
   DisjointSets& groups_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touched_;  ///< a triangle and a contact of it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touched_;  ///< triangles with their contacts, sorted
   std::vector<Vec3> vertex_;                                      ///< per position
-  DisjointSets patches_;                                          ///< of positions
+  DisjointSets patches_;                                          ///< sets of positions
   std::vector<OnEdge> points_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> rims_;  ///< a patch and a contact that it reaches
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rims_;  ///< patches with the contacts on their rims
 };
 
 }  // namespace

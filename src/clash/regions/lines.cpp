@@ -10,7 +10,7 @@
 namespace impinge::clash {
 namespace {
 
-/// The graph of the pieces: at each point, in lexicographic order, which ones meet there.
+/// The graph of the pieces: for each point, in lexicographic order, the pieces that meet there.
 class Net {
  public:
   explicit Net(std::vector<Piece> pieces) : pieces_(std::move(pieces)), used_(pieces_.size()) {
@@ -53,7 +53,8 @@ class Net {
     return way.forward ? pieces_[way.piece].flow : -pieces_[way.piece].flow;
   }
 
-  /// The lowest way out of a point; where lines cross, one that flows as the last piece did (with or against the walk).
+  /// The unused way out of a point that leads to the lowest point; where lines cross, the first one that continues the
+  /// flow of the last piece.
   [[nodiscard]] const Way* unused(std::uint32_t p, double last_flow) const {
     const Way* best = nullptr;
     for (std::uint32_t i = first_[p]; i < first_[p + 1]; ++i) {

@@ -10,9 +10,9 @@
 namespace impinge::clash {
 namespace {
 
-/// What is left of opposite directions when they cancel.
+/// Opposite directions cancel if no more than this share of their lengths is left.
 constexpr double kCancelled = 1e-6;
-/// Of directions that are one, or planes that are parallel, but for rounding.
+/// Directions are equal, and planes parallel, up to this sine.
 constexpr double kFlat = 1e-9;
 
 /// A power of two near a length, so that products of lengths neither over- nor underflow.
@@ -26,7 +26,7 @@ Vec3 unit(Vec3 v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// The outward unit normal; 0 of a triangle without area.
+/// The outward unit normal; 0 for a triangle without area.
 Vec3 outward_normal(const solid::Part& part, std::uint32_t i) {
   const Triangle t = part.body.triangle(i);
   const Vec3 u = t[1] - t[0], v = t[2] - t[0];
@@ -35,7 +35,7 @@ Vec3 outward_normal(const solid::Part& part, std::uint32_t i) {
   return part.is_inward(i) ? -1.0 * n : n;
 }
 
-/// A sum of weights and of what is weighed.
+/// A weighted mean of points.
 struct Mean {
   double weight = 0;
   Vec3 sum{0, 0, 0};
@@ -44,7 +44,8 @@ struct Mean {
   [[nodiscard]] Vec3 value() const { return (1 / weight) * sum; }
 };
 
-/// Half the sum of r x dr along a closed line: its area, along the normal of a plane one. About a point near it.
+/// Half the sum of r x dr along a closed line: the normal of a plane line, as long as its area. `about` is a point near
+/// it.
 Vec3 vector_area(std::span<const Vec3> points, const Vec3& about) {
   Vec3 twice{0, 0, 0};
   for (std::size_t i = 1; i < points.size(); ++i) twice = twice + cross(points[i - 1] - about, points[i] - about);
@@ -124,8 +125,8 @@ class Measures {
     normals.b.add(weight, normal_b);
   }
 
-  /// +1 if the part of a's surface inside b is on the left of this way, seen from outside a; -1 if it is on the right;
-  /// 0 if that is not certain. Where an edge of a only touches b, what its two triangles say cancels.
+  /// +1 if the part of a's surface inside b is on the left of the direction `way`, seen from outside a; -1 if it is on
+  /// the right; 0 if that is not certain. Where an edge of a only touches b, the flows of its two triangles cancel.
   static double flow(const Vec3& normal_a, const Vec3& normal_b, const Vec3& way) {
     const Vec3 along = cross(normal_a, normal_b);
     if (!(norm(along) > kFlat)) return 0;
@@ -144,7 +145,7 @@ class Measures {
     add_area(points, direction);
   }
 
-  /// The patch that a closed line spans: triangles from the line's middle, weighed by their share in the whole.
+  /// Adds the area that a closed line spans: triangles from the line's middle, weighted by their share in the whole.
   void add_area(std::span<const Vec3> points, const Vec3& direction) {
     Mean border;
     add_lengths(points, border);
@@ -172,8 +173,8 @@ class Measures {
     add_area(points, line.flow > 0 ? way : -1.0 * way);
   }
 
-  /// Where triangles end in the middle of others' edges, pieces of lines lie over each other in part. The ends of exact
-  /// ones are off by half an ulp in each coordinate: less than 2^-51 of the largest, a point and a line together.
+  /// Splits pieces that overlap in part, as where triangles end within others' edges. The ends of exact pieces are off
+  /// by half an ulp in each coordinate: a point and a line together by less than 2^-51 of the largest.
   void split_lines() {
     std::vector<Vec3> ends;
     for (const std::vector<Piece>* some : {&pieces_, &borders_})
@@ -189,14 +190,14 @@ class Measures {
   static bool before(const Piece& x, const Piece& y) {
     return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
   }
-  /// What lies on a polygon's border is part of the area or of its outline already.
+  /// The pieces that are on no polygon's border: those on one belong to the area or its outline already.
   std::vector<Piece> lines_without_borders() {
     std::sort(borders_.begin(), borders_.end(), before);
     std::erase_if(pieces_,
                   [&](const Piece& x) { return std::binary_search(borders_.begin(), borders_.end(), x, before); });
     return std::move(pieces_);
   }
-  /// Inside an area polygons have their borders in common.
+  /// The outline of the area: inside it each border belongs to an even number of polygons.
   std::vector<Piece> outline() {
     std::vector<Piece> result;
     for (std::size_t begin = 0, end = 0; begin < borders_.size(); begin = end) {
@@ -208,7 +209,7 @@ class Measures {
 
   struct Normals {
     Mean a, b;
-    /// A surface that is flat there says the direction alone.
+    /// Where only one of the two surfaces is flat, its normal is the direction.
     [[nodiscard]] Vec3 direction() const {
       const auto is_flat = [](const Mean& m) { return norm(m.sum) >= (1 - kFlat) * m.weight; };
       if (is_flat(a) != is_flat(b)) return is_flat(a) ? a.sum : -1.0 * b.sum;
@@ -229,7 +230,7 @@ class Measures {
     const Normals& normals = of_lines_.a.weight > 0 ? of_lines_ : of_points_;
     const Vec3 direction = has_area ? direction_ : normals.direction();
     const double weight = has_area ? area_.weight : normals.a.weight;
-    // Areas are off by what moved along their outlines.
+    // An area is off by the distance over which its outline moved.
     const double off = has_area ? within_ / unit_ * length_.weight : 0;
     region_.normal = norm(direction) > kCancelled * weight + off ? unit(direction) : Vec3{0, 0, 0};
   }
@@ -242,7 +243,7 @@ class Measures {
   Region region_;
   Vec3 origin_{};
   double unit_ = 1;
-  std::vector<Piece> pieces_, borders_;  ///< of pairs that share a segment; of polygons
+  std::vector<Piece> pieces_, borders_;  ///< of pairs that share a segment, and of the borders of polygons
   std::vector<Vec3> points_;
   Mean area_, length_;
   Vec3 direction_{0, 0, 0};

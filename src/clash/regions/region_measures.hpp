@@ -9,8 +9,8 @@
 
 namespace impinge::clash {
 
-/// The region made of the contacts that `members` numbers. Lines are one where they are no farther apart than
-/// `within`; 0: than rounding leaves.
+/// Measures the region of the contacts with the indices `members`. Lines no farther apart than `within` are one; with
+/// 0, than rounding makes.
 Region measured(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
                 const SharedParts& parts, std::span<const std::uint32_t> members, double within = 0);
 

@@ -18,7 +18,7 @@
 namespace impinge::clash {
 namespace {
 
-/// The numbers of each group's contacts, in order; groups in the order of their first.
+/// The indices of each group's contacts, ascending; groups are in the order of their first contacts.
 std::vector<std::vector<std::uint32_t>> members_of(DisjointSets& groups, std::size_t contacts) {
   std::vector<std::vector<std::uint32_t>> members;
   std::vector<std::uint32_t> number(contacts);
@@ -39,14 +39,14 @@ bool are_all_one(DisjointSets& groups, std::size_t contacts) {
   return true;
 }
 
-/// The radius of the circle within: 2 area / perimeter, as the wall of a solid is 2 volume / area.
+/// The radius of the inscribed circle: 2 area / perimeter, as the wall of a solid is 2 volume / area.
 double width(const Triangle& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0];
   const double perimeter = norm(u) + norm(v) + norm(t[2] - t[1]);
   return perimeter > 0 ? norm(cross(u, v)) / perimeter : 0;
 }
 
-/// The one in the middle: a few slivers say nothing of the others.
+/// The median width of the triangles, since a few slivers say nothing of the others.
 double median_width(const solid::Body& body, std::vector<std::uint32_t> triangles, const LocalFrame& frame) {
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
@@ -65,7 +65,7 @@ Reach reach_of(const solid::Body& a, const solid::Body& b, std::span<const exact
   std::vector<std::uint32_t> of_a, of_b;
   for (const exact::Contact& pair : contacts) of_a.push_back(pair.a), of_b.push_back(pair.b);
   const double width = std::min(median_width(a, std::move(of_a), frame), median_width(b, std::move(of_b), frame));
-  // No finer than rounding, however narrow they are.
+  // However narrow the triangles are, the resolution stays above rounding.
   const double least = std::max(0x1p-8 * tolerance, kLeastTolerance * frame.scale / frame.unit);
   return {tolerance, std::min(tolerance, std::max(width / (4 * frame.unit), least))};
 }

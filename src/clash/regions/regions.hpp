@@ -22,12 +22,12 @@ std::optional<std::vector<Region>> regions_of(const solid::Part& a, const solid:
                                               std::span<const exact::Contact> contacts, double tolerance,
                                               const ForEach& for_each = {}, const std::stop_token& stop = {});
 
-/// How many pairs of triangles that are both small beside the tolerance (`is_small`) are found regions of: their number
-/// grows with the square of the tolerance, and so must have an end, in proportion to the meshes.
+/// The greatest number of pairs of triangles that are both small beside the tolerance (is_small) for which regions are
+/// found. Their number grows with the square of the tolerance, so that it needs a limit, in proportion to the meshes.
 std::size_t most_small_pairs(const solid::Body& a, const solid::Body& b);
 
-/// The pairs within a tolerance above 0, as regions want them: the kinds are not told. Not all if stopped; nothing if
-/// more than `most` are small.
+/// The pairs of triangles within a tolerance above 0; their kinds are not determined. Incomplete if stopped; nothing if
+/// in more than `most` pairs both triangles are small.
 std::optional<std::vector<exact::Contact>> contacts_within(const solid::Body& a, const solid::Body& b, double tolerance,
                                                            std::size_t most, const std::stop_token& stop = {});
 

@@ -13,10 +13,10 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// Of 256 bits, on the stack, unchecked: with coordinates below 2^60 differences are below 2^61, determinants of three
-/// of them below 2^187, and what a coordinate's numerator adds up, below 2^249.
+/// Integers of 256 bits, on the stack, unchecked: with coordinates below 2^60, differences are below 2^61, determinants
+/// of three of them below 2^187, and the sum in a coordinate's numerator below 2^249.
 using Fixed = mp::number<mp::cpp_int_backend<256, 256, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
-/// Of any length: 660 bits hold a coordinate within the range of contract 1.3.
+/// Integers of any length: 660 bits hold a coordinate within the range of contract 1.3.
 using Any = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 constexpr int kFixedBits = 60;
 
@@ -39,8 +39,8 @@ Binary binary(double x) {
 struct Scaled {
   static constexpr std::size_t kMost = 5;
   std::array<std::array<Binary, 3>, kMost> points;
-  std::array<int, 3> exponent;  ///< that of the lowest bit on the axis
-  int bits = 0;                 ///< of the largest integer
+  std::array<int, 3> exponent;  ///< of the lowest bit, per axis
+  int bits = 0;                 ///< the length of the largest integer
 
   explicit Scaled(std::span<const Vec3> from) {
     exponent.fill(std::numeric_limits<int>::max());
@@ -72,7 +72,7 @@ double rounded(Int n, Int d, int exponent) {
   if (n == 0) return 0;
   const bool negative = (n < 0) != (d < 0);
   n = abs(n), d = abs(d);
-  // A quotient of 55 bits or 56, the last of which stands for all that follow: its conversion rounds once.
+  // The quotient has 55 or 56 bits, the last of which also stands for all bits that follow: converting it rounds once.
   const int shift = 55 + static_cast<int>(msb(d)) - static_cast<int>(msb(n));
   if (shift > 0) n <<= shift;
   if (shift < 0) d <<= -shift;

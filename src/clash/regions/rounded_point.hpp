@@ -10,11 +10,11 @@
 /// are therefore equal bit for bit, whatever edges and planes they were made from.
 namespace impinge::clash {
 
-/// Where an edge passes through a plane. The edge's ends lie strictly on either side.
+/// The point in which an edge passes through a plane. The edge's ends lie strictly on either side.
 Vec3 where_through(const Segment& edge, const Triangle& plane);
 
-/// Where two edges in one plane cross. Each has its ends strictly on either side of the other's line. `p` is a
-/// projection injective on the plane.
+/// The point in which two edges in one plane cross. Each has its ends strictly on either side of the other's line. `p`
+/// is a projection injective on the plane.
 Vec3 where_across(const Segment& edge, const Segment& other, const exact::Projection& p);
 
 }  // namespace impinge::clash

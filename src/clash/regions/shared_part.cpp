@@ -8,7 +8,7 @@
 namespace impinge::clash {
 namespace {
 
-/// A triangle with area, or the segment or point that another one is.
+/// A proper triangle, or the segment or point that a degenerate one is.
 struct Shape {
   Triangle corner;
   int corners = 3;
@@ -30,7 +30,8 @@ struct Shape {
 /// On which sides of a plane the corners of a shape lie.
 using Sides = std::array<int, 3>;
 
-/// Whether the interior of an edge passes through the interior of a triangle; its ends are on either side of the plane.
+/// Whether the interior of an edge passes through the interior of a triangle, if its ends are on either side of the
+/// plane.
 bool pierces(const Segment& edge, const Triangle& t) {
   const int first = exact::orient3d(edge[0], edge[1], t[0], t[1]);
   return first != 0 && first == exact::orient3d(edge[0], edge[1], t[1], t[2]) &&
@@ -72,7 +73,7 @@ class Sharing {
     const Triangle& plane = shape_[1 - s].corner;
     for (int i = 0; i < 3; ++i) side_[s][i] = exact::orient3d(plane[0], plane[1], plane[2], shape_[s].corner[i]);
   }
-  /// All of a shape on one side of the other's plane.
+  /// Whether all of a shape is on one side of the other's plane.
   [[nodiscard]] bool is_apart(int s) const {
     const Sides& side = side_[s];
     return side[0] != 0 && side[0] == side[1] && side[0] == side[2];
@@ -117,8 +118,8 @@ class Sharing {
     part_.corners[part_.size++] = {{point.x + 0.0, point.y + 0.0, point.z + 0.0}, static_cast<std::uint8_t>(edges)};
   }
 
-  /// A side of the polygon is a part of an edge, and the line of an edge holds the two corners at its ends and no more:
-  /// corners follow each other where they have an edge in common.
+  /// Each side of the polygon is part of an edge, and no other corner lies on the line of that edge: consecutive
+  /// corners are those with an edge in common.
   [[nodiscard]] SharedPart in_order() {
     for (std::size_t i = 1; i + 1 < part_.size; ++i) {
       const auto begin = part_.corners.begin() + static_cast<std::ptrdiff_t>(i),
@@ -131,19 +132,19 @@ class Sharing {
   }
 
   std::array<Shape, 2> shape_;
-  std::array<Sides, 2> side_{};  ///< to the other's plane; 0 also where it has none
+  std::array<Sides, 2> side_{};  ///< of the other's plane; 0 also where the other is degenerate
   SharedPart part_;
 };
 
-/// The ways from a corner of a triangle to the two others.
+/// The vectors from a corner of a triangle to the two others.
 using Ways = std::array<Vec3, 2>;
 
 Ways ways_from(const Triangle& t, std::size_t corner) {
   return {t[(corner + 1) % 3] - t[corner], t[(corner + 2) % 3] - t[corner]};
 }
 
-// Each way is off by a part 2^-53 of each coordinate, which products and sums add a few to; what underflows is far
-// below the second bound, for `d` has coordinates up to 4.
+// Each vector is off by 2^-53 of each coordinate, to which products and sums add a few roundings; an underflow is far
+// below the second bound, since `d` has coordinates up to 4.
 bool is_certain(double sum, double of_sizes) { return sum > 0x1p-48 * of_sizes && sum > 0x1p-900; }
 
 bool is_ahead(const Ways& ways, const Vec3& d) {
@@ -157,7 +158,7 @@ bool has_area(const Ways& ways) {
          is_certain(std::abs(sum.z), u.x * v.y + u.y * v.x);
 }
 
-/// Along the bisector, about: the sum of two ways, each in a unit of its own.
+/// A vector roughly along the bisector: the sum of the two vectors, each scaled to a length near 1.
 Vec3 middle_of(const Ways& ways) {
   const auto shortened = [](const Vec3& v) { return (1 / max_component(abs(v))) * v; };
   return shortened(ways[0]) + shortened(ways[1]);
@@ -165,7 +166,7 @@ Vec3 middle_of(const Ways& ways) {
 
 }  // namespace
 
-// A plane through the corner has the one triangle before it and the other behind.
+// Proves it by a plane through the corner that separates the two triangles.
 std::optional<Corner> common_vertex(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {

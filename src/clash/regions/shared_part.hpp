@@ -13,8 +13,8 @@ namespace impinge::clash {
 /// A corner of what two triangles share, rounded once.
 struct Corner {
   Vec3 point;
-  /// The edges on which it lies exactly, or-ed: 1 << i for a's edge from its corner i to the next, 8 << i for b's. None
-  /// of a triangle without area.
+  /// The edges on which it lies exactly, or-ed: 1 << i for a's edge from its corner i to the next, 8 << i for b's.
+  /// Edges of a degenerate triangle are left out.
   std::uint8_t edges;
 };
 
@@ -25,11 +25,11 @@ struct SharedPart {
   std::uint8_t size = 0;
 };
 
-/// Degenerate triangles are the segment or point that they are.
+/// A degenerate triangle counts as the segment or point that it is.
 SharedPart shared_part(const Triangle& a, const Triangle& b);
 
-/// A corner that both have and that is certainly all that they share: what `shared_part` would find, in a small part of
-/// the time. Nothing where floating point is not certain.
+/// A common corner that is certainly all that the triangles share: the result of `shared_part` in a small part of the
+/// time. Nothing where floating point is not certain.
 std::optional<Corner> common_vertex(const Triangle& a, const Triangle& b);
 
 }  // namespace impinge::clash

@@ -16,16 +16,16 @@
 
 namespace impinge::clash {
 
-/// What counts as in contact, and as one. Both 0: exactly.
+/// The distances within which triangles are in contact, and points are one. Both are 0 for exact contacts.
 struct Reach {
   double tolerance = 0;
-  /// How finely lines of contact and outlines of areas are told: within the tolerance, but also within a quarter of how
-  /// wide the triangles in contact are. If more were one point, nothing would be left of their borders.
+  /// How finely lines of contact and outlines of areas are resolved: at most the tolerance, and at most a quarter of
+  /// the width of the triangles in contact. With a coarser one nothing would be left of their borders.
   double resolution = 0;
 };
 
-/// What each of many pairs shares. Pairs that meet in a common vertex alone have one row together: a fan of n
-/// triangles on another is n² of them.
+/// What each of many pairs of triangles shares, in rows of corners. Pairs that share only a common vertex use one row
+/// together, since two fans of n triangles make n² such pairs.
 class SharedParts {
  public:
   [[nodiscard]] std::span<const Corner> operator[](std::size_t contact) const {
@@ -37,23 +37,23 @@ class SharedParts {
     rows_.push_back(corners_.size() << kSizeBits | part.size());
     corners_.insert(corners_.end(), part.begin(), part.end());
   }
-  /// A point on these edges, in the row of the last such one where that is the same.
+  /// Adds a row of one point, or reuses the last row of a point on these edges if the point is the same.
   void add_vertex(const Corner& corner);
   void append(const SharedParts& others);
-  /// The farthest that what shares some part is apart: 0 of exact ones.
+  /// The greatest gap between two triangles where they share a part; 0 for exact contacts.
   [[nodiscard]] double gap() const { return gap_; }
   void widen_gap(double gap) { gap_ = std::max(gap_, gap); }
   void reserve(std::size_t rows) { rows_.reserve(rows); }
 
  private:
   static constexpr unsigned kSizeBits = 3, kMostCorners = 7;
-  std::vector<std::uint64_t> rows_;  ///< where it begins and its size
+  std::vector<std::uint64_t> rows_;  ///< where each row begins, and its size
   std::vector<Corner> corners_;
   double gap_ = 0;
-  std::array<std::uint64_t, 64> vertex_rows_{};  ///< of the last vertex on these edges
+  std::array<std::uint64_t, 64> vertex_rows_{};  ///< the row of the last vertex, by its edges
 };
 
-/// With a tolerance, what each pair shares within it (`shared_within`). Incomplete if stopped.
+/// What each pair shares, with a tolerance as by shared_within. Incomplete if stopped.
 SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
                          const Reach& reach, const ForEach& for_each, const std::stop_token& stop);
 

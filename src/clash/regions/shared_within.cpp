@@ -13,17 +13,18 @@
 namespace impinge::clash {
 namespace {
 
-constexpr double kNarrow = 0x1p-10;  ///< of the resolution: far above what rounding leaves of a common edge
+constexpr double kNarrow = 0x1p-10;  ///< times the resolution: far above the rounding of a common edge
 constexpr double kFlushCosine = 0.9;
-constexpr double kRun = 4;  ///< times the resolution: what is near for less is a point
+constexpr double kRun = 4;  ///< times the resolution: a shorter segment is a point
 
-/// A triangle that is wide enough for its plane to be told.
+/// A triangle that is wide enough for its plane to be known.
 struct Face {
   Triangle triangle;
   Vec3 normal;
 };
 
-/// The bound is that of slabs: a normal that is off lifts some point of the triangle by no more than `lift`.
+/// The bound is that of make_slab: the error of the normal lifts no point of the triangle by more than a quarter of the
+/// tolerance.
 std::optional<Face> face_of(const Triangle& t, double tolerance, double scale) {
   const std::array<Vec3, 3> edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3 normal = cross(edges[0], edges[1]);
@@ -32,7 +33,7 @@ std::optional<Face> face_of(const Triangle& t, double tolerance, double scale) {
   return Face{t, (1 / size) * normal};
 }
 
-/// What lies over a face, as seen along a direction.
+/// The prism over a face along a direction.
 std::array<HalfSpace, 3> prism_over(const Face& face, const Vec3& direction) {
   std::array<HalfSpace, 3> sides;
   const double turn = dot(face.normal, direction) < 0 ? -1 : 1;
@@ -44,7 +45,7 @@ std::array<HalfSpace, 3> prism_over(const Face& face, const Vec3& direction) {
   return sides;
 }
 
-/// How far from a point to a face's plane, along a direction.
+/// The distance from a point to a face's plane along a direction, with a sign.
 double way_to(const Face& face, const Vec3& point, const Vec3& direction) {
   return dot(face.triangle[0] - point, face.normal) / dot(direction, face.normal);
 }
@@ -64,7 +65,7 @@ class Near {
     faces_ = {face_of(local_a, tolerance_, frame_.scale), face_of(local_b, tolerance_, frame_.scale)};
   }
 
-  /// Empty if they are not flush.
+  /// Empty if the triangles are not flush.
   [[nodiscard]] SharedWithin shared_if_flush() const {
     if (!faces_[0] || !faces_[1]) return {};
     const double cosine = dot(faces_[0]->normal, faces_[1]->normal);
@@ -91,7 +92,7 @@ class Near {
     return {part, gap / frame_.unit};
   }
 
-  /// The longest of the edges' parts along the other triangle, if it is longer than `kRun` says.
+  /// The longest part of an edge along the other triangle, if it is longer than kRun resolutions.
   [[nodiscard]] SharedWithin edge_part() const {
     Segment longest{};
     double gap = 0;
@@ -112,7 +113,7 @@ class Near {
   }
 
  private:
-  /// The part of an edge that lies over a face, if it is near as a whole.
+  /// The part of an edge over a face, if all of it is within the resolution.
   [[nodiscard]] std::optional<Segment> along(Segment edge, const Face& face) const {
     for (const HalfSpace& side : prism_over(face, face.normal)) {
       const double from = dot(side.normal, edge[0]) - side.offset, to = dot(side.normal, edge[1]) - side.offset;
@@ -126,7 +127,7 @@ class Near {
     return edge;
   }
 
-  /// Corners that are one up to rounding become one; what is but a line, a segment.
+  /// Reduces a polygon narrower than kNarrow resolutions to a segment or a point.
   [[nodiscard]] SharedPart without_slivers(std::span<const Vec3> polygon) const {
     const double narrow = kNarrow * resolution_;
     Segment farthest{polygon[0], polygon[0]};

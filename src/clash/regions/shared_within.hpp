@@ -7,29 +7,32 @@
 
 namespace impinge::clash {
 
-/// What is asked for within a tolerance.
+/// The lengths and the frame for shared_within.
 struct SharedWithinSetting {
   LocalFrame frame;
   double tolerance;               ///< in the world
-  double resolution = tolerance;  ///< likewise; how finely lines are told (clash/regions/resolution.hpp)
+  double resolution = tolerance;  ///< in the world: how finely lines are resolved (Reach)
 };
 
 struct SharedWithin {
   SharedPart shared;
-  double gap = 0;  ///< the farthest that flush triangles, or an edge and what it runs along, are apart there
+  double gap = 0;  ///< the greatest distance there between flush triangles, or between an edge and a triangle along it
 };
 
-/// What two triangles that come within the tolerance of each other share up to it; corners know no edges.
-///   - Flush ones share the polygon over which they lie, half-way between them. Flush are two whose planes are no more
-///     than 25 degrees apart and which, wherever one lies over the other as seen along the bisector of their normals,
-///     are no farther apart than the tolerance. A polygon narrower than 2^-10 of the resolution is the segment that it
-///     almost is, or nothing where the two are farther apart than that.
-///   - An edge that is within the resolution wherever it lies over the other triangle, and over it for more than 4 of
-///     it and for longer than what they share exactly, is a segment, likewise half-way.
-///   - All others share what they share exactly or, if that is nothing, the point between their nearest points.
+/// What two triangles no farther apart than the tolerance share within it. The corners have no edges.
+///   - Flush triangles share the polygon in which they overlap, half-way between them. Two triangles are flush if their
+///     planes are at most 25 degrees apart and if, wherever one lies over the other along the bisector of their
+///     normals, they are no farther apart than the tolerance. A polygon narrower than 2^-10 of the resolution is
+///     reduced to a segment, or to nothing where the triangles are farther apart than the resolution.
+///   - If an edge is within the resolution of the other triangle wherever it lies over it, along more than 4
+///   resolutions
+///     and more than the triangles share exactly, they share that segment, likewise half-way.
+///   - All other triangles share what they share exactly or, if that is nothing, the point between their nearest
+///   points.
 SharedWithin shared_within(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting);
 
-/// The first of these alone: the polygon of flush ones, or what it has shrunk to. Empty of others.
+/// Only the first of these: the polygon of flush triangles, or the segment or point to which it is reduced; empty if
+/// they are not flush.
 SharedWithin shared_if_flush(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting);
 
 }  // namespace impinge::clash

@@ -9,24 +9,24 @@
 
 namespace impinge::clash {
 
-/// Pieces with each divided at those of the points that are no farther than `within` from it, so that pieces which lie
-/// over each other become equal where they do. Lengths are taken in a unit near the whole's size, and from an origin in
-/// its middle. Where there would be very many more pieces than there were, they stay as they are.
+/// Splits pieces at the points no farther than `within` from them, so that pieces that overlap become equal where they
+/// do. Computes in a unit near the size of the whole, about an origin in its middle. Pieces are left as they are where
+/// there would be very many more of them.
 class Splitter {
  public:
   struct Setting {
     Vec3 origin;
-    double unit;    ///< of the caller's, a power of two
-    double within;  ///< in this unit
+    double unit;    ///< a power of two
+    double within;  ///< in units
   };
-  /// The points, in any order and as often as one likes.
+  /// The points may be in any order and repeated.
   Splitter(std::vector<Vec3> points, const Setting& setting);
   [[nodiscard]] std::vector<Piece> split(const std::vector<Piece>& pieces) const;
 
-  /// Where points may be as near to each other as to a piece. One that lies beside a piece would make a detour of it,
-  /// and of three such points each is beside the others' piece: only those count that leave parts shorter than what
-  /// they part. This is done again and again, for parts may come near points from which the whole was farther; in
-  /// between `tidy` keeps their number down.
+  /// The same where points may be as near to each other as to a piece. A point beside a piece makes a detour of it, and
+  /// of three such points each is beside the piece between the others: only points count whose parts are both shorter
+  /// than the piece. Splits repeatedly, since parts may come near points from which the piece was farther; `tidy`
+  /// reduces the number of pieces after each round.
   using Tidy = std::vector<Piece> (*)(std::vector<Piece>);
   [[nodiscard]] std::vector<Piece> split_closely(std::vector<Piece> pieces, Tidy tidy) const;
 

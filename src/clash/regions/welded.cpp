@@ -11,7 +11,7 @@
 namespace impinge::clash {
 namespace {
 
-/// How far a corner may be from an edge on which it lies, in tolerances: half-way across a gap, and moved.
+/// How many tolerances a corner may be from an edge on which it lies: it is half-way across a gap, and was moved.
 constexpr double kReach = 1.5;
 
 using Moves = std::unordered_map<Vec3, Vec3, PointHash>;
@@ -49,7 +49,7 @@ unsigned edges_near(const Vec3& p, const Triangle& t, double within) {
 
 }  // namespace
 
-// No gap is above the tolerance, but there may be some above the resolution.
+// Gaps may exceed the resolution, though not the tolerance.
 double welding_distance(const SharedParts& parts, const Reach& reach) {
   return 1.25 * std::min(parts.gap(), reach.resolution) + 0x1p-8 * reach.resolution;
 }

@@ -8,14 +8,14 @@
 
 namespace impinge::clash {
 
-/// Up to which distance corners of parts within a tolerance are taken to be one: far above rounding, and above what
-/// parts points in a gap: those on one face, on the other and half-way between, as seen along one normal or another.
-/// In a gap as wide as the triangles are normals differ by little from one to the next, or corners stay apart.
+/// The distance up to which corners are welded: far above rounding, and above the distance between the corners that
+/// different pairs have for one place in a gap (on one face, on the other, or half-way between them, along one normal
+/// or another). In a gap as wide as the triangles, neighbouring normals must differ by little, or corners stay apart.
 double welding_distance(const SharedParts& parts, const Reach& reach);
 
-/// The parts with corners that are no farther than the snapping distance from one chosen before them moved onto it:
-/// what exact parts have in common, near ones have up to rounding and gaps. Points are chosen in lexicographic order.
-/// Corners get the edges that they are near.
+/// Welds corners: each is moved onto the first point, in lexicographic order, that was kept within the welding
+/// distance. Corners that exact parts have in common are common to parts within a tolerance too, then. Each corner gets
+/// the edges to which it is near.
 SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
                    const SharedParts& parts, const Reach& reach);
 

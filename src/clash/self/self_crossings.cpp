@@ -17,8 +17,8 @@
 namespace impinge::clash {
 namespace {
 
-/// A proper triangle's plane and the heights of another's vertices over it, in floating point: a crossing is known to
-/// be there, the question is whether it is of a size to speak of.
+/// The normal of a triangle's plane and the heights of another triangle's vertices over it. Floating point suffices:
+/// the triangles are known to cross, and only the size of the crossing is asked for.
 struct Heights {
   Vec3 normal;
   std::array<double, 3> height;
@@ -33,7 +33,7 @@ struct Heights {
     const auto [lo, hi] = std::minmax_element(height.begin(), height.end());
     return std::max(0.0, std::min(-*lo, *hi));
   }
-  /// Where the other triangle meets the plane, along a line.
+  /// The interval, along a line, in which the other triangle meets the plane.
   [[nodiscard]] std::pair<double, double> span(const Triangle& other, const Vec3& origin, const Vec3& along) const {
     double lo = 1, hi = -1;
     bool is_empty = true;
@@ -52,7 +52,7 @@ struct Heights {
   }
 };
 
-/// Of the segment that two crossing triangles share, roughly.
+/// The approximate length of the segment that two crossing triangles share.
 double shared_length(const Triangle& a, const Triangle& b, const Heights& a_over_b, const Heights& b_over_a) {
   const Vec3 line = cross(a_over_b.normal, b_over_a.normal);
   const double sine = norm(line);
@@ -66,7 +66,7 @@ double shared_length(const Triangle& a, const Triangle& b, const Heights& a_over
 }  // namespace
 
 bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance) {
-  // Of the triangles about a vertex most share nothing but that, which is quicker to see.
+  // Most triangles around a vertex share only that vertex, which is quicker to test.
   if (kind == Kind::coplanar) return !find_vertex_contact(a, b, 0) && exact::share_area(a, b);
   if (kind != Kind::crossing) return false;
   if (tolerance == 0) return true;

@@ -19,8 +19,8 @@
 namespace impinge::clash {
 namespace {
 
-/// What passes goes on by so many tolerances on all four sides, and along the line. Less is a sliver's height, or the
-/// end of a triangle where the next one bends away.
+/// By how many tolerances surfaces that cross go on, on all four sides and along the line. Less may be the height of a
+/// sliver, or the end of a triangle where the next one bends away.
 constexpr double kFarther = 16;
 
 /// Part of an edge.
@@ -32,16 +32,16 @@ class SelfEdgeCrossings {
  public:
   SelfEdgeCrossings(const solid::Body& body, const solid::Topology& topology, double tolerance)
       : body_(body), topology_(topology), frame_(local_frame(body.box, body.box)) {
-    // Twice what slabs need at least, so that their planes can be told; and what is passed by must be far less than a
-    // wall, for one face does not pass through the other.
+    // Twice what slabs need at least, so that their planes are known; and far less than the wall, since the two faces
+    // of a wall do not cross each other.
     const double least = 2 * kLeastTolerance * frame_.scale, most = wall() / 16 / kFarther;
     tolerance_ = std::max(std::min(frame_.unit * tolerance, most), least);
     is_told_ = tolerance_ <= 4 * most;
   }
 
-  /// Whether the tolerance is so far below the wall that what passes can be told from what is there.
+  /// Whether the tolerance is so far below the wall that crossings can be told from the two faces of a wall.
   [[nodiscard]] bool is_told() const { return is_told_; }
-  /// In the world.
+  /// How far apart the triangles of a pair may be, in the world.
   [[nodiscard]] double reach() const { return tolerance_ / frame_.unit; }
 
   bool is_one(std::uint32_t a, std::uint32_t b) {
@@ -108,8 +108,8 @@ class SelfEdgeCrossings {
     return false;
   }
 
-  /// What of an edge is between a slab's sides, if all of that is in the slab: one that only pierces it does not run
-  /// along the triangle, however flatly it does.
+  /// The part of an edge between a slab's sides, if all of it is in the slab: an edge that only pierces the slab does
+  /// not run along the triangle, however flat the angle.
   static std::optional<Stretch> clipped(Stretch s, const Slab& slab) {
     const auto clip = [&](const HalfSpace& half_space) {
       const double p = dot(half_space.normal, s.from) - half_space.offset;
@@ -127,7 +127,7 @@ class SelfEdgeCrossings {
     return s;
   }
 
-  /// The sheets around the middle of what two triangles share: whether they alternate.
+  /// Whether the two sheets alternate around the middle of the segment that the triangles share.
   bool passes_at(const Pair& sheet, const Edge& edge, const Stretch& near, std::uint32_t b, const Slab& slab) {
     const Vec3 middle = 0.5 * (near.from + near.to), along = near.to - near.from;
     const std::array<Vec3, 2> own{apex(sheet[0], edge) - middle, apex(sheet[1], edge) - middle};
@@ -149,7 +149,7 @@ class SelfEdgeCrossings {
     return alternate(along, own, other);
   }
 
-  /// How far it is from a point of a triangle to its end.
+  /// The distance from a point of a triangle to its border, in a direction.
   static double reach(const Slab& slab, const Vec3& from, const Vec3& direction) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < slab.size; ++i) {
@@ -159,7 +159,7 @@ class SelfEdgeCrossings {
     return std::isfinite(least) ? std::max(0.0, least) : 0;
   }
 
-  /// Whether the ends of a stretch are on the line through an edge, within the tolerance.
+  /// Whether the ends of a segment are on the line through an edge, within the tolerance.
   [[nodiscard]] bool is_on_line(const Stretch& near, const Stretch& edge) const {
     const Vec3 step = edge.to - edge.from;
     const double length = norm(step);

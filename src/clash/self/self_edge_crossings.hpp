@@ -11,10 +11,10 @@
 
 namespace impinge::clash {
 
-/// Pairs of a closed body's own triangles that touch or almost do, and at which it passes through itself along an edge
-/// of the one that lies in the other, or on an edge of the other that is not the same: then what it winds around
-/// changes within a shell, and there is no inside to a triangle's side. Up to the tolerance, and in floating point:
-/// what passes on all four sides many times farther than that is no matter of rounding. In order; not all if stopped.
+/// Pairs of a closed body's own triangles at which it crosses itself along an edge: the edge of one lies, within the
+/// tolerance, in the other triangle or on another edge of it, and the surface goes on on all four sides. Then the
+/// winding number changes within a shell, so that the sides of its triangles are neither inside nor outside. Floating
+/// point suffices, as the surface must go on for many tolerances. In order; incomplete if stopped.
 std::vector<TrianglePair> self_edge_crossings(const solid::Body& body, const solid::Topology& topology,
                                               double tolerance, const std::stop_token& stop = {});
 

@@ -19,11 +19,12 @@
 namespace impinge::clash {
 namespace {
 
-/// Two planes that part by a tolerance over the least width of an area are no more than 3.6 degrees apart; this is 11.
+/// The cosine of 11 degrees. Two planes that diverge by a tolerance over the least width of an area are at most 3.6
+/// degrees apart.
 constexpr double kParallel = 0.98;
-constexpr double kLeastWidth = 16;  ///< of an area, in tolerances
-constexpr double kThinWall = 8;     ///< what part of the tolerance is thinner than any wall
-constexpr double kOfWall = 256;     ///< what part of the wall the tolerance may be
+constexpr double kLeastWidth = 16;  ///< of a flush area, in tolerances
+constexpr double kThinWall = 8;     ///< any wall is thicker than the tolerance divided by this
+constexpr double kOfWall = 256;     ///< the tolerance is at most the wall divided by this
 
 Vec3 normal_of(const Triangle& t) {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
@@ -31,7 +32,7 @@ Vec3 normal_of(const Triangle& t) {
   return length > 0 ? (1 / length) * normal : Vec3{0, 0, 0};
 }
 
-/// Whether a convex polygon is wider than that in every direction: the least width is across one of its edges.
+/// Whether a convex polygon is wider than `width` in every direction: it is narrowest at a right angle to an edge.
 bool is_wider(std::span<const Vec3> polygon, const Vec3& normal, double width) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
@@ -48,7 +49,7 @@ bool is_wider(std::span<const Vec3> polygon, const Vec3& normal, double width) {
   return polygon.size() > 2;
 }
 
-/// Whether another triangle lies beside this one, but for a seam, as seen along the normal: so do most neighbours.
+/// Whether triangle b, seen along the normal of a, overlaps a by at most a seam of that width: most neighbours do.
 bool is_beside(const Triangle& a, const Vec3& normal, const Triangle& b, double seam) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 edge = a[(i + 1) % 3] - a[i], out = cross(edge, normal);
@@ -85,7 +86,7 @@ class SelfFlush {
     for (const AreaAndVolume& measure : measures) most_.push_back(most(measure));
   }
 
-  /// Of all pairs: how far triangles may be from each other to be of interest.
+  /// How far apart the triangles of a pair may be.
   [[nodiscard]] double reach() const {
     const double most = most_.empty() ? 0 : *std::max_element(most_.begin(), most_.end());
     return std::min(setting_.tolerance, most);
@@ -103,7 +104,7 @@ class SelfFlush {
     const Triangle a = body_.triangle(pair.a), b = body_.triangle(pair.b);
     const Triangle local_a = setting.frame.to_local(a), local_b = setting.frame.to_local(b);
     const Vec3 normal = normal_of(local_a);
-    // Half of the width, since flush parts are found along another direction than the normal.
+    // Half of the width, since flush areas are projected along another direction than the normal.
     if (is_beside(local_a, normal, local_b, least_width / 2)) return false;
     const double cosine = dot(normal, normal_of(local_b));
     if (std::abs(cosine) < kParallel || !is_told(setting.tolerance)) return false;
@@ -118,7 +119,7 @@ class SelfFlush {
   }
 
  private:
-  /// Whether what lies half-way to the other triangle is before this one, and not behind it.
+  /// Whether the polygon half-way to the other triangle is in front of triangle a, and not behind it.
   [[nodiscard]] bool is_in_front(std::span<const Vec3> polygon, const Triangle& a, const Vec3& normal) const {
     double height = 0;
     for (const Vec3& corner : polygon) height += dot(normal, corner - a[0]);
@@ -128,9 +129,9 @@ class SelfFlush {
   const solid::Body& body_;
   const solid::Topology& topology_;
   SharedWithinSetting setting_;
-  bool is_outward_;  ///< normals point away from what is enclosed
-  /// What the tolerance may be at most: of the whole's wall, which is that between a shell and its cavity; and of that
-  /// of each piece, such as a foil on a block. A piece hangs together by positions, and is closed as the whole is.
+  bool is_outward_;  ///< normals point outward
+  /// The greatest tolerance for the wall of the whole body, as between a shell and its cavity, and for that of each
+  /// piece, such as a foil on a block. A piece is connected by common positions, and closed as the whole body is.
   double whole_;
   std::vector<double> most_;
   std::vector<std::uint32_t> piece_;  ///< per proper triangle

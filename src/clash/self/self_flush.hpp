@@ -12,11 +12,11 @@
 
 namespace impinge::clash {
 
-/// Pairs of a closed body's own triangles that share an area within the tolerance: flush over more than 16 tolerances
-/// in every direction. What is narrower is the noise of rounded coordinates. Triangles with nothing between them but a
-/// gap are flush up to the tolerance; where there may be a thin wall between them, up to an eighth of it, which is what
-/// rounding does. Of the tolerance no more counts than a 256th of the body's wall. In order; not all if stopped.
-/// Nothing where the tolerance is too small for floating point: then only what is exact can be told.
+/// Pairs of a closed body's own triangles that are flush: within the tolerance of each other over an area wider than 16
+/// tolerances in every direction; narrower areas are the noise of rounded coordinates. Where there may be a thin wall
+/// between the triangles, and not just a gap, an eighth of the tolerance counts, which is more than rounding makes. The
+/// tolerance is at most a 256th of the body's wall. In order; incomplete if stopped. Nothing where the tolerance is too
+/// small for floating point: then only exact contacts can be found.
 std::optional<std::vector<TrianglePair>> self_flush(const solid::Body& body, const solid::Topology& topology,
                                                     double tolerance, const std::stop_token& stop = {});
 
