@@ -13,16 +13,16 @@
 #include "core/disjoint_sets.hpp"
 #include "core/shapes.hpp"
 
-/// Whether surfaces pass through each other, of what is around the lines that they have in common. Whoever knows the
-/// triangles' geometry, exactly or within a tolerance, names the half-planes around each piece of such a line, in
-/// order.
+/// Decides whether two surfaces cross by the half-planes around their common lines. The caller knows the geometry of the
+/// triangles, exactly or within a tolerance, and lists the half-planes around each piece of such a line in order.
 namespace impinge::clash {
 
-/// A part's triangles that meet the other part's.
+/// The triangles of one part that meet triangles of the other part.
 struct MetSide {
   const solid::Part& part;
   Sheets sheets;
-  std::vector<std::vector<std::uint32_t>> met;  ///< per triangle, by its index: the other part's, by theirs
+  std::vector<std::vector<std::uint32_t>>
+      met;  ///< per index of a triangle, the indices of the other part's triangles that it meets
 
   [[nodiscard]] Triangle triangle(std::uint32_t index) const { return part.body.triangle(sheets.ids[index]); }
 };

@@ -11,7 +11,7 @@
 
 namespace impinge::clash {
 
-/// How far from an edge, or from another corner, a corner may be to be on it.
+/// The distance within which a corner is on an edge, or equal to another corner.
 struct CornerReach {
   CornerReach(const solid::Part& part, double tolerance);
   /// To edges that are short beside the tolerance all around is near: on them is what is so but for rounding.
@@ -20,7 +20,7 @@ struct CornerReach {
   double tolerance, noise;
 };
 
-/// Which corners on the borders of some triangles are one. The two sides of a seam need not have equal vertices.
+/// Welds the corners on the borders of some triangles: the two sides of a seam need not have equal vertices.
 class CommonCorners {
  public:
   struct Edge {

@@ -13,8 +13,8 @@
 
 namespace impinge::clash {
 
-/// Where the corners of some triangles of a part lie within the edges of others (T-junctions). Edges are cut there, so
-/// that what runs along one line has whole edges in common however it was cut.
+/// Finds the corners of some triangles of a part that lie on the edges of others (T-junctions). Edges are cut there, so
+/// that surfaces along one line have whole edges in common, however they were triangulated.
 class EdgeCuts {
  public:
   EdgeCuts(const solid::Part& part, const std::vector<std::uint32_t>& ids, const CornerReach& reach);

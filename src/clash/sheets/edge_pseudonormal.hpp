@@ -10,7 +10,7 @@
 
 namespace impinge::clash {
 
-/// A triangle of a part, in local coordinates too.
+/// A triangle of a part, with its local coordinates.
 struct PartTriangle {
   const solid::Part& part;
   const SheetEnds& ends;
@@ -22,12 +22,12 @@ struct PartTriangle {
 /// Whether the surface is bent by more than an angle of 2^-6 at one of the triangle's edges.
 bool is_bent_around(const PartTriangle& triangle);
 
-/// On which side of the surface, as the triangle looks, a point is that is farther than `beyond` from one of the
-/// triangle's edges and, of both triangles there, has its nearest point on that edge: the side of the sum of their
+/// On which side of the surface, oriented as the triangle, a point is whose nearest point on the triangle and its
+/// neighbour is on their common edge, farther than `beyond`: the side of the edge pseudonormal, the sum of the two
 /// normals (Baerentzen and Aanaes, Signed distance computation using the angle weighted pseudonormal, 2005).
 ///
-/// 0 for all other points; also where the surface ends or branches, is folded up flat, or a normal is not known well
-/// enough. So it is at corners: what is near in a corner alone is near in a point.
+/// Returns 0 for all other points, and where the surface ends or branches, is folded flat, or a normal is not known
+/// well enough. Corners return 0 too: two triangles that meet only at a vertex have no common line to take sides of.
 std::uint8_t edge_pseudonormal_side(const PartTriangle& triangle, const Vec3& point, double beyond);
 
 }  // namespace impinge::clash

@@ -14,7 +14,7 @@
 
 namespace impinge::clash {
 
-/// What of a part is near a triangle of the other's.
+/// The triangles of one part that are near a triangle of the other.
 struct NearTriangles {
   struct Entry {
     Triangle local;
@@ -31,8 +31,8 @@ struct NearTriangles {
   }
 };
 
-/// On which sides of a triangle of one surface the other goes on, farther than the tolerance from all of the first;
-/// both are given whole.
+/// Finds on which sides of a triangle of one surface the other surface continues, farther than the tolerance from all
+/// of the first.
 class FarSides {
  public:
   FarSides(const solid::Body& a, const solid::Body& b, double tolerance);

@@ -9,8 +9,8 @@
 #include "clash/sheets/half_planes.hpp"
 #include "core/vec3.hpp"
 
-/// What triangles around a line have of it if all of them lie in one plane: there are two half-planes, and where edges
-/// run along the line they end in vertices, so that no rational numbers are needed.
+/// The common pieces of triangles along a line if all of them lie in one plane: there are two half-planes, and edges
+/// along the line end in vertices, so that no rational numbers are needed.
 namespace impinge::clash {
 
 /// Of one of two parts' triangles. Places along the line are exact.

@@ -9,8 +9,8 @@
 #include "core/vec3.hpp"
 #include "exact/rational.hpp"
 
-/// Triangles around a line that runs in their planes, exactly: points along the line are rational numbers, and the
-/// order around it is one of signs.
+/// The exact order of triangles around a line in their planes: points along the line are rational numbers, and the
+/// order around it follows from signs.
 namespace impinge::clash {
 
 /// A line through two different points, in the direction from the first to the second.
@@ -30,11 +30,11 @@ class Line {
   bool backward_;
 };
 
-/// A half-plane that begins at a line: a triangle's, next to the line.
+/// A half-plane bounded by a line, which holds a triangle next to the line.
 struct HalfPlane {
-  std::uint32_t triangle;  ///< whichever number the caller gave it
-  Vec3 toward;             ///< a point of it, off the line
-  bool ahead_is_front;     ///< what follows counterclockwise is in front of the triangle
+  std::uint32_t triangle;  ///< a number that the caller chose
+  Vec3 toward;             ///< a point of the half-plane that is not on the line
+  bool ahead_is_front;     ///< the triangle's front faces counterclockwise
 };
 
 /// What a proper triangle shares with a line: a segment. Inside the triangle it has a half-plane on either side, along

@@ -10,7 +10,7 @@
 #include "clash/sheets/around_lines.hpp"
 #include "core/shapes.hpp"
 
-/// The geometry of surfaces around a line, within a tolerance. All lengths are in local units.
+/// The order of triangles around a line within a tolerance, in floating point. All lengths are in local units.
 namespace impinge::clash {
 
 struct NearLine {

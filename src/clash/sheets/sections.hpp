@@ -8,8 +8,8 @@
 
 namespace impinge::clash {
 
-/// Calls `take` with the stretches over each piece of a line between the ends of some, and the piece's own ends. Until
-/// it returns false.
+/// Divides a line at the ends of all stretches and calls `take` with the stretches over each piece and the ends of the
+/// piece, until it returns false.
 template <class Stretch, class Take>
 void each_section(std::vector<Stretch> stretches, const Take& take) {
   std::sort(stretches.begin(), stretches.end(), [](const Stretch& p, const Stretch& q) { return p.lo < q.lo; });

@@ -11,8 +11,7 @@
 
 namespace impinge::clash {
 
-/// Where a part's surface ends, as far as some sheets of it go: edges from which all triangles go one way, the part's
-/// others too.
+/// The ends of a part's surface among some sheets of it: edges from which all triangles of the part go the same way.
 class SheetEnds {
  public:
   SheetEnds(const solid::Part& part, const Sheets& sheets, const LocalFrame& frame, double tolerance);

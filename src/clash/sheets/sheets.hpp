@@ -12,7 +12,7 @@
 
 namespace impinge::clash {
 
-/// On which sides of a sheet something is; or-ed bits.
+/// The sides of a sheet, as or-ed bits.
 inline constexpr std::uint8_t kAbove = 1, kBelow = 2;
 
 inline std::uint8_t turned(std::uint8_t sides, int way) {
@@ -26,21 +26,22 @@ struct TriangleEdge {
   std::uint32_t corner;
 };
 
-/// Some proper triangles of a part, and how they hang together.
+/// Some proper triangles of a part, and how they are connected.
 struct Sheets {
   std::vector<std::uint32_t> ids;      ///< sorted
-  std::vector<std::uint32_t> cluster;  ///< over common vertices, and those that are on another's edge
-  std::vector<std::uint32_t> piece;    ///< over pieces of edges that two of them use; coincident ones count as one
-  std::vector<int> side;               ///< +1 or -1: those of one piece look the same way if normals are turned by it
+  std::vector<std::uint32_t> cluster;  ///< connected by common vertices, and by vertices on edges
+  std::vector<std::uint32_t>
+      piece;              ///< connected by pieces of edges that exactly two use; coincident triangles count as one
+  std::vector<int> side;  ///< +1 or -1: times these, the normals of one piece are oriented alike
 
-  /// Pieces that three or more triangles join at an edge: any two of them are one sheet, if one is turned.
+  /// Another piece at an edge of three or more triangles: any two such pieces make one sheet, after one is turned.
   struct Link {
     std::uint32_t piece;
     int turn;
   };
   std::vector<std::vector<Link>> links;  ///< per piece
 
-  /// A piece of an edge from which all of these triangles go one way.
+  /// A piece of an edge from which all of these triangles go the same way.
   struct End {
     Segment piece;
     std::array<std::uint32_t, 2> positions;
@@ -53,14 +54,14 @@ struct Sheets {
   }
 };
 
-/// Whether of two triangles at a line along which both have an edge one lies on the other: the surface is folded up
-/// flat there, if they are of one.
+/// Whether two triangles with edges along one line go the same way from it: if they are of one surface, it is folded
+/// flat.
 bool go_one_way(const solid::Part& part, const TriangleEdge& p, const TriangleEdge& q);
 
 /// Degenerate ones, and those that are named twice, are left out. Within a tolerance of an edge a vertex is on it.
 Sheets sheets_of(const solid::Part& part, std::vector<std::uint32_t> ids, double tolerance);
 
-/// The sides of each piece of some sheets on which something is.
+/// Collects, for each piece of some sheets, the sides on which the other part was seen.
 class SidesSeen {
  public:
   /// Adds what is seen from a triangle, by its index.

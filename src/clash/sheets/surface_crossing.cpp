@@ -15,9 +15,9 @@
 #include "clash/sheets/near_rays.hpp"
 #include "clash/sheets/sections.hpp"
 
-/// As exactly, with what is near taken for what is common: lines are edges that run near the other part, and those in
-/// which two triangles cross. What lies about them counts where it goes on beyond the tolerance, over pieces that are
-/// longer than a point makes them.
+/// The exact test (surface_crossing_exact.cpp) with a tolerance: common lines are edges that run near the other part,
+/// and the lines in which two triangles cross. Half-planes around them count where they continue beyond the tolerance,
+/// along pieces of more than 16 tolerances.
 namespace impinge::clash {
 namespace {
 

@@ -13,9 +13,9 @@
 #include "core/shapes.hpp"
 #include "exact/triangle_pair.hpp"
 
-/// Where no two triangles cross, surfaces pass through each other only along an edge of one of them: over each piece of
-/// it, both have half-planes around one line. Those that lie in both surfaces belong to a common area, which is left on
-/// one side here and perhaps on the other elsewhere.
+/// Where no two triangles cross, surfaces cross only along an edge of one of them: along each piece of the edge both
+/// have half-planes around one line. Half-planes in both surfaces belong to a common area, which a sheet may leave on
+/// one side here and on the other elsewhere.
 namespace impinge::clash {
 namespace {
 
