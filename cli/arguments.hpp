@@ -15,7 +15,7 @@
 namespace impinge::cli {}
 namespace impinge::report {
 using namespace cli;  // until reports have options of their own
-}
+}  // namespace impinge::report
 
 /// The command line as values. See docs/cli.md for what each means.
 namespace impinge::cli {
