@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longer than any that this program has written.
+/// No more than this is read; the files that this program writes are far smaller.
 constexpr std::size_t kMostBytes = 1 << 16;
 
-/// Empty: nowhere.
+/// The path of the file; empty if no folder for it is known.
 fs::path place() {
   const char* const cache = std::getenv("XDG_CACHE_HOME");
   if (cache != nullptr && *cache == '/') return fs::path(cache) / "impinge/calibration";

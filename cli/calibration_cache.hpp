@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What was measured of devices is kept from run to run in a file that may be deleted at any time:
-/// $XDG_CACHE_HOME/impinge/calibration, or .cache/impinge/calibration in the home directory. Where it can be neither
-/// read nor written, devices are measured again.
 namespace impinge::cli {
 
+/// Keeps the measured speeds of devices from run to run in a file that may be deleted at any time:
+/// $XDG_CACHE_HOME/impinge/calibration, or .cache/impinge/calibration in the home directory. Where the file can be
+/// neither read nor written, the library measures its devices again.
 class CalibrationCache {
  public:
+  /// Reads the file and hands its measurements to the library.
   CalibrationCache();
   /// Writes what has been measured since.
   ~CalibrationCache();

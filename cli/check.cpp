@@ -51,7 +51,7 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
       fmt::format("checking {}", counted(assembly.objects.size(), "object")), [&progress] { return work_of(progress); },
       "pairs");
   Result<Contacts> contacts = scene->collide(options);
-  line.end();  // it looks at `progress`
+  line.end();  // its thread reads `progress`
   if (stop.stop_requested()) return interrupted();
   return contacts;
 }

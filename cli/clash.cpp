@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "clash_table.hpp"
 #include "commands.hpp"
-#include "configured_clash.hpp"
 #include "documents.hpp"
 #include "exports.hpp"
 #include "progress.hpp"
 #include "report/clash_json.hpp"
 #include "report/comparison/remarks.hpp"
+#include "report/named_tests/configuration.hpp"
+#include "report/named_tests/named_files.hpp"
 #include "report/page.hpp"
 #include "report/review.hpp"
 #include "report/text.hpp"
@@ -23,6 +25,54 @@
 
 namespace impinge::cli {
 namespace {
+
+/// The command line with what its configuration adds to it.
+struct ConfiguredClash {
+  ClashArguments arguments;
+  std::optional<Configuration> configuration;
+};
+
+Error said_twice(const Configuration& configuration, std::string_view option) {
+  return {Code::bad_option, fmt::format("--{0} is given, and {1} has a \"{0}\" for all tests; leave one out", option,
+                                        printable(configuration.name))};
+}
+
+/// Whether a test has the mode clearance and no clearance of its own, so that it takes the one of the command line.
+bool has_use_for_clearance(const Configuration& configuration) {
+  return std::any_of(configuration.tests.begin(), configuration.tests.end(), [&](const NamedTest& test) {
+    return configuration.mode_of(test) == Mode::clearance && !test.terms.clearance;
+  });
+}
+
+/// Reads the configuration, if there is one. Errors: those of `read_configuration` and `add_files`; `bad_option` (said
+/// twice, by an option and for all tests).
+Result<ConfiguredClash> configure(const ClashArguments& given) {
+  ConfiguredClash configured{given, {}};
+  if (!given.config) return configured;
+  Result<Configuration> read = read_configuration(*given.config);
+  if (!read) return read.error();
+  Configuration& configuration = configured.configuration.emplace(*std::move(read));
+  ClashArguments& to = configured.arguments;
+  if (given.tolerance && configuration.terms.tolerance) return said_twice(configuration, "tolerance");
+  if (given.clearance > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
+  if (given.tolerance) configuration.terms.tolerance = given.tolerance;
+  if (given.clearance > 0) configuration.terms.clearance = given.clearance;
+  if (given.clearance > 0 && !has_use_for_clearance(configuration))
+    configuration.warnings.push_back(fmt::format(
+        "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
+        given.clearance, printable(configuration.name)));
+  if (auto checked = check(configuration); !checked) return checked.error();
+  if (auto added = add_files(configuration, to); !added) return added.error();
+  if (to.files.empty())
+    return Error{Code::bad_option,
+                 fmt::format("no file to read is named, neither in {} nor after it", printable(configuration.name))};
+  // The table and the JSON have distances if some test has the mode clearance.
+  to.clearance = 0;
+  for (const NamedTest& test : configuration.tests)
+    if (configuration.mode_of(test) == Mode::clearance)
+      to.clearance = std::max(to.clearance, configuration.clearance_of(test));
+  return configured;
+}
 
 Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, const Plan& plan, ProgressLine& line,
                           const std::stop_token& stop) {
@@ -44,12 +94,12 @@ Result<Clashes> judge_all(const ClashArguments& arguments, const Scene& scene, c
   line.phase(
       fmt::format("judging {}", counted(scene.size(), "part")), [&progress] { return work_of(progress); }, "steps");
   Result<Clashes> clashes = find_clashes(scene, options);
-  line.end();  // it looks at `progress`
+  line.end();  // its thread reads `progress`
   if (stop.stop_requested()) return interrupted();
   return clashes;
 }
 
-/// What there is beside the files, if anything.
+/// The configuration and the earlier run, where they are given.
 struct Triage {
   const Configuration* configuration = nullptr;
   const Previous* previous = nullptr;
@@ -115,7 +165,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
-  // Before the long work, which a file that cannot be used would cost.
+  // It is read before the long work, which would be lost if the file cannot be used.
   const Result<Previous> previous =
       arguments.previous ? read_previous(*arguments.previous, arguments.max_file_bytes) : Previous();
   if (!previous) return previous.error();

@@ -16,10 +16,10 @@
 namespace impinge::cli {
 namespace {
 
-/// A length for the eye.
+/// A length with four digits.
 std::string length_text(double length) { return fmt::format("{:.4g}", length); }
 
-/// What stands where there is nothing to say: an empty cell could be taken for a 0, and confuses what splits at spaces.
+/// An empty cell. It is not blank, so that nobody takes it for 0 and programs that split lines at spaces find it.
 const std::string kNothing = "-";
 
 /// Whether a column marks the pairs that fail: not where `--fail-on` is the default, since then the verdict tells, and
@@ -86,7 +86,7 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
   if (!order.empty()) sink.write("\n");
 }
 
-/// "3 inside, 12 penetrating", in the order of the table.
+/// How many pairs have each verdict, in the order of the table: "3 inside, 12 penetrating".
 std::string counts_text(const std::vector<Clash>& pairs, double clearance) {
   std::array<std::uint64_t, 6> counts{};
   for (const Clash& pair : pairs) ++counts[static_cast<std::size_t>(pair.verdict)];

@@ -16,7 +16,7 @@ namespace impinge::cli {
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop);
 
-/// Short enough for a column, where the JSON has the sentence; a dash for none.
+/// A note in a few words for a column of a table; a dash for none. The JSON has a sentence instead.
 std::string note_text(Note note);
 
 }  // namespace impinge::cli

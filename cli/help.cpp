@@ -6,9 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "arguments.hpp"
-#include "report/text.hpp"
-
 namespace impinge::cli {
 
 constexpr std::size_t kPageWidth = 80, kOptionWidth = 25;
@@ -34,7 +31,15 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  return wrapped(option->get_description(), kPageWidth - kOptionWidth, 0);
+  std::string lines, line;
+  for (const std::string& word : CLI::detail::split(option->get_description(), ' ')) {
+    if (!line.empty() && kOptionWidth + line.size() + 1 + word.size() > kPageWidth) {
+      lines += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return lines + line;
 }
 
 const HelpPage kProgramHelp{

@@ -23,7 +23,7 @@
 namespace impinge::cli {
 namespace {
 
-/// What the library says of the object as a part; nothing where its coordinates are outside the exact range.
+/// The object's facts as a part of an assembly; nothing where its coordinates are outside the exact range.
 Result<std::optional<Part>> part_of(const io::Object& object, const std::stop_token& stop) {
   ClashOptions options;
   options.stop = stop;

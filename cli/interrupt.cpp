@@ -11,8 +11,9 @@
 namespace impinge::cli {
 namespace {
 
-// A handler may neither lock nor allocate, as a stop request does; it wakes a thread through this pipe. Handlers,
-// unlike a blocked signal mask, are not inherited by the child that reads files.
+// A stop request locks and allocates, which a signal handler may not do; the handler writes to this pipe instead, and a
+// thread that reads from it makes the request. Handlers, unlike a blocked signal mask, are not inherited by the child
+// process that reads files.
 int wake_read = -1;
 int wake_write = -1;
 
@@ -22,7 +23,7 @@ constexpr char kStop = 's', kEnd = 'e';
 void wake(int /*signal*/) {
   const int saved = errno;
   if (::write(wake_write, &kStop, 1) < 0) {
-    // Full: a stop has been asked for already.
+    // The pipe is full of earlier requests.
   }
   errno = saved;
 }
@@ -57,7 +58,7 @@ Interrupt::Interrupt() {
     }
   });
   for (const int signal : kSignals) handle(signal, wake, SA_RESTART | static_cast<unsigned>(SA_RESETHAND));
-  // Not SIG_IGN: the child would inherit that.
+  // The child process would inherit SIG_IGN.
   handle(SIGPIPE, do_nothing, SA_RESTART);
   handle(SIGXFSZ, do_nothing, SA_RESTART);
 }

@@ -7,9 +7,9 @@
 
 namespace impinge::cli {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP ask for a stop instead of ending the program; a second signal of the
-/// same kind ends it at once. Signals that the caller had ignored stay ignored. Writing to a closed pipe, or
-/// more than a file may hold, becomes an error instead of a signal. At most one at a time.
+/// While an object lives, SIGINT, SIGTERM and SIGHUP ask for a stop instead of ending the program; a second signal of
+/// the same kind ends it at once. Signals that the caller had ignored stay ignored. Writing to a closed pipe, or more
+/// than a file may hold, becomes an error instead of a signal. At most one object exists at a time.
 class Interrupt {
  public:
   Interrupt();

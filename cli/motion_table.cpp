@@ -15,7 +15,7 @@
 namespace impinge::cli {
 namespace {
 
-/// A time to a thousandth of a step, which is more than anybody looks at.
+/// A time with as many decimals as resolve a thousandth of a step.
 std::string time_text(double seconds, double step) {
   int decimals = 0;
   for (double unit = 1; unit > step / 1000 && decimals < 9; unit /= 10) ++decimals;

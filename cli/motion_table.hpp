@@ -8,7 +8,7 @@
 
 namespace impinge::cli {
 
-/// What a person reads: when which parts clash, in the order of the times, and how far to trust it.
+/// Prints the table of clashes by the time at which they begin, and a summary that names the length of a step.
 void print_motion(const MotionReport& report, const MotionArguments& arguments, Sink& sink,
                   std::optional<std::size_t> width, const std::stop_token& stop);
 

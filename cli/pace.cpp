@@ -19,15 +19,15 @@ void Pace::note(double seconds, const Work& work) {
   if (samples_.empty()) start_ = now_ = seconds, first_done_ = work.done;
   const double passed = seconds - now_;
   now_ = seconds, work_ = work;
-  // As many as a hundred or two do, however long the work takes.
+  // About 200 samples are enough, however long the work takes.
   if (samples_.empty() || now_ - samples_.back().seconds >= (now_ - start_) / 200)
     samples_.push_back({now_, work.done});
   while (samples_.size() > 1 && samples_[1].seconds <= start_ + (now_ - start_) / 2) samples_.pop_front();
 
   const std::optional<double> speed = rate();
   if (!speed) return left_.reset();
-  // Where work all but stands still for a while, that of its newer half says too much.
-  constexpr double kSlowest = 4;  // times slower than on the average
+  // While the work is all but at a standstill, the speed of the newer half would give far too long a time.
+  constexpr double kSlowest = 4;  // The assumed speed is at least a fourth of the average.
   const double average = (work.done - first_done_) / (now_ - start_);
   const double expected = std::max(work.total - work.done, 0.0) / std::max(*speed, average / kSlowest);
   constexpr double kFollows = 3;  // seconds

@@ -9,19 +9,22 @@
 
 namespace impinge::cli {
 
-/// How much is done and to be done, in any unit; without a `total` above 0 nobody knows.
+/// How much work is done, and how much there is in all, in any unit; a total of 0 is unknown.
 struct Work {
   double done = 0, total = 0;
 };
 
-/// How fast work goes on, and how long it will take: from its newer half, because work rarely goes evenly.
+/// Estimates the speed of long work and the time that it will still take. Both come from the newer half of the time so
+/// far, since work is rarely even.
 class Pace {
  public:
-  /// Where the work stands; `seconds` never goes back. Other work, with another total or less done, starts anew.
+  /// Records the state of the work after so many seconds, which never decrease. Another total, or less done than
+  /// before, is taken for other work, and the estimate starts anew.
   void note(double seconds, const Work& work);
-  /// Of work in a second. Nothing in the first seconds, or where nothing has gone on.
+  /// Units of work per second; nothing in the first three seconds, or while no work was done.
   [[nodiscard]] std::optional<double> rate() const;
-  /// Counts down evenly and follows what is expected only slowly; 0 or more.
+  /// The seconds that the work will still take, at least 0. The value counts down evenly and approaches new estimates
+  /// slowly, so that it does not jump about.
   [[nodiscard]] std::optional<double> seconds_left() const;
 
  private:
@@ -30,7 +33,7 @@ class Pace {
   };
   double start_ = 0, now_ = 0, first_done_ = 0;
   Work work_;
-  std::deque<Sample> samples_;  ///< the first is the last one before the newer half
+  std::deque<Sample> samples_;  ///< those of the newer half, and the last one before it
   std::optional<double> left_;
 };
 

@@ -68,7 +68,7 @@ void ProgressLine::end() {
 void ProgressLine::draw() {
   if (!work_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  // One column stays free: some terminals wrap when the last one is written.
+  // The last column stays free, since some terminals wrap when it is written.
   const std::size_t width = width_of(descriptor_).value_or(80) - 1;
   const Work work = work_();
   pace_.note(elapsed.count(), work);
@@ -90,7 +90,7 @@ std::string progress_text(const std::string& label, double fraction, double elap
   const std::string time = fmt::format("{:.1f} s", elapsed_seconds);
   if (!(fraction >= 0)) return fit(fmt::format("{}  {}", label, time), width);
   const double part = std::min(fraction, 1.0);
-  // Rounded down: 100 % is said only when it is so.
+  // The percentage is rounded down, so that 100 % means all.
   const auto percent = static_cast<int>(part * 100);
   const auto bar_of = [&](std::size_t length, const std::string& after) {
     const auto filled = static_cast<std::size_t>(part * static_cast<double>(length));

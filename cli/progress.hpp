@@ -23,8 +23,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// What is being done now (a printable text), how much of it is done, and in what that is counted. `work` is called
-  /// from another thread until the next phase or `end`. Phases that share the work have one pace.
+  /// Begins a phase: its label (a printable text), how much of the work is done, and the unit in which that is counted.
+  /// `work` is called from another thread until the next phase or `end`. Successive phases with one unit share a speed
+  /// estimate.
   void phase(
       std::string label, std::function<Work()> work = [] { return Work(); }, std::string unit = {});
   /// Wipes the line; nothing is drawn after that.
@@ -47,8 +48,8 @@ class ProgressLine {
 };
 
 /// The line itself, at most `width` columns: "checking  [#####.....]  50 %  12.3 s  80 pairs/s, 13 s left". Where that
-/// is too wide, the rate is left out first, then the time that is left; either may be empty. `fraction` is 0 to 1;
-/// negative: nobody knows.
+/// is too wide, the rate is left out first, then the time that is left; either may be empty. `fraction` is 0 to 1, or
+/// negative if it is unknown.
 std::string progress_text(const std::string& label, double fraction, double elapsed_seconds, std::size_t width,
                           const std::string& rate = {}, const std::string& left = {});
 

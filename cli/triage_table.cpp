@@ -18,10 +18,10 @@ bool has_new_region(const Standing& standing) {
                      [](const RegionStanding& region) { return region.change == Change::fresh; });
 }
 
-/// Verdicts come with the worst first.
+/// Whether the verdict is worse than that of the earlier run. The values of `Verdict` begin with the worst.
 bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
 
-/// "3 penetrating, 2 nearer".
+/// How many pairs of a test have each verdict, "3 penetrating, 2 nearer"; counts those that fail.
 std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64_t& failing) {
   std::array<std::uint64_t, 6> counts{};
   for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {

@@ -11,7 +11,7 @@
 #include "report/review.hpp"
 #include "report/sink.hpp"
 
-/// What triage adds to what `clash` prints.
+/// What `impinge clash` prints about groups of pairs, named tests and changes since an earlier run.
 namespace impinge::cli {
 
 /// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if

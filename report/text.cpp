@@ -250,38 +250,4 @@ std::string duration(double seconds) {
   return fmt::format("{} min {} s", grouped(whole / 60), whole % 60);
 }
 
-std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
-  std::string result;
-  std::size_t column = indent;
-  bool fresh = true;
-  for (std::size_t at = 0; at < text.size();) {
-    if (text[at] == '\n' || text[at] == ' ') {
-      if (text[at++] == '\n') {
-        result += '\n';
-        // A line break before text goes on at the indent; before another line break it is an empty line.
-        if (at < text.size() && text[at] != '\n') result.append(indent, ' ');
-        column = indent;
-        fresh = true;
-      }
-      continue;
-    }
-    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-    const std::string_view word = text.substr(at, end - at);
-    const std::size_t wide = columns(word);
-    if (!fresh && column + 1 + wide > width) {
-      result += '\n';
-      result.append(indent, ' ');
-      column = indent;
-    } else if (!fresh) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += wide;
-    fresh = false;
-    at = end;
-  }
-  return result;
-}
-
 }  // namespace impinge::report

@@ -51,8 +51,4 @@ std::string counted(std::uint64_t number, std::string_view noun);
 /// A time as a person says it: "85 ns", "3.2 ms", "1.24 s", "3 min 20 s".
 std::string duration(double seconds);
 
-/// The text in lines of at most `width` columns, broken at spaces; lines after the first begin with `indent` spaces.
-/// The first line is taken to begin there too. Line breaks in the text stay.
-std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
-
 }  // namespace impinge::report

@@ -120,12 +120,5 @@ TEST(Text, DurationsChangeUnitsWithoutFourDigits) {
   EXPECT_EQ(duration(std::numeric_limits<double>::infinity()), "inf s");
 }
 
-TEST(Text, WrapBreaksAtSpacesAndKeepsLineBreaks) {
-  EXPECT_EQ(wrapped("one two three", 9, 2), "one two\n  three");
-  EXPECT_EQ(wrapped("abcdefghijkl no", 5, 0), "abcdefghijkl\nno");
-  EXPECT_EQ(wrapped("a\n\nb c", 10, 1), "a\n\n b c");
-  EXPECT_EQ(wrapped("", 10, 4), "");
-}
-
 }  // namespace
 }  // namespace impinge::report
