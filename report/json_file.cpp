@@ -148,7 +148,7 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
 Result<json> parse_json(std::string_view name, const std::string& text) {
   const JsonScan scan(text);
   if (scan.stopped())
-    return Error{Code::bad_file, fmt::format("{}:{}:{}: {}{}", name, scan.line(), scan.column(),
+    return Error{Code::bad_file, fmt::format("{}:{}: column {}: {}{}", name, scan.line(), scan.column(),
                                              shown_pointer(scan.pointer().to_string()), scan.mistake())};
   return json::parse(text);
 }

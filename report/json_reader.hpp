@@ -4,108 +4,81 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <string_view>
-#include <unordered_set>
-#include <vector>
 
 #include "impinge/result.hpp"
+#include "report/json_file.hpp"
 
 namespace impinge::report {
 
-/// A JSON text (RFC 8259), taken value by value by what the caller expects of it. nlohmann-json parses it; its own
-/// values do not tell where in the file they stood, nor keys that stand twice, so this keeps both. After the first
-/// mistake, in the text or in what the caller expects of it, every call returns at once, and `error` says what and
-/// where. No input makes anything recurse deeper than `kDeepest`, or be kept beyond `kMostValues`.
+/// The value of a JSON text, taken piece by piece by what the caller expects of it. After the first mistake, in the
+/// text or in what the caller expects of it, every call returns at once, and `error` says what and where.
 class JsonReader {
  public:
   enum class Kind : std::uint8_t { null, boolean, number, string, array, object };
-  static constexpr std::size_t kDeepest = 64, kMostValues = 50'000'000;
 
   /// `name` is the file's, for messages; both must live as long as the reader.
-  JsonReader(std::string_view text, std::string_view name);
+  JsonReader(const std::string& text, std::string_view name);
 
   /// What stands here; null after a mistake.
-  [[nodiscard]] Kind kind();
+  [[nodiscard]] Kind kind() const;
 
   /// The keys of the object that stands here, which is not taken; none of anything else.
-  [[nodiscard]] std::set<std::string> keys();
+  [[nodiscard]] std::set<std::string> keys() const;
 
   // Each takes the value that stands here, and it is a mistake if that is of another kind.
-  std::string string();
-  double number();
-  bool boolean();
+  std::string string() { return holds(Kind::string, "a text in quotes") ? at_->get<std::string>() : std::string(); }
+  double number() { return holds(Kind::number, "a number") ? at_->get<double>() : 0; }
+  bool boolean() { return holds(Kind::boolean, "true or false") && at_->get<bool>(); }
   /// Any value, whatever is in it.
-  void skip();
-  /// Calls `item()` for each item of an array; it must take the item.
+  void skip() {}
+  /// Calls `item()` for each item of an array.
   template <class Item>
   void array(Item&& item) {
-    const std::size_t past = enter(Kind::array);
-    for (std::size_t i = 0; !failed() && next_ < past; ++i) {
-      path_.push_back({{}, i});
-      item();
-      if (!failed()) path_.pop_back();
-    }
+    if (!holds(Kind::array, "a list")) return;
+    const nlohmann::json& list = *at_;
+    for (std::size_t i = 0; i < list.size() && !failed(); ++i) within(std::to_string(i), list[i], item);
   }
-  /// Calls `member(key)` for each member of an object; it must take the member's value. A key that stands twice is a
-  /// mistake.
+  /// Calls `member(key)` for each member of an object.
   template <class Member>
   void object(Member&& member) {
-    const std::size_t past = enter(Kind::object);
-    std::unordered_set<std::string> seen;
-    while (!failed() && next_ < past) {
-      const std::string key = take_key(seen);
-      if (!failed()) member(key);
-      if (!failed()) path_.pop_back();
+    if (!holds(Kind::object, "an object")) return;
+    for (const auto& [key, value] : at_->items()) {
+      if (failed()) return;
+      within(key, value, [&, &known = key] { member(known); });
     }
   }
 
-  /// A mistake that the caller found, at the value or key that was read last.
+  /// A mistake that the caller found, at the value that stands here.
   void fail(std::string_view what);
-  /// What "an unknown key" says, with the nearest of those that are known.
-  void fail_unknown(std::string_view key, const std::vector<std::string_view>& known);
-  /// A mistake at a place that was kept.
-  struct Place {
-    std::size_t at = 0;
-    std::string path;
-  };
-  [[nodiscard]] Place place() const;
-  /// That of the value that comes next.
-  [[nodiscard]] Place place_of_next() { return static_cast<void>(kind()), place(); }
-  [[nodiscard]] Error error_at(const Place& place, std::string_view what) const {
-    return error_in(text_, name_, place, what);
+  /// The JSON pointer to the value that stands here, for a mistake that is found later.
+  [[nodiscard]] std::string place_of_next() const { return path_.to_string(); }
+  [[nodiscard]] Error error_at(const std::string& place, std::string_view what) const {
+    return json_error(name_, text_, place, what);
   }
-  /// `bad_file`: "clash.json:12: /tests/0/mode: what is wrong".
-  static Error error_in(std::string_view text, std::string_view name, const Place& place, std::string_view what);
 
   [[nodiscard]] bool failed() const noexcept { return failed_; }
   [[nodiscard]] const Error& error() const noexcept { return error_; }
 
  private:
-  class Parser;
-  /// A value or a key; those within an array or object come after it.
-  struct Token {
-    std::size_t at = 0;      ///< where in the text it ends, or begins if it is an array or object
-    double number = 0;       ///< also that of a boolean
-    std::size_t link = 0;    ///< of a string: where it begins in `strings_`; else the token after all that is within
-    std::uint32_t size = 0;  ///< of a string
-    Kind kind = Kind::null;
-  };
-  struct Step {
-    std::string key;
-    std::size_t index;
-  };
-  const Token* take(Kind wanted, std::string_view what);
-  std::size_t enter(Kind wanted);
-  std::string take_key(std::unordered_set<std::string>& seen);
-  [[nodiscard]] std::string_view string_of(const Token& token) const;
+  bool holds(Kind wanted, std::string_view what);
+  void within(const std::string& step, const nlohmann::json& value, auto&& read) {
+    const nlohmann::json* const around = at_;
+    at_ = &value;
+    path_.push_back(step);
+    read();
+    path_.pop_back();
+    at_ = around;
+  }
 
-  std::string_view text_, name_;
-  std::vector<Token> tokens_;
-  std::string strings_;
-  std::size_t next_ = 0, last_ = 0;  ///< `last_`: where the value or key stands that was taken last
-  std::vector<Step> path_;
+  const std::string& text_;
+  std::string_view name_;
+  nlohmann::json value_;
+  const nlohmann::json* at_ = &value_;
+  nlohmann::json::json_pointer path_;
   bool failed_ = false;
   Error error_{Code::bad_file, {}};
 };

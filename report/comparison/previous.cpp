@@ -170,7 +170,7 @@ Resolved read_resolved(JsonReader& reader) {
 struct NumberedPair {
   Previous::Pair pair;
   std::uint32_t a = 0, b = 0;
-  JsonReader::Place place;
+  std::string place;
 };
 
 NumberedPair read_pair(JsonReader& reader) {
@@ -309,7 +309,7 @@ class Document {
 
 Result<Previous> parse_previous(const std::string& name, const std::string& text) {
   if (const std::string instead = what_it_is_instead(text); !instead.empty())
-    return JsonReader::error_in(text, name, {}, no_report(instead));
+    return json_error(name, text, {}, no_report(instead));
   JsonReader reader(text, name);
   if (reader.kind() == Kind::array) reader.fail(no_report("it is a list"));
   Document document(reader);

@@ -104,9 +104,9 @@ TEST(Configuration, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","clearance":1}]})"),
             "c.json:1: /tests/0/clearance: only mode clearance keeps a clearance, and this test has mode penetration");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","a":"y"}]})"),
-            "c.json:1:33: /tests/0/a: this key stands here twice");
+            "c.json:1: column 33: /tests/0/a: this key stands here twice");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"}]} {})"),
-            "c.json:1:34: syntax error while parsing value - unexpected '{'; expected end of input");
+            "c.json:1: column 34: syntax error while parsing value - unexpected '{'; expected end of input");
   EXPECT_EQ(mistake(R"({"clearance":3,"mode":"clearance","tests":[{"name":"n","a":"x"}]})"), "none");
 }
 

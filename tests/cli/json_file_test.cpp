@@ -128,7 +128,7 @@ TEST(JsonFile, SaysWhereAMistakeIs) {
               "some.json:" + std::to_string(line) + ": " + (pointer.empty() ? "" : pointer + ": ") + "what");
   const Result<json> twice = parse_json("some.json", "{\"a\": [{},\n{\"b\": 1, \"c\": {}, \"b\": 2}]}");
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().message, "some.json:2:21: /a/1/b: this key stands here twice");
+  EXPECT_EQ(twice.error().message, "some.json:2: column 21: /a/1/b: this key stands here twice");
 }
 
 TEST(JsonFile, SaysInWhichLineATextIsBroken) {
