@@ -30,6 +30,7 @@ struct SceneArguments {
   std::vector<std::pair<std::string, double>> scales;  ///< each file at most once, of `files` or the configuration
   std::uint64_t max_file_bytes = 2'000'000'000;
   bool quiet = false;
+  bool force = false;  ///< replace files whatever their names end in
 };
 
 struct CheckArguments : SceneArguments {
@@ -76,7 +77,7 @@ struct ClashArguments : SceneArguments, PageArguments, ExportArguments {
   bool regions = false;
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;
-  std::optional<std::string> config, previous;  ///< files
+  std::optional<std::string> config, previous, decisions;  ///< files
   GroupBy group_by = GroupBy::none;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< rows of the table
 };
@@ -95,6 +96,7 @@ struct InfoArguments {
   std::vector<std::string> files;
   std::optional<std::string> json;
   std::uint64_t max_file_bytes = 2'000'000'000;
+  bool force = false;
 };
 
 struct DevicesArguments {};

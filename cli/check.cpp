@@ -11,7 +11,6 @@
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"
-#include "report/comparison/remarks.hpp"
 #include "report/json_writer.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
@@ -128,9 +127,8 @@ Result<void> print_answer(const Answer& answer, const CheckArguments& arguments,
 }  // namespace
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
-  Documents documents(arguments.files);
+  Documents documents(arguments.files, arguments.force);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
-  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
   mention_missing(answer->assembly);

@@ -14,7 +14,7 @@
 #include "exports.hpp"
 #include "progress.hpp"
 #include "report/clash_json.hpp"
-#include "report/comparison/remarks.hpp"
+#include "report/decisions.hpp"
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/named_files.hpp"
 #include "report/page.hpp"
@@ -141,6 +141,15 @@ Result<Review> make_review(const ClashArguments& arguments, const Triage& triage
   return review;
 }
 
+/// Says which keys of the decisions match no pair: the clash may be solved, or the key is misspelt.
+void mention_unmatched(const std::vector<std::string>& keys, const std::string& file) {
+  constexpr std::size_t kMostNamed = 10;
+  for (std::size_t i = 0; i < std::min(keys.size(), kMostNamed); ++i)
+    complain(fmt::format("{}: no pair of this run is '{}'; if that clash is solved, delete the key", file, keys[i]));
+  if (keys.size() > kMostNamed)
+    complain(fmt::format("{}: {} match no pair either", file, counted(keys.size() - kMostNamed, "other key")));
+}
+
 Result<void> print_on_standard_output(const Review& review, const ClashArguments& arguments,
                                       const std::stop_token& stop) {
   Sink out(STDOUT_FILENO, "standard output");
@@ -159,8 +168,9 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     for (const std::string& warning : configured->configuration->warnings) complain(warning);
   std::vector<std::string> inputs = arguments.files;
   if (arguments.config) inputs.push_back(*arguments.config);
-  Documents documents(inputs);
-  if (auto ordered = documents.order(kJson, arguments.json, arguments.previous); !ordered) return ordered.error();
+  if (arguments.decisions) inputs.push_back(*arguments.decisions);
+  Documents documents(inputs, arguments.force);
+  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
@@ -169,17 +179,19 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const Result<Previous> previous =
       arguments.previous ? read_previous(*arguments.previous, arguments.max_file_bytes) : Previous();
   if (!previous) return previous.error();
-  if (auto kept = keep_remarks(arguments, *previous); !kept) return kept.error();
-  const Result<Review> review = make_review(
+  const Result<Decisions> decisions = arguments.decisions ? read_decisions(*arguments.decisions) : Decisions();
+  if (!decisions) return decisions.error();
+  Result<Review> review = make_review(
       arguments,
       {configured->configuration ? &*configured->configuration : nullptr, arguments.previous ? &*previous : nullptr},
       stop);
   if (!review) return review.error();
+  const std::vector<std::string> unmatched = decide(*decisions, *review);
   mention_missing(review->assembly);
   if (!arguments.quiet) {
     mention_warnings(review->assembly);
-    mention_withheld(*review);
     if (arguments.previous) mention_renamed(review->known_names, *arguments.previous);
+    mention_unmatched(unmatched, arguments.decisions.value_or(""));
   }
   const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
   if (auto written = documents.write(kJson, write_json); !written) return written.error();

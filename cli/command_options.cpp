@@ -163,6 +163,10 @@ void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
 }
 
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "replace files even if their names do not end in .json, .html and so on");
+}
+
 /// The options that follow stand under this heading of the help page.
 void begin_group(CLI::App& command, const std::string& heading) { command.option_defaults()->group(heading); }
 
@@ -177,6 +181,7 @@ void add_check(CLI::App& command, CheckArguments& to) {
              "keep only the first N pairs of triangles, in order of objects and triangles");
   add_ignore(command, to);
   add_quiet(command, to.quiet);
+  add_force(command, to.force);
   command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
   begin_group(command, "Reading");
   add_scale(command, to);
@@ -279,8 +284,12 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_fail_on(command, to.fail_on, {"contact", "penetration", "inside", "clearance", "new"},
               "what makes the exit code 1");
   add_output(command, "--previous", to.previous,
-             "the JSON of an earlier run: say what is new, what persists and what is resolved since then, and keep the "
-             "status and comments written in it; includes --regions");
+             "the JSON of an earlier run: say what is new, what persists and what is resolved since then; includes "
+             "--regions");
+  add_output(
+      command, "--decisions", to.decisions,
+      "what people decided about pairs: a JSON file with a status and comment for each, by its id or by two names "
+      "of parts (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth);
   command.add_flag("--regions", to.regions,
@@ -293,6 +302,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
              "print only the first N rows of the table; the JSON stays whole");
   add_quiet(command, to.quiet);
+  add_force(command, to.force);
   begin_group(command, "Files to write");
   add_json(command, to.json, "verdicts");
   add_output(command, "--html", to.html,
@@ -326,6 +336,7 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   add_page_triangles(command, to)->needs("--html");
   add_up(command, to, "the page")->needs("--html");
   add_quiet(command, to.quiet);
+  add_force(command, to.force);
   begin_group(command, "Reading and work");
   add_max_file(command, to.max_file_bytes);
   add_threads(command, to.threads);
@@ -344,6 +355,7 @@ void add_view(CLI::App& command, ViewArguments& to) {
   add_scale(command, to);
   add_max_file(command, to.max_file_bytes);
   add_quiet(command, to.quiet);
+  add_force(command, to.force);
   command.final_callback([&to] {
     if (!to.html) to.html = std::filesystem::path(to.files.front()).filename().string() + ".html";
     check_scales(to);
@@ -355,6 +367,7 @@ void add_info(CLI::App& command, InfoArguments& to) {
   begin_group(command, "Options");
   add_json(command, to.json, "list");
   add_max_file(command, to.max_file_bytes);
+  add_force(command, to.force);
 }
 
 }  // namespace

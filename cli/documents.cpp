@@ -10,6 +10,9 @@
 
 namespace impinge::cli {
 
+namespace {
+
+/// Whether two names are of one file, also where none is yet. Standard output, "-", is one.
 bool is_one_place(const std::string& a, const std::string& b) {
   if (a == b) return true;
   if (a == "-" || b == "-") return false;
@@ -20,8 +23,9 @@ bool is_one_place(const std::string& a, const std::string& b) {
   return !real_a.empty() && real_a == real_b;
 }
 
-Result<void> Documents::order(const DocumentKind& kind, const std::optional<std::string>& place,
-                              const std::optional<std::string>& known) {
+}  // namespace
+
+Result<void> Documents::order(const DocumentKind& kind, const std::optional<std::string>& place) {
   if (!place) return {};
   for (const std::string& file : files_) {
     std::error_code unknown;
@@ -32,7 +36,7 @@ Result<void> Documents::order(const DocumentKind& kind, const std::optional<std:
     if (is_one_place(*place, other.place))
       return Error{Code::bad_option, fmt::format("{} and {} cannot both go to {}", other.kind->option, kind.option,
                                                  *place == "-" ? "standard output" : *place)};
-  Result<Target> target = Target::check(*place, kind, known && is_one_place(*place, *known));
+  Result<Target> target = Target::check(*place, kind, force_);
   if (!target) return target.error();
   ordered_.push_back({&kind, *place, *std::move(target), {}});
   return {};

@@ -12,21 +12,17 @@
 namespace impinge::cli {
 using namespace report;
 
-/// Whether two names are of one file, also where none is yet. Standard output, "-", is one.
-bool is_one_place(const std::string& a, const std::string& b);
-
 /// The documents that a call is asked for. Their places are looked at before long work begins, and what was in them
 /// stays until all documents are complete: an earlier run's JSON is not lost to a disk that is too full for the page.
 class Documents {
  public:
-  /// `files` are those that the call reads, which no document may replace.
-  explicit Documents(const std::vector<std::string>& files) : files_(files) {}
+  /// `files` are those that the call reads, which no document may replace; other files whose names do not end as those
+  /// of the document do are replaced only with `force`.
+  Documents(const std::vector<std::string>& files, bool force) : files_(files), force_(force) {}
 
-  /// Where a document of this kind is to go; nothing without a place. `known` names one of this kind, or what the call
-  /// refuses before it writes. Errors: `bad_file`; `bad_option` (one of the files to read, or where another document
-  /// goes).
-  Result<void> order(const DocumentKind& kind, const std::optional<std::string>& place,
-                     const std::optional<std::string>& known = {});
+  /// Where a document of this kind is to go; nothing without a place. Errors: `bad_file`; `bad_option` (one of the
+  /// files to read, or where another document goes).
+  Result<void> order(const DocumentKind& kind, const std::optional<std::string>& place);
 
   /// Whether one of them takes the place of what the program prints.
   [[nodiscard]] bool on_standard_output() const;
@@ -54,6 +50,7 @@ class Documents {
     Written written{};
   };
   const std::vector<std::string>& files_;
+  bool force_;
   std::vector<Ordered> ordered_;
 };
 

@@ -13,7 +13,6 @@
 #include "impinge/io.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"
-#include "report/comparison/remarks.hpp"
 #include "report/json_writer.hpp"
 #include "report/part.hpp"
 #include "report/sink.hpp"
@@ -145,9 +144,8 @@ void print_file(const FileFacts& facts, Sink& out) {
 }  // namespace
 
 Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
-  Documents documents(arguments.files);
+  Documents documents(arguments.files, arguments.force);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
-  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   const bool table = !documents.on_standard_output();
   Sink out(STDOUT_FILENO, "standard output");
   std::vector<FileFacts> files;

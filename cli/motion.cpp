@@ -13,7 +13,6 @@
 #include "numbers.hpp"
 #include "progress.hpp"
 #include "report/clash_json.hpp"
-#include "report/comparison/remarks.hpp"
 #include "report/motion/motion_report.hpp"
 #include "report/motion/timeline.hpp"
 #include "report/page.hpp"
@@ -115,9 +114,8 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
 }  // namespace
 
 Result<bool> motion(const MotionArguments& arguments, const std::stop_token& stop) {
-  Documents documents(arguments.files);
+  Documents documents(arguments.files, arguments.force);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
-  if (auto kept = keep_remarks(arguments.json); !kept) return kept.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();

@@ -55,29 +55,15 @@ std::string summary_of_test(const Review& review, std::uint32_t test) {
 }
 
 std::string summary_of_changes(const Review& review, const std::string& previous) {
-  std::uint64_t fresh = 0, changed = 0, persisting = 0, worse = 0, resolved = 0;
+  std::uint64_t fresh = 0, changed = 0, persisting = 0, worse = 0;
   for (std::size_t i = 0; i < review.standings.size(); ++i) {
     const Standing& standing = review.standings[i];
     ++(standing.change == Change::fresh ? fresh : has_new_region(standing) ? changed : persisting);
     worse += standing.change != Change::fresh && is_worse(review.clashes.pairs[i], standing) ? 1 : 0;
   }
-  for (const Resolved& one : review.resolved) resolved += one.is_ambiguous ? 0 : 1;
   return fmt::format("Since {}: {} new, {} with a new region, {} persisting, {} resolved{}.\n", printable(previous),
-                     grouped(fresh), grouped(changed), grouped(persisting), grouped(resolved),
+                     grouped(fresh), grouped(changed), grouped(persisting), grouped(review.resolved.size()),
                      worse > 0 ? fmt::format("; {} worse than before", grouped(worse)) : "");
-}
-
-void mention_withheld(const Review& review, bool is_elsewhere, std::string_view why) {
-  std::uint64_t count = 0;
-  const Resolved* first = nullptr;
-  for (const Resolved& resolved : review.resolved) {
-    if (!resolved.is_ambiguous || (resolved.remark.is_empty() && resolved.regions.empty())) continue;
-    if (resolved.is_elsewhere == is_elsewhere && count++ == 0) first = &resolved;
-  }
-  if (count == 0) return;
-  complain(fmt::format("what was written about {}, such as {} / {}, is not taken over: {}",
-                       count == 1 ? "a clash" : grouped(count) + " clashes", printable(first->a.name),
-                       printable(first->b.name), why));
 }
 
 std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
@@ -129,17 +115,6 @@ std::string triage_summary(const Review& review, const ClashArguments& arguments
   for (std::uint32_t i = 0; i < review.plan.tests().size(); ++i) text += summary_of_test(review, i);
   if (arguments.previous) text += summary_of_changes(review, *arguments.previous);
   return text;
-}
-
-void mention_withheld(const Review& review) {
-  mention_withheld(review, false,
-                   "a part of each is, or was, there more than once with one file name, path, shape and place, and "
-                   "nothing says which was meant; it stands under resolved in the JSON. Give such parts names of their "
-                   "own, or leave all but one out; then write it again, and delete it there");
-  mention_withheld(review, true,
-                   "what has these names now was gone in between, or had namesakes, and a part has another shape or "
-                   "place than then: it may be another one; it stands under resolved in the JSON. If it still holds, "
-                   "write it again; delete it there");
 }
 
 }  // namespace impinge::cli

@@ -25,7 +25,4 @@ void print_groups(const Review& review, GroupBy by, const std::vector<std::size_
 /// A line for each test, and one on what changed since the previous run; nothing where there are none.
 std::string triage_summary(const Review& review, const ClashArguments& arguments);
 
-/// Complains of what people wrote in earlier runs, where nobody can say which pair it is about now.
-void mention_withheld(const Review& review);
-
 }  // namespace impinge::cli

@@ -15,7 +15,7 @@
 namespace impinge::cli {
 
 Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
-  Documents documents(arguments.files);
+  Documents documents(arguments.files, arguments.force);
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered;
   const Result<std::string> page = read_page_template();
   if (!page) return page.error();

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// The JSON that `impinge clash` reads: configurations, clash sets of IfcClash and earlier reports.
+/// The JSON that `impinge clash` reads: configurations, clash sets of IfcClash, earlier reports and decisions.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "report/comparison/previous.hpp"
+#include "report/decisions.hpp"
 #include "report/named_tests/configuration.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -21,5 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto previous = impinge::report::parse_previous("fuzz.json", text);
   if (!previous && !previous.error().message.starts_with("fuzz.json:")) std::abort();
+  const auto decisions = impinge::report::parse_decisions("fuzz.json", text);
+  if (!decisions && !decisions.error().message.starts_with("fuzz.json:")) std::abort();
   return 0;
 }

@@ -22,7 +22,8 @@ Json json_settings(const ClashArguments& arguments) {
           {"within_products", arguments.within_products},
           {"scale", arguments.scales},
           {"config", or_null(arguments.config)},
-          {"previous", or_null(arguments.previous)}};
+          {"previous", or_null(arguments.previous)},
+          {"decisions", or_null(arguments.decisions)}};
 }
 
 Json json_part(const Review& review, std::size_t i) {
@@ -46,18 +47,17 @@ Json json_distance(const std::optional<Nearest>& nearest) {
 Json json_region(const Region& region, const RegionStanding& standing) {
   Json lines = Json::array();
   for (const std::vector<Point>& line : region.lines) lines.push_back(json_points(line));
-  Json json{{"id", standing.id}};
-  json.update(json_standing(standing.change, standing.remark));
-  json.update(Json{{"pairs", region.pairs},
-                   {"box", json_points(region.box)},
-                   {"area", region.area},
-                   {"length", region.length},
-                   {"centroid", json_point(region.centroid)},
-                   {"normal", json_point(region.normal)},
-                   {"lines", std::move(lines)},
-                   {"triangles_a", region.triangles_a},
-                   {"triangles_b", region.triangles_b}});
-  return json;
+  return {{"id", standing.id},
+          {"change", json_change(standing.change)},
+          {"pairs", region.pairs},
+          {"box", json_points(region.box)},
+          {"area", region.area},
+          {"length", region.length},
+          {"centroid", json_point(region.centroid)},
+          {"normal", json_point(region.normal)},
+          {"lines", std::move(lines)},
+          {"triangles_a", region.triangles_a},
+          {"triangles_b", region.triangles_b}};
 }
 
 Json json_pair(const Review& review, std::size_t number, const ClashArguments& arguments) {

@@ -33,14 +33,12 @@ struct Row {
   const Standing& standing;
   std::size_t rank;
   const std::string& id;
-  bool is_ambiguous;
   Point at;
 };
 
 /// A row about what is gone since the previous run: a pair of then, or one of its regions.
 struct GoneRow {
   const Conventions& conventions;
-  const Resolved& pair;
   const Resolved& what;
 };
 
@@ -110,24 +108,24 @@ struct Column {
 constexpr std::array kColumns{
     Column{"rank", [](const Row& row) { return whole(row.rank); }},
     Column{"verdict", [](const Row& row) { return std::string(name(row.pair.verdict)); },
-           [](const GoneRow& row) { return std::string(name(row.pair.verdict)); }},
+           [](const GoneRow& row) { return std::string(name(row.what.verdict)); }},
     Column{"fails", [](const Row& row) { return truth(row.standing.fails); },
            [](const GoneRow&) { return truth(false); }},
-    Column{"id", [](const Row& row) { return row.id; }, [](const GoneRow& row) { return csv_cell(row.pair.id); }},
+    Column{"id", [](const Row& row) { return row.id; }, [](const GoneRow& row) { return csv_cell(row.what.id); }},
     Column{"a", [](const Row& row) { return csv_cell(part(row, 0).name); },
-           [](const GoneRow& row) { return csv_cell(row.pair.a.name); }},
+           [](const GoneRow& row) { return csv_cell(row.what.a.name); }},
     Column{"b", [](const Row& row) { return csv_cell(part(row, 1).name); },
-           [](const GoneRow& row) { return csv_cell(row.pair.b.name); }},
+           [](const GoneRow& row) { return csv_cell(row.what.b.name); }},
     Column{"a_path", [](const Row& row) { return csv_cell(part(row, 0).path); },
-           [](const GoneRow& row) { return csv_cell(row.pair.a.path); }},
+           [](const GoneRow& row) { return csv_cell(row.what.a.path); }},
     Column{"b_path", [](const Row& row) { return csv_cell(part(row, 1).path); },
-           [](const GoneRow& row) { return csv_cell(row.pair.b.path); }},
+           [](const GoneRow& row) { return csv_cell(row.what.b.path); }},
     Column{"a_product", [](const Row& row) { return csv_cell(part(row, 0).product); }},
     Column{"b_product", [](const Row& row) { return csv_cell(part(row, 1).product); }},
     Column{"a_file", [](const Row& row) { return csv_cell(file(row, 0)); },
-           [](const GoneRow& row) { return csv_cell(row.pair.a.file); }},
+           [](const GoneRow& row) { return csv_cell(row.what.a.file); }},
     Column{"b_file", [](const Row& row) { return csv_cell(file(row, 1)); },
-           [](const GoneRow& row) { return csv_cell(row.pair.b.file); }},
+           [](const GoneRow& row) { return csv_cell(row.what.b.file); }},
     Column{"inner", inner},
     Column{"depth", [](const Row& row) { return row.pair.overlap_depth ? number(depth_of(row.pair)) : ""; }},
     Column{"a_in_b_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.lo; }); }},
@@ -153,18 +151,14 @@ constexpr std::array kColumns{
     Column{"coplanar", [](const Row& row) { return whole(row.pair.contacts[2]); }},
     Column{"tolerance", [](const Row& row) { return number(row.pair.tolerance); }},
     Column{"note", [](const Row& row) { return csv_cell(sentence(row.pair.note)); }},
-    Column{"test", test, [](const GoneRow& row) { return csv_cell(row.pair.test); }},
+    Column{"test", test, [](const GoneRow& row) { return csv_cell(row.what.test); }},
     Column{"change", change, [](const GoneRow&) { return std::string("resolved"); }},
     Column{"was", [](const Row& row) { return std::string(row.standing.was ? name(*row.standing.was) : ""); }},
     Column{"new_regions", new_regions},
     Column{"region", [](const Row&) { return std::string(); },
            [](const GoneRow& row) { return csv_cell(row.what.region); }},
-    Column{"ambiguous", [](const Row& row) { return truth(row.is_ambiguous); },
-           [](const GoneRow& row) { return truth(row.pair.is_ambiguous); }},
-    Column{"status", [](const Row& row) { return csv_cell(row.standing.remark.status); },
-           [](const GoneRow& row) { return csv_cell(row.what.remark.status); }},
-    Column{"comment", [](const Row& row) { return csv_cell(row.standing.remark.comment); },
-           [](const GoneRow& row) { return csv_cell(row.what.remark.comment); }},
+    Column{"status", [](const Row& row) { return csv_cell(row.standing.decision.status); }},
+    Column{"comment", [](const Row& row) { return csv_cell(row.standing.decision.comment); }},
     Column{"depth_m",
            [](const Row& row) { return row.pair.overlap_depth ? in_metres(row.conventions, depth_of(row.pair)) : ""; }},
     Column{
@@ -208,17 +202,14 @@ Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& a
     if (stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
     const Row row{review, conventions,   review.clashes.pairs[i], review.standings[i],
-                  ++rank, review.ids[i], review.ambiguous[i],     place_of(review, i).at};
+                  ++rank, review.ids[i], place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
-  const auto write_gone = [&](const GoneRow& row) {
-    sink.write(line([&](const Column& column) { return column.gone == nullptr ? "" : column.gone(row); }));
-  };
-  for (const Resolved& pair : review.resolved) {
+  for (const Resolved& gone : review.resolved) {
     if (stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
-    write_gone({conventions, pair, pair});
-    for (const Resolved& region : pair.regions) write_gone({conventions, pair, region});
+    const GoneRow row{conventions, gone};
+    sink.write(line([&](const Column& column) { return column.gone == nullptr ? "" : column.gone(row); }));
   }
   return {};
 }

@@ -161,13 +161,13 @@ std::size_t node_of(Document& document, const Region& region, const RegionStandi
   }
   const Point origin = middle(region.box[0], region.box[1]);
   const std::size_t mesh = document.mesh(points, ends, std::array{region.centroid}, origin, verdict);
-  Json extras{{"id", standing.id}};
-  extras.update(json_standing(standing.change, standing.remark));
-  extras.update(Json{{"pairs", region.pairs},
-                     {"area", region.area},
-                     {"length", region.length},
-                     {"centroid", json_point(region.centroid)},
-                     {"normal", json_point(region.normal)}});
+  Json extras{{"id", standing.id},
+              {"change", json_change(standing.change)},
+              {"pairs", region.pairs},
+              {"area", region.area},
+              {"length", region.length},
+              {"centroid", json_point(region.centroid)},
+              {"normal", json_point(region.normal)}};
   return document.node({{"name", fmt::format("region {}", number)},
                         {"translation", json_point(origin)},
                         {"mesh", mesh},

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -165,18 +164,12 @@ std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<
   std::vector<Identity> identities(assembly.objects.size());
   for (std::size_t i = 0; i < identities.size(); ++i) identities[i].placed = shapes.placed(assembly.objects[i]);
   for (const auto& [key, objects] : namesakes) {
-    if (objects.size() == 1) {
-      Identity& alone = identities[objects.front()];
-      alone.key = alone.first_key = key;
-      continue;
-    }
     std::map<std::string, Numbers> twins;
     for (const std::size_t object : objects) twins[identities[object].placed].push_back(object);
     for (const auto& [placed, same] : twins) {
       // Where all are twins, what one of them was known by when it was alone is still the name of the first.
       const std::string first = twins.size() == 1 ? key : key + placed;
-      for (std::size_t k = 0; k < same.size(); ++k)
-        identities[same[k]] = {twin_key(first, k), first, placed, same.size() > 1};
+      for (std::size_t k = 0; k < same.size(); ++k) identities[same[k]].key = twin_key(first, k);
     }
   }
   return identities;
@@ -201,29 +194,6 @@ std::string guid_of(std::string_view text) {
 std::string guid_of_pair(std::string_view key_a, std::string_view key_b, std::string_view what) {
   const auto [first, second] = std::minmax(key_a, key_b);
   return guid_of(joined(first, joined(second, what)));
-}
-
-std::vector<std::string> guids_of_twins(const Identity& a, const Identity& b, std::string_view what,
-                                        const std::function<bool(const std::string& guid)>& is_known) {
-  using Twins = std::pair<std::size_t, std::size_t>;
-  std::vector<std::string> guids;
-  // From the first two on to their neighbours, as long as these are known: nobody says how many there were.
-  std::vector<Twins> next{{0, 0}};
-  std::set<Twins> seen{{0, 0}};
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    const auto [k, m] = next[i];
-    const std::string guid = guid_of_pair(twin_key(a.first_key, k), twin_key(b.first_key, m), what);
-    if (is_known(guid))
-      guids.push_back(guid);
-    else if (i > 0)
-      continue;
-    for (const Twins& neighbour : {Twins{k + 1, m}, Twins{k, m + 1}})
-      if (seen.insert(neighbour).second) next.push_back(neighbour);
-  }
-  // Two twins of each other are found both ways.
-  std::sort(guids.begin(), guids.end());
-  guids.erase(std::unique(guids.begin(), guids.end()), guids.end());
-  return guids;
 }
 
 }  // namespace impinge::report

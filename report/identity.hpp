@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -36,11 +35,8 @@ class Shapes {
 
 /// What an object is known by, whatever its number is.
 struct Identity {
-  std::string key;        ///< no two objects have one
-  std::string first_key;  ///< that of the first of its twins; without any, its own
-  std::string placed;     ///< a UUID of its shape and place: two have one only where both are equal to the last bit
-  /// Others have the same names, shape and place: only their order tells which of them it is.
-  bool is_ambiguous = false;
+  std::string key;     ///< no two objects have one
+  std::string placed;  ///< a UUID of its shape and place: two have one only where both are equal to the last bit
 };
 
 /// For each object: the name that its file is known by, and its GlobalId or else its path. Where several have the same,
@@ -57,10 +53,5 @@ std::string guid_of(std::string_view text);
 
 /// That of a clash between two objects, in any order; `what` tells several of the same two apart.
 std::string guid_of_pair(std::string_view key_a, std::string_view key_b, std::string_view what = {});
-
-/// Of the clashes between a twin of the one, or itself, and a twin of the other, in any number of them: those that are
-/// known, in a fixed order.
-std::vector<std::string> guids_of_twins(const Identity& a, const Identity& b, std::string_view what,
-                                        const std::function<bool(const std::string& guid)>& is_known);
 
 }  // namespace impinge::report

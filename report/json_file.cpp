@@ -122,6 +122,44 @@ class JsonScan final : public nlohmann::json_sax<json> {
   bool stopped_ = false;
 };
 
+/// Builds the value of a sound text without the members that are not wanted. The filter that nlohmann-json's own parser
+/// takes makes it search all of an array after each object in it.
+class JsonBuilder final : public nlohmann::json_sax<json> {
+ public:
+  explicit JsonBuilder(const std::function<bool(const std::string& key)>& keeps) : keeps_(keeps) {}
+
+  json take() { return std::move(root_); }
+
+  bool null() override { return place(nullptr), true; }
+  bool boolean(bool value) override { return place(value), true; }
+  bool number_integer(number_integer_t value) override { return place(value), true; }
+  bool number_unsigned(number_unsigned_t value) override { return place(value), true; }
+  bool number_float(number_float_t value, const string_t&) override { return place(value), true; }
+  bool string(string_t& value) override { return place(std::move(value)), true; }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open_.push_back(place(json::object())), true; }
+  bool start_array(std::size_t) override { return open_.push_back(place(json::array())), true; }
+  bool end_object() override { return open_.pop_back(), true; }
+  bool end_array() override { return open_.pop_back(), true; }
+  bool key(string_t& key) override { return key_ = std::move(key), true; }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+ private:
+  /// Where the value stands now; null if it is left out.
+  json* place(json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    json* const parent = open_.back();
+    if (parent == nullptr) return nullptr;
+    if (parent->is_array()) return &parent->emplace_back(std::move(value));
+    return keeps_(key_) ? &((*parent)[key_] = std::move(value)) : nullptr;
+  }
+
+  const std::function<bool(const std::string& key)>& keeps_;
+  json root_;
+  std::vector<json*> open_;  ///< arrays and objects that have begun and not ended
+  std::string key_;
+};
+
 std::string shown_pointer(const std::string& pointer) {
   return pointer.empty() ? std::string() : fit(printable(pointer.substr(0, 800)), 160) + ": ";
 }
@@ -145,12 +183,16 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
   return text;
 }
 
-Result<json> parse_json(std::string_view name, const std::string& text) {
+Result<json> parse_json(std::string_view name, const std::string& text,
+                        const std::function<bool(const std::string& key)>& keeps) {
   const JsonScan scan(text);
   if (scan.stopped())
     return Error{Code::bad_file, fmt::format("{}:{}: column {}: {}{}", name, scan.line(), scan.column(),
                                              shown_pointer(scan.pointer().to_string()), scan.mistake())};
-  return json::parse(text);
+  if (!keeps) return json::parse(text);
+  JsonBuilder builder(keeps);
+  json::sax_parse(text, &builder);
+  return builder.take();
 }
 
 Error json_error(std::string_view name, const std::string& text, const std::string& pointer, std::string_view what) {

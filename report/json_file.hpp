@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -22,7 +23,9 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
 
 /// The value of a JSON text; `name` is its file's, for messages. Errors: `bad_file`, with line and column, if the text
 /// is no JSON, or has a key twice in one object, is nested too deep, or holds too many values.
-Result<nlohmann::json> parse_json(std::string_view name, const std::string& text);
+/// Members of objects are left out if their keys are not among those that `keeps` wants.
+Result<nlohmann::json> parse_json(std::string_view name, const std::string& text,
+                                  const std::function<bool(const std::string& key)>& keeps = {});
 
 /// `bad_file` for a mistake at a JSON pointer (RFC 6901) into a text that `parse_json` has read:
 /// "clash.json:12: /tests/0/mode: what is wrong". The text is searched for the line.

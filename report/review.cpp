@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -90,7 +89,6 @@ void identify(const Previous* previous, Review& review) {
   for (const Clash& pair : review.clashes.pairs) {
     const auto [a, b] = parts_of(review, pair);
     review.ids.push_back(guid_of_pair(a.key, b.key, test_of(review, pair)));
-    review.ambiguous.push_back(a.is_ambiguous || b.is_ambiguous);
   }
 }
 
@@ -103,16 +101,7 @@ void take_stock(const ClashArguments& arguments, const Previous* previous, Revie
   const auto slack = [&](const Clash& pair) {
     return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
   };
-  const auto twins = [&](const Clash& pair, const std::function<bool(const std::string&)>& is_known) {
-    const auto [a, b] = parts_of(review, pair);
-    return guids_of_twins(a, b, test_of(review, pair), is_known);
-  };
-  const auto placed = [&](const Clash& pair) {
-    const auto [a, b] = parts_of(review, pair);
-    return std::pair<std::string_view, std::string_view>(a.placed, b.placed);
-  };
-  const Found found{review.clashes.pairs, review.ids, review.ambiguous, slack, is_named, twins, placed};
-  review.standings = previous != nullptr ? compare(found, *previous, review.resolved) : stand_alone(found);
+  review.standings = compare({review.clashes.pairs, review.ids, slack, is_named}, previous, review.resolved);
   const auto is_new = [](const Standing& standing) {
     return standing.change == Change::fresh ||
            std::any_of(standing.regions.begin(), standing.regions.end(),

@@ -29,7 +29,6 @@ struct Review {
   FileNames known_names;                ///< what they were known by before they were renamed
   std::vector<Identity> identities;     ///< for each object
   std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
-  std::vector<bool> ambiguous;          ///< for each pair: another one has it as well as this, but for the parts' order
   Plan plan;                            ///< without tests, if there is no configuration
   std::vector<Standing> standings;      ///< for each pair
   std::vector<Resolved> resolved;       ///< what is gone since the previous run

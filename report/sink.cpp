@@ -9,8 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -30,43 +28,6 @@ Error cannot_write(std::string_view name, int error) {
 
 std::string in_quotes(const std::filesystem::path& path) { return fmt::format("'{}'", path.native()); }
 
-/// What somebody would lose with this file, if that is anything but an earlier document: "holds no JSON of impinge".
-std::string what_would_be_lost(const std::filesystem::path& file, const DocumentKind& kind) {
-  const std::string other = fmt::format("holds no {} of impinge", kind.noun);
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return other;
-  std::array<char, 512> head{};
-  const ssize_t got = ::read(descriptor, head.data(), head.size());
-  const std::string_view text(head.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  ::close(descriptor);
-  const bool is_empty = got >= 0 && text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-  return is_empty || kind.begins_one(text) ? std::string() : other;
-}
-
-/// Of `check`, `clash`, `info` or `motion`, in any layout: whoever fills in remarks may write it anew.
-bool begins_json(std::string_view head) {
-  std::string text(head.substr(head.starts_with("\xEF\xBB\xBF") ? 3 : 0));
-  std::erase_if(text, [](char c) { return std::string_view(" \t\r\n").find(c) != std::string_view::npos; });
-  for (const char* begin : {R"("objects":[{"id":0,"name":")", R"("objects":[],"pairs":[)",
-                            R"("settings":{"tolerance":)", R"("files":[{"file":")", R"("animation":{"name":")"})
-    if (text.starts_with(R"({"version":1,)" + std::string(begin))) return true;
-  return false;
-}
-/// As page/src/index.html does.
-bool begins_page(std::string_view head) {
-  return head.starts_with("<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors;");
-}
-bool begins_csv(std::string_view head) { return head.starts_with("rank,verdict,"); }
-/// A zip archive whose first member is the version.
-bool begins_bcf(std::string_view head) {
-  constexpr std::size_t kBeforeTheName = 30;
-  return head.starts_with("PK\3\4") && head.find("bcf.version") == kBeforeTheName;
-}
-/// Other models are somebody's own.
-bool begins_gltf(std::string_view head) {
-  return head.starts_with("glTF") && head.find("{\"asset\":{\"generator\":\"impinge\"") != std::string_view::npos;
-}
-
 /// The mode that a file made by `open(2)` would get.
 mode_t usual_mode() {
   const mode_t mask = ::umask(0);
@@ -76,9 +37,9 @@ mode_t usual_mode() {
 
 }  // namespace
 
-const DocumentKind kJson{"--json", "JSON", begins_json}, kPage{"--html", "page", begins_page},
-    kCsv{"--csv", "table of clashes", begins_csv}, kBcf{"--bcf", "BCF", begins_bcf},
-    kGltf{"--gltf", "binary glTF", begins_gltf};
+const DocumentKind kJson{"--json", "JSON", ".json"}, kPage{"--html", "page", ".html"},
+    kCsv{"--csv", "table of clashes", ".csv"}, kBcf{"--bcf", "BCF", ".bcf", ".bcfzip"},
+    kGltf{"--gltf", "binary glTF", ".glb"};
 
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
 
@@ -115,7 +76,7 @@ Result<void> Sink::flush() {
   return {};
 }
 
-Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bool is_one) {
+Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bool force) {
   Target target;
   if (name == "-") {
     target.standard_output_ = true;
@@ -132,11 +93,13 @@ Result<Target> Target::check(std::string_view name, const DocumentKind& kind, bo
                    fmt::format("{} is a directory; name a file for the {}", in_quotes(name), kind.noun)};
     target.direct_ = !S_ISREG(about.st_mode);
     if (::access(target.place_.c_str(), W_OK) != 0) return cannot_write(in_quotes(name), errno);
-    const std::string lost = target.direct_ || is_one ? "" : what_would_be_lost(target.place_, kind);
-    if (!lost.empty())
+    const std::string ending = target.place_.extension();
+    const bool is_own = ending == kind.ending || ending == kind.other_ending;
+    if (!target.direct_ && !is_own && !force && about.st_size > 0)
       return Error{Code::bad_file,
-                   fmt::format("{} exists and {}, so it is not replaced; the word after {} is the file to write",
-                               in_quotes(name), lost, kind.option)};
+                   fmt::format("{} exists and does not end in {}, so it is not replaced: the word after {} is the file "
+                               "to write; --force replaces it",
+                               in_quotes(target.place_), kind.ending, kind.option)};
   }
   if (!target.direct_) {
     auto folder = target.place_.parent_path();

@@ -38,11 +38,10 @@ class Sink {
   int error_ = 0;  ///< errno of the first failure
 };
 
-/// A kind of document: the option that asks for one, what it is called, and whether a file that begins so is one, so
-/// that replacing it loses nothing but an earlier document.
+/// A kind of document: the option that asks for one, what it is called, and how the names of such files end.
 struct DocumentKind {
   std::string_view option, noun;
-  bool (*begins_one)(std::string_view head);
+  std::string_view ending, other_ending = ending;
 };
 extern const DocumentKind kJson, kPage, kCsv, kBcf, kGltf;
 
@@ -70,10 +69,10 @@ class Written {
 /// that nobody sees half of it; a device or a pipe is written directly; "-" is standard output.
 class Target {
  public:
-  /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is
-  /// empty or begins like such a document: `--json a.obj b.obj` must not cost its author a.obj. A link stays a link,
-  /// and what it points to is written. `is_one`: such a document is there, however it begins. Errors: `bad_file`.
-  static Result<Target> check(std::string_view name, const DocumentKind& kind, bool is_one = false);
+  /// Looks whether the place can be written, before long work begins. An existing file is replaced only if it is empty
+  /// or its name ends as those of such documents do, unless `force` is set: `--json a.obj b.obj` must not cost its
+  /// author a.obj. A link stays a link, and what it points to is written. Errors: `bad_file`.
+  static Result<Target> check(std::string_view name, const DocumentKind& kind, bool force = false);
 
   [[nodiscard]] bool is_standard_output() const noexcept { return standard_output_; }
 

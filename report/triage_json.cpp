@@ -9,48 +9,16 @@
 namespace impinge::report {
 namespace {
 
-Json json_remark(const Remark& remark) {
-  return {{"status", or_null(remark.status)}, {"comment", or_null(remark.comment)}};
-}
-
-Json json_change(Change change) {
-  switch (change) {
-    case Change::unknown:
-      break;
-    case Change::fresh:
-      return "new";
-    case Change::persisting:
-      return "persisting";
-  }
-  return {};
-}
-
-Json json_centroid(const Resolved& resolved) { return resolved.centroid ? json_point(*resolved.centroid) : Json(); }
-
-Json json_old_part(const OldPart& part) {
-  return {{"name", part.name}, {"path", part.path}, {"file", part.file}, {"placed", or_null(part.placed)}};
-}
-
-Json json_old_region(const Resolved& region) {
-  Json json{{"region", or_null(region.region)}, {"centroid", json_centroid(region)}, {"reach", region.reach}};
-  json.update(json_remark(region.remark));
-  return json;
-}
+Json json_old_part(const OldPart& part) { return {{"name", part.name}, {"path", part.path}, {"file", part.file}}; }
 
 Json json_resolved(const Resolved& resolved) {
-  Json json{{"id", resolved.id},
-            {"region", or_null(resolved.region)},
-            {"a", json_old_part(resolved.a)},
-            {"b", json_old_part(resolved.b)},
-            {"test", or_null(resolved.test)},
-            {"verdict", name(resolved.verdict)},
-            {"centroid", json_centroid(resolved)},
-            {"reach", resolved.reach}};
-  json.update(json_remark(resolved.remark));
-  json["ambiguous"] = resolved.is_ambiguous;
-  Json& regions = json["regions"] = Json::array();
-  for (const Resolved& region : resolved.regions) regions.push_back(json_old_region(region));
-  return json;
+  return {{"id", resolved.id},
+          {"region", or_null(resolved.region)},
+          {"a", json_old_part(resolved.a)},
+          {"b", json_old_part(resolved.b)},
+          {"test", or_null(resolved.test)},
+          {"verdict", name(resolved.verdict)},
+          {"centroid", resolved.centroid ? json_point(*resolved.centroid) : Json()}};
 }
 
 std::string_view json_word(GroupBy by) {
@@ -74,20 +42,26 @@ std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>
 
 }  // namespace
 
+Json json_change(Change change) {
+  switch (change) {
+    case Change::unknown:
+      break;
+    case Change::fresh:
+      return "new";
+    case Change::persisting:
+      return "persisting";
+  }
+  return {};
+}
+
 Json json_triage(const Review& review, std::size_t pair) {
   const Standing& standing = review.standings[pair];
   const std::vector<PlannedTest>& tests = review.plan.tests();
-  Json json{{"test", tests.empty() ? Json() : Json(tests[review.clashes.pairs[pair].test].name)}};
-  json.update(json_standing(standing.change, standing.remark));
-  json["was"] = standing.was ? Json(name(*standing.was)) : Json();
-  json["ambiguous"] = bool{review.ambiguous[pair]};
-  return json;
-}
-
-Json json_standing(Change change, const Remark& remark) {
-  Json json{{"change", json_change(change)}};
-  json.update(json_remark(remark));
-  return json;
+  return {{"test", tests.empty() ? Json() : Json(tests[review.clashes.pairs[pair].test].name)},
+          {"change", json_change(standing.change)},
+          {"status", or_null(standing.decision.status)},
+          {"comment", or_null(standing.decision.comment)},
+          {"was", standing.was ? Json(name(*standing.was)) : Json()}};
 }
 
 void write_tests(JsonDocument& document, const Review& review) {

@@ -15,10 +15,10 @@ void write_types(JsonDocument& document, const Review& review);
 void write_resolved(JsonDocument& document, const Review& review);
 void write_groups(JsonDocument& document, const Review& review, GroupBy by);
 
-/// Members of a pair: "test", "change", "status", "comment", "was" and "ambiguous".
+/// Members of a pair: "test", "change", "status", "comment" and "was".
 Json json_triage(const Review& review, std::size_t pair);
 
-/// "change", "status" and "comment".
-Json json_standing(Change change, const Remark& remark);
+/// "new", "persisting" or null.
+Json json_change(Change change);
 
 }  // namespace impinge::report

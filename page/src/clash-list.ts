@@ -151,20 +151,19 @@ export class ClashList {
 
   private fillClash(row: HTMLElement, clash: Clash): void {
     row.className = `row clash verdict ${clash.verdict}`;
-    row.classList.toggle('is-resolved', clash.resolved !== null && !clash.resolved.ambiguous);
+    row.classList.toggle('is-resolved', clash.resolved !== null);
     row.setAttribute('aria-selected', String(clash === this.store.state.clash));
     row.removeAttribute('aria-expanded');
     if (this.store.state.group === 'none') row.removeAttribute('aria-level');
     else row.setAttribute('aria-level', '2');
     const verb = verbOf(clash);
-    const about = clash.pair ?? clash.resolved!;
     const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
     const tags = el('span', { class: 'tags' });
-    if (clash.resolved) tags.append(el('span', { class: 'tag' }, clash.resolved.ambiguous ? 'of a twin' : 'resolved'));
+    if (clash.resolved) tags.append(el('span', { class: 'tag' }, 'resolved'));
     const change = clash.pair && changeOf(clash.pair);
     if (change && change !== 'persisting') tags.append(el('span', { class: 'tag new' }, change));
     if (isWorse(clash.pair)) tags.append(el('span', { class: 'tag new' }, 'worse'));
-    if (about.status) tags.append(el('span', { class: 'tag' }, nameText(about.status, 24)));
+    if (clash.pair?.status) tags.append(el('span', { class: 'tag' }, nameText(clash.pair.status, 24)));
     row.replaceChildren(
       el('span', { role: 'gridcell', class: 'rank' }, counted(clash.rank)),
       el('span', { role: 'gridcell', class: 'names' }, el('span', { class: 'first' }, nameOf(clash.names[0])), second),
@@ -211,5 +210,5 @@ export function sentenceOf(clash: Clash, place: string): string {
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
   if (clash.pair?.span) parts.push(spanText(clash.pair.span));
-  return `${clash.resolved && !clash.resolved.ambiguous ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
+  return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
 }

@@ -176,7 +176,7 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (!Number.isNaN(distanceTo) && !(Math.min(distance, shown(distance)) <= distanceTo)) return false;
   if (filter.parts && !filter.parts.has(clash.first) && !filter.parts.has(clash.second)) return false;
   if (filter.test && about.test !== filter.test) return false;
-  if (filter.status && about.status !== filter.status) return false;
+  if (filter.status && clash.pair?.status !== filter.status) return false;
   if (filter.change === kWorse) return isWorse(clash.pair);
   return !filter.change || (clash.pair !== null && changeOf(clash.pair) === filter.change);
 }

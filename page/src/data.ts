@@ -42,8 +42,6 @@ export interface Region {
   triangles_b?: number[];
   id?: string;
   change?: string | null;
-  status?: string | null;
-  comment?: string | null;
 }
 
 export interface Pair {
@@ -71,8 +69,6 @@ export interface Pair {
   was?: Verdict | null;
   status?: string | null;
   comment?: string | null;
-  /** Only its place in the order of the parts tells a part of it from its twin. */
-  ambiguous?: boolean;
 }
 
 interface Place {
@@ -87,10 +83,6 @@ export interface Resolved {
   verdict: Verdict;
   test?: string | null;
   centroid?: Vec3 | null;
-  status?: string | null;
-  comment?: string | null;
-  /** It may still be there: nothing says which of several equal pairs it was. */
-  ambiguous?: boolean;
 }
 
 export interface Settings {

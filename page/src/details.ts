@@ -10,7 +10,7 @@ import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
 function changeText(clash: Clash): string[] | null {
-  if (clash.resolved) return [clash.resolved.ambiguous ? 'not known: it may still be there' : 'resolved'];
+  if (clash.resolved) return ['resolved'];
   if (!clash.pair?.change) return null;
   const { change, was, verdict } = clash.pair;
   const fresh = newRegionsOf(clash.pair);
@@ -18,13 +18,6 @@ function changeText(clash: Clash): string[] | null {
   if (!was || was === verdict) return [change + regions];
   return [`${change}${regions}${isWorse(clash.pair) ? ', and worse' : ''}: it was ${was}`];
 }
-
-/** What it means that nothing but their order tells parts apart (docs/triage.md). */
-const twinsText = (clash: Clash): string =>
-  'One of these parts has a twin of the same name, shape and place. ' +
-  (clash.resolved
-    ? 'Nothing says whether this was written about it or its twin.'
-    : 'So no status or comment is carried over from the last report.');
 
 type Value = (Node | string)[];
 
@@ -95,10 +88,9 @@ export class Details {
     if (clash.pair?.note) nodes.push(el('p', { class: 'note' }, `Note: ${clash.pair.note}.`));
     nodes.push(
       figures([
-        ['Status', about.status ? [nameOf(about.status)] : null],
-        ['Comment', about.comment ? [remarkOf(about.comment)] : null],
+        ['Status', clash.pair?.status ? [nameOf(clash.pair.status)] : null],
+        ['Comment', clash.pair?.comment ? [remarkOf(clash.pair.comment)] : null],
         ['Change', changeText(clash)],
-        ['Twins', about.ambiguous ? [twinsText(clash)] : null],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
     );
@@ -237,8 +229,6 @@ export class Details {
         el('span', { class: 'wide' }, el('small', {}, 'centre '), ...point(region.centroid)),
         hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...point(region.normal)),
         region.change && el('span', { class: 'tag' }, region.change),
-        region.status && el('span', { class: 'tag' }, nameOf(region.status, 40)),
-        region.comment && el('span', { class: 'wide' }, remarkOf(region.comment)),
       ),
     );
     return element;

@@ -45,7 +45,8 @@ function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
     return choices;
   }
   const values = new Set<string>();
-  for (const about of [...report.pairs, ...(report.resolved ?? [])]) if (about[key]) values.add(about[key]);
+  for (const pair of report.pairs) if (pair[key]) values.add(pair[key]);
+  if (key === 'test') for (const resolved of report.resolved ?? []) if (resolved.test) values.add(resolved.test);
   return [...values].sort().map((value) => [value, nameText(value, 60)]);
 }
 

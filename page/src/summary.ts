@@ -55,7 +55,6 @@ function toleranceFact(report: Report): Fact | null {
 /** The same counts as the command prints. */
 function changeFact(report: Report): Fact | null {
   const changes = report.pairs.map(changeOf).filter((change) => change !== null);
-  const resolved = (report.resolved ?? []).filter((one) => !one.ambiguous).length;
   if (!report.settings?.previous && !changes.length && !report.resolved?.length) return null;
   const count = (wanted: string) => changes.filter((change) => change === wanted).length;
   const fact: Fact = [
@@ -66,11 +65,9 @@ function changeFact(report: Report): Fact | null {
     ' with a new region, ',
     countOf(count('persisting')),
     ' persisting, ',
-    countOf(resolved),
+    countOf(report.resolved?.length ?? 0),
     ' resolved',
   ];
-  const ofTwins = (report.resolved?.length ?? 0) - resolved;
-  if (ofTwins) fact.push(', ', countOf(ofTwins), ' of twins, not known which');
   const worse = report.pairs.filter(isWorse).length;
   if (worse) fact.push('; ', el('strong', {}, counted(worse)), ' worse than before');
   return fact;

@@ -184,13 +184,12 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         id: `0000-${i}`,
         test: i % 3 ? 'bolts against plates' : null,
         change: i % 2 ? 'new' : 'persisting',
-        ambiguous: i === 1,
         was: i % 2 ? null : i === 0 ? 'touching' : pair.verdict,
         status: i % 4 ? null : 'approved',
         comment: i ? null : 'seen by <b>two</b>\r\nnot by\u202e three\nor four',
       }),
     );
-    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting', comment: i ? null : 'one\ntwo' }));
+    pairs[4].regions.forEach((region, i) => Object.assign(region, { change: i ? 'new' : 'persisting' }));
     report.resolved = [
       {
         a: objects[0],
@@ -198,9 +197,6 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         verdict: 'penetrating',
         test: null,
         centroid: places[0],
-        status: 'closed',
-        comment: null,
-        ambiguous: false,
       },
       {
         a: objects[0],
@@ -208,9 +204,6 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         verdict: 'touching',
         test: null,
         centroid: null,
-        status: 'open',
-        comment: null,
-        ambiguous: true,
       },
     ];
   }

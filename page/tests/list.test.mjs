@@ -64,7 +64,7 @@ describe('the list of clashes', () => {
     for (const fact of [
       '12 parts in 2 files',
       '12 solids',
-      '6 new, 1 with a new region, 5 persisting, 1 resolved, 1 of twins, not known which; 1 worse than before',
+      '6 new, 1 with a new region, 5 persisting, 2 resolved; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
     ]) {
@@ -303,42 +303,27 @@ describe('the list of clashes', () => {
     assert.ok(!page.url().includes('#'));
   });
 
-  test('shows what people wrote in its lines', async () => {
-    for (const [pair, lines] of [
-      [report.pairs[0], ['seen by <b>two</b>', 'not by\\u202e three', 'or four']],
-      [report.pairs[4], ['one', 'two']],
-    ]) {
-      await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(pair));
-      await settled(page);
-      const remark = page.locator('#details-body .remark');
-      assert.equal(await remark.innerText(), lines.join('\n'));
-      assert.equal(await remark.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
-      const height = await remark.evaluate(
-        (one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight),
-      );
-      assert.ok(height > lines.length - 0.5, `${height} lines`);
-    }
+  test('shows a decision in its lines', async () => {
+    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(report.pairs[0]));
+    await settled(page);
+    const lines = ['seen by <b>two</b>', 'not by\\u202e three', 'or four'];
+    const comment = page.locator('#details-body .remark');
+    assert.equal(await comment.innerText(), lines.join('\n'));
+    assert.equal(await comment.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
+    const height = await comment.evaluate(
+      (one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight),
+    );
+    assert.ok(height > lines.length - 0.5, `${height} lines`);
     await page.keyboard.press('Escape');
   });
 
-  test('tells of twins', async () => {
-    const [gone, ambiguous] = [ranked.length + 1, ranked.length + 2];
-    const told = [];
-    for (const rank of [rankOf(report.pairs[0]), rankOf(report.pairs[1]), gone, ambiguous]) {
-      await page.evaluate((one) => (location.hash = `#clash=${one}`), rank);
-      await settled(page);
-      told.push(await page.textContent('#details-body'));
-    }
-    assert.deepEqual(
-      told.map((text) => text.includes('has a twin of the same name, shape and place')),
-      [false, true, false, true],
-    );
-    assert.match(told[1], /no status or comment is carried over/);
-    assert.match(told[2], /Changeresolved/);
-    assert.match(told[3], /Changenot known: it may still be there/);
+  test('tells what is resolved', async () => {
+    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), ranked.length + 1);
+    await settled(page);
+    assert.match(await page.textContent('#details-body'), /Changeresolved/);
     await page.keyboard.press('Escape');
     await page.click('.chip.resolved');
-    assert.deepEqual(await listed(page, '.tag'), ['resolved', 'of a twin']);
+    assert.deepEqual(await listed(page, '.tag'), ['resolved', 'resolved']);
     await clear();
   });
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_set>
 
 #include "report/bcf/bcf_xml.hpp"
 #include "report/identity.hpp"
@@ -142,30 +141,15 @@ std::string printable_lines(std::string_view text) {
   }
 }
 
-/// What people wrote about the pair and its regions. When, and who, the JSON does not say: the date is the topic's.
-void add_comments(pugi::xml_node parent, const Topic& topic) {
-  std::unordered_set<std::string> used;
-  const auto add = [&](const std::string& about, const std::string& comment) {
-    std::string guid = guid_of(fmt::format("{} comment {}", topic.id, about));
-    // Regions of a file that was written by hand may have one id.
-    for (std::size_t i = 2; !used.insert(guid).second; ++i)
-      guid = guid_of(fmt::format("{} comment {} {}", topic.id, about, i));
-    pugi::xml_node element = parent.append_child("Comment");
-    element.append_attribute("Guid") = guid.c_str();
-    add_element(element, "Date", topic.date);
-    add_element(element, "Author", kAuthor);
-    add_element(element, "Comment", comment);
-    element.append_child("Viewpoint").append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
-  };
-  if (const std::string& comment = topic.standing.remark.comment; !comment.empty()) add("", printable_lines(comment));
-  for (std::size_t i = 0; i < topic.standing.regions.size(); ++i) {
-    const RegionStanding& region = topic.standing.regions[i];
-    if (region.remark.is_empty()) continue;
-    std::string comment = fmt::format("Region {}", i + 1);
-    if (!region.remark.status.empty()) comment += fmt::format(" ({})", in_short(region.remark.status));
-    if (!region.remark.comment.empty()) comment += ": " + printable_lines(region.remark.comment);
-    add(region.id, comment);
-  }
+/// What people decided about the pair. When, and who, `--decisions` does not say: the date is the topic's.
+void add_comment(pugi::xml_node parent, const Topic& topic) {
+  if (topic.standing.decision.comment.empty()) return;
+  pugi::xml_node element = parent.append_child("Comment");
+  element.append_attribute("Guid") = guid_of(fmt::format("{} comment ", topic.id)).c_str();
+  add_element(element, "Date", topic.date);
+  add_element(element, "Author", kAuthor);
+  add_element(element, "Comment", printable_lines(topic.standing.decision.comment));
+  element.append_child("Viewpoint").append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
 }
 
 }  // namespace
@@ -173,7 +157,7 @@ void add_comments(pugi::xml_node parent, const Topic& topic) {
 std::string markup_of(const Review& review, const ClashArguments& arguments, std::size_t pair, std::size_t rank) {
   const Topic topic{review,         review.clashes.pairs[pair], review.standings[pair], review.ids[pair],
                     arguments.date, conventions_of(arguments)};
-  const std::string& status = topic.standing.remark.status;
+  const std::string& status = topic.standing.decision.status;
   pugi::xml_document document;
   pugi::xml_node markup = begin_document(document, "Markup");
   add_header(markup, topic);
@@ -188,7 +172,7 @@ std::string markup_of(const Review& review, const ClashArguments& arguments, std
   add_element(about, "CreationDate", topic.date);
   add_element(about, "CreationAuthor", kAuthor);
   add_element(about, "Description", description(topic));
-  add_comments(markup, topic);
+  add_comment(markup, topic);
   pugi::xml_node views = markup.append_child("Viewpoints");
   views.append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
   add_element(views, "Viewpoint", "viewpoint.bcfv");

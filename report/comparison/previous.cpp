@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -14,307 +15,174 @@
 #include <unordered_set>
 #include <utility>
 
-#include "report/comparison/mistaken_file.hpp"
 #include "report/identity.hpp"
 #include "report/json_file.hpp"
-#include "report/json_reader.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
 namespace {
 
-using Kind = JsonReader::Kind;
+using nlohmann::json;
 
-/// A text, or null: then it is empty.
-std::string read_text(JsonReader& reader) {
-  if (reader.kind() != Kind::null) return reader.string();
-  reader.skip();
-  return {};
+/// Members with other keys, such as the lines of regions and what people added, are not kept in memory.
+bool is_compared(const std::string& key) {
+  static const std::unordered_set<std::string> keys{
+      "version", "files", "file",    "name", "known_as", "objects", "path",    "placed",   "pairs",   "id",
+      "a",       "b",     "verdict", "test", "nearest",  "box",     "regions", "centroid", "resolved"};
+  return keys.contains(key);
 }
 
-std::optional<std::uint32_t> read_number(JsonReader& reader) {
-  const double number = reader.number();
-  if (!reader.failed() && (number < 0 || number >= 0x1p32 || number != std::floor(number)))
-    reader.fail("a part's id is a whole number");
-  if (reader.failed()) return std::nullopt;
-  return static_cast<std::uint32_t>(number);
-}
+/// What is wrong with the report, and where. `parse_previous` catches it.
+struct Mistake {
+  std::string pointer, what;
+};
+[[noreturn]] void fail(std::string pointer, std::string what) { throw Mistake{std::move(pointer), std::move(what)}; }
 
-Point read_point(JsonReader& reader) {
-  std::array<double, 3> xyz{};
-  std::size_t count = 0;
-  reader.array([&] {
-    const double coordinate = reader.number();
-    if (count < 3) xyz[count] = coordinate;
-    ++count;
-  });
-  if (!reader.failed() && count != 3) reader.fail("a point is a list of three numbers");
-  return {xyz[0], xyz[1], xyz[2]};
-}
+/// A value of the report, with the JSON pointer to it.
+struct Value {
+  const json* value;  ///< null where the report has none, or null
+  std::string pointer;
 
-/// Of points, two at most.
-std::vector<Point> read_points(JsonReader& reader) {
-  std::vector<Point> points;
-  reader.array([&] {
-    points.push_back(read_point(reader));
-    if (points.size() > 2) reader.fail("there are two points here, no more");
-  });
-  if (!reader.failed() && points.size() != 2) reader.fail("there are two points here, no fewer");
-  return points;
-}
+  Value operator[](const char* key) const {
+    if (!value->is_object()) fail(pointer, "an object should stand here");
+    const auto found = value->find(key);
+    return {found == value->end() || found->is_null() ? nullptr : &*found, fmt::format("{}/{}", pointer, key)};
+  }
+  explicit operator bool() const { return value != nullptr; }
 
-Verdict read_verdict(JsonReader& reader) {
-  const std::string word = reader.string();
-  for (int i = 0; i <= static_cast<int>(Verdict::apart); ++i)
-    if (word == name(static_cast<Verdict>(i))) return static_cast<Verdict>(i);
-  reader.fail(fmt::format("there is no verdict '{}'", fit(printable(word), 80)));
-  return Verdict::apart;
-}
-
-/// Whether the key is one of a remark.
-bool read_remark(JsonReader& reader, const std::string& key, Remark& remark) {
-  if (key == "status") return remark.status = read_text(reader), true;
-  if (key == "comment") return remark.comment = read_text(reader), true;
-  return false;
-}
+  /// The items of a list; none if it is missing.
+  [[nodiscard]] std::vector<Value> items() const {
+    std::vector<Value> found;
+    if (value == nullptr) return found;
+    if (!value->is_array()) fail(pointer, "a list should stand here");
+    for (const json& item : *value) found.push_back({&item, fmt::format("{}/{}", pointer, found.size())});
+    return found;
+  }
+  /// Empty if it is missing.
+  [[nodiscard]] std::string text() const {
+    if (value == nullptr) return {};
+    if (!value->is_string()) fail(pointer, "a text in quotes should stand here");
+    return value->get<std::string>();
+  }
+  [[nodiscard]] double number() const {
+    if (value == nullptr || !value->is_number()) fail(pointer, "a number should stand here");
+    return value->get<double>();
+  }
+  [[nodiscard]] std::uint32_t whole() const {
+    const double found = number();
+    if (found < 0 || found >= 0x1p32 || found != std::floor(found)) fail(pointer, "a part's id is a whole number");
+    return static_cast<std::uint32_t>(found);
+  }
+  [[nodiscard]] Point point() const {
+    const std::vector<Value> xyz = items();
+    if (xyz.size() != 3) fail(pointer, "a point is a list of three numbers");
+    return {xyz[0].number(), xyz[1].number(), xyz[2].number()};
+  }
+  [[nodiscard]] std::array<Point, 2> two_points() const {
+    const std::vector<Value> ends = items();
+    if (ends.size() != 2) fail(pointer, "two points should stand here");
+    return {ends[0].point(), ends[1].point()};
+  }
+  [[nodiscard]] Verdict verdict() const {
+    const std::string word = text();
+    for (int i = 0; i <= static_cast<int>(Verdict::apart); ++i)
+      if (word == name(static_cast<Verdict>(i))) return static_cast<Verdict>(i);
+    fail(pointer, fmt::format("there is no verdict '{}'", fit(printable(word), 80)));
+  }
+};
 
 /// Halves first: no difference of two of them overflows.
-double half_diagonal(const Point& lo, const Point& hi) {
+double half_diagonal(const std::array<Point, 2>& box) {
+  const auto& [lo, hi] = box;
   return std::hypot(hi.x / 2 - lo.x / 2, hi.y / 2 - lo.y / 2, hi.z / 2 - lo.z / 2);
 }
 
-Previous::OldRegion read_region(JsonReader& reader) {
-  Previous::OldRegion region;
-  bool has_centroid = false;
-  reader.object([&](const std::string& key) {
-    if (key == "id") {
-      region.id = read_text(reader);
-    } else if (key == "centroid") {
-      region.centroid = read_point(reader), has_centroid = true;
-    } else if (key == "box") {
-      const std::vector<Point> box = read_points(reader);
-      if (!reader.failed()) region.reach = half_diagonal(box[0], box[1]);
-    } else if (!read_remark(reader, key, region.remark)) {
-      reader.skip();
-    }
-  });
-  if (!reader.failed() && !has_centroid) reader.fail("this region has no \"centroid\"");
-  return region;
+Point middle_of(const std::array<Point, 2>& ends) {
+  const auto& [p, q] = ends;
+  return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
 }
 
-OldPart read_part(JsonReader& reader) {
-  OldPart part;
-  reader.object([&](const std::string& key) {
-    if (key == "name") return part.name = reader.string(), void();
-    if (key == "path") return part.path = reader.string(), void();
-    if (key == "file") return part.file = reader.string(), void();
-    if (key == "placed") return part.placed = read_text(reader), void();
-    reader.skip();
-  });
-  return part;
+using Parts = std::unordered_map<std::uint32_t, OldPart>;  // by their ids
+
+Parts read_parts(const Value& objects) {
+  Parts parts;
+  for (const Value& object : objects.items()) {
+    OldPart part{object["name"].text(), object["path"].text(), object["file"].text(), object["placed"].text()};
+    if (!object["id"]) fail(object.pointer, "this object has no \"id\"");
+    if (!parts.emplace(object["id"].whole(), std::move(part)).second)
+      fail(object.pointer, "an earlier object has the same \"id\"");
+  }
+  return parts;
 }
 
-Previous::OldFile read_file_names(JsonReader& reader) {
-  Previous::OldFile file;
-  reader.object([&](const std::string& key) {
-    if (key == "file") return file.file = reader.string(), void();
-    if (key == "name") return file.name = reader.string(), void();
-    if (key == "known_as") return file.known_as = reader.string(), void();
-    reader.skip();
-  });
-  return file;
-}
-
-Resolved read_resolved(JsonReader& reader);
-
-std::vector<Resolved> read_resolved_regions(JsonReader& reader) {
-  std::vector<Resolved> regions;
-  reader.array([&] { regions.push_back(read_resolved(reader)); });
-  return regions;
-}
-
-/// Also of the regions in a resolved pair, which have fewer keys.
-Resolved read_resolved(JsonReader& reader) {
-  Resolved resolved;
-  reader.object([&](const std::string& key) {
-    if (key == "id") {
-      resolved.id = reader.string();
-    } else if (key == "region") {
-      resolved.region = read_text(reader);
-    } else if (key == "a" || key == "b") {
-      (key == "a" ? resolved.a : resolved.b) = read_part(reader);
-    } else if (key == "test") {
-      resolved.test = read_text(reader);
-    } else if (key == "verdict") {
-      resolved.verdict = read_verdict(reader);
-    } else if (key == "centroid") {
-      if (reader.kind() == Kind::null)
-        reader.skip();
-      else
-        resolved.centroid = read_point(reader);
-    } else if (key == "reach") {
-      resolved.reach = reader.number();
-    } else if (key == "regions") {
-      resolved.regions = read_resolved_regions(reader);
-    } else if (key == "ambiguous") {
-      resolved.is_ambiguous = reader.boolean();
-    } else if (!read_remark(reader, key, resolved.remark)) {
-      reader.skip();
-    }
-  });
-  if (!reader.failed() && resolved.id.empty() && resolved.region.empty()) reader.fail("this has no \"id\"");
-  return resolved;
-}
-
-/// A pair, and the ids of its parts in that document.
-struct NumberedPair {
+Previous::Pair read_pair(const Value& from, const Parts& parts) {
   Previous::Pair pair;
-  std::uint32_t a = 0, b = 0;
-  std::string place;
-};
-
-NumberedPair read_pair(JsonReader& reader) {
-  NumberedPair numbered;
-  Previous::Pair& pair = numbered.pair;
-  std::optional<std::uint32_t> a, b;
-  bool has_verdict = false;
-  numbered.place = reader.place_of_next();
-  reader.object([&](const std::string& key) {
-    if (key == "id") {
-      pair.id = reader.string();
-    } else if (key == "a") {
-      a = read_number(reader);
-    } else if (key == "b") {
-      b = read_number(reader);
-    } else if (key == "test") {
-      pair.test = read_text(reader);
-    } else if (key == "verdict") {
-      pair.verdict = read_verdict(reader), has_verdict = true;
-    } else if (key == "nearest" && reader.kind() != Kind::null) {
-      const std::vector<Point> ends = read_points(reader);
-      if (!reader.failed())
-        pair.middle =
-            Point{ends[0].x / 2 + ends[1].x / 2, ends[0].y / 2 + ends[1].y / 2, ends[0].z / 2 + ends[1].z / 2};
-    } else if (key == "regions") {
-      pair.has_regions = true;
-      reader.array([&] { pair.regions.push_back(read_region(reader)); });
-    } else if (!read_remark(reader, key, pair.remark)) {
-      reader.skip();
-    }
-  });
-  if (reader.failed()) return numbered;
-  if (pair.id.empty() || !a || !b || !has_verdict)
-    reader.fail("this pair has no \"id\", \"a\", \"b\" or \"verdict\"; only the JSON of impinge clash has them");
-  numbered.a = a.value_or(0), numbered.b = b.value_or(0);
+  pair.id = from["id"].text();
+  if (pair.id.empty() || !from["a"] || !from["b"] || !from["verdict"])
+    fail(from.pointer, "this pair has no \"id\", \"a\", \"b\" or \"verdict\"; only the JSON of impinge clash has them");
+  const auto a = parts.find(from["a"].whole()), b = parts.find(from["b"].whole());
+  if (a == parts.end() || b == parts.end())
+    fail(from.pointer, "this pair is of a part that is not among the \"objects\"");
+  pair.a = a->second, pair.b = b->second;
+  pair.test = from["test"].text();
+  pair.verdict = from["verdict"].verdict();
+  if (from["nearest"]) pair.middle = middle_of(from["nearest"].two_points());
+  pair.has_regions = static_cast<bool>(from["regions"]);
+  for (const Value& region : from["regions"].items()) {
+    if (!region["centroid"]) fail(region.pointer, "this region has no \"centroid\"");
+    pair.regions.push_back({region["id"].text(), region["centroid"].point(),
+                            region["box"] ? half_diagonal(region["box"].two_points()) : 0});
+  }
   if (!pair.regions.empty()) pair.middle = pair.regions.front().centroid;
-  return numbered;
+  return pair;
 }
 
-/// What a document with these keys is, if it is none of `impinge clash`.
-std::string_view what_has(const std::set<std::string>& keys) {
-  if (is_gltf(keys)) return "it is a glTF file";
-  if (keys.contains("spans")) return "it is the JSON of impinge motion";
-  if (keys.contains("truncated") && !keys.contains("counts")) return "it is the JSON of impinge check";
-  if (!keys.contains("version") && keys.contains("tests")) return "it is a configuration, which --config takes";
-  if (keys.contains("pairs") && keys.contains("version")) return {};
-  if (keys.contains("version") && keys.contains("files")) return "it is the JSON of impinge info";
-  return "it has no \"version\" or no \"pairs\"";
+/// What a report says that tells no names of files.
+std::vector<Previous::OldFile> files_of(const std::vector<OldPart>& parts) {
+  std::set<std::string> given;
+  for (const OldPart& part : parts)
+    if (!part.file.empty()) given.insert(part.file);
+  const std::vector<std::string> files(given.begin(), given.end()), names = names_of_files(files);
+  std::vector<Previous::OldFile> found;
+  for (std::size_t i = 0; i < files.size(); ++i) found.push_back({files[i], names[i], names[i]});
+  return found;
 }
 
-std::string no_report(std::string_view what) {
-  return fmt::format("this is no report of an earlier run, which impinge clash FILE... --json REPORT writes: {}", what);
+Previous read_report(const Value& report) {
+  for (const char* key : {"version", "objects", "pairs", "resolved"})
+    if (!report.value->is_object() || !report[key])
+      fail("", fmt::format("this is no report of an earlier run, which impinge clash FILE... --json REPORT writes: it "
+                           "has no \"{}\"",
+                           key));
+  if (report["version"].number() != 1)
+    fail("/version", "this is a document of another version of impinge, which wrote version 1");
+  Previous previous;
+  const Parts parts = read_parts(report["objects"]);
+  std::unordered_set<std::string> ids;
+  for (const Value& pair : report["pairs"].items()) {
+    previous.pairs.push_back(read_pair(pair, parts));
+    if (!ids.insert(previous.pairs.back().id).second) fail(pair.pointer, "an earlier pair has the same \"id\"");
+  }
+  for (const auto& [id, part] : parts) previous.parts.push_back(part);
+  for (const Value& file : report["files"].items()) {
+    previous.files.push_back({file["file"].text(), file["name"].text(), file["known_as"].text()});
+    if (previous.files.back().name.empty() || previous.files.back().known_as.empty())
+      fail(file.pointer, "this file has no \"name\" or no \"known_as\"");
+  }
+  if (previous.files.empty()) previous.files = files_of(previous.parts);
+  return previous;
 }
-
-class Document {
- public:
-  explicit Document(JsonReader& reader) : reader_(reader) {}
-
-  void read() {
-    const std::set<std::string> keys = reader_.keys();
-    const std::string_view other = what_has(keys);
-    // Without a version nothing of it is written as in a report. That of another version says so itself.
-    if (!other.empty() && !keys.contains("version")) return reader_.fail(no_report(other));
-    reader_.object([&](const std::string& key) {
-      if (key == "version") {
-        if (reader_.number() != 1)
-          reader_.fail("this is a document of another version of impinge, which wrote version 1");
-      } else if (key == "files") {
-        reader_.array([&] { previous_.files.push_back(read_file_names(reader_)); });
-      } else if (key == "objects") {
-        reader_.array([&] { read_object(); });
-      } else if (key == "pairs") {
-        reader_.array([&] { pairs_.push_back(read_pair(reader_)); });
-      } else if (key == "resolved") {
-        reader_.array([&] { previous_.resolved.push_back(read_resolved(reader_)); });
-      } else {
-        reader_.skip();
-      }
-    });
-    if (!other.empty()) reader_.fail(no_report(other));
-  }
-
-  Result<Previous> finish() {
-    if (reader_.failed()) return reader_.error();
-    for (const Previous::OldFile& file : previous_.files)
-      if (file.name.empty() || file.known_as.empty())
-        return reader_.error_at({}, "one of the \"files\" has no \"name\" or no \"known_as\"");
-    std::unordered_set<std::string_view> ids;
-    for (NumberedPair& numbered : pairs_) {
-      const auto a = objects_.find(numbered.a), b = objects_.find(numbered.b);
-      if (a == objects_.end() || b == objects_.end())
-        return reader_.error_at(numbered.place, "this pair is of a part that is not among the \"objects\"");
-      numbered.pair.a = a->second, numbered.pair.b = b->second;
-      if (!ids.insert(numbered.pair.id).second)
-        return reader_.error_at(numbered.place, "an earlier pair has the same \"id\"");
-    }
-    for (NumberedPair& numbered : pairs_) previous_.pairs.push_back(std::move(numbered.pair));
-    for (auto& [id, part] : objects_) previous_.parts.push_back(std::move(part));
-    if (previous_.files.empty()) name_files();
-    return std::move(previous_);
-  }
-
- private:
-  /// What a report says that tells no names of files.
-  void name_files() {
-    std::set<std::string> given;
-    for (const OldPart& part : previous_.parts)
-      if (!part.file.empty()) given.insert(part.file);
-    const std::vector<std::string> files(given.begin(), given.end()), names = names_of_files(files);
-    for (std::size_t i = 0; i < files.size(); ++i) previous_.files.push_back({files[i], names[i], names[i]});
-  }
-
-  void read_object() {
-    std::optional<std::uint32_t> id;
-    OldPart part;
-    reader_.object([&](const std::string& key) {
-      if (key == "id") return id = read_number(reader_), void();
-      if (key == "name") return part.name = reader_.string(), void();
-      if (key == "path") return part.path = reader_.string(), void();
-      if (key == "file") return part.file = reader_.string(), void();
-      if (key == "placed") return part.placed = reader_.string(), void();
-      reader_.skip();
-    });
-    if (reader_.failed()) return;
-    if (!id) return reader_.fail("this object has no \"id\"");
-    if (!objects_.emplace(*id, std::move(part)).second) reader_.fail("an earlier object has the same \"id\"");
-  }
-
-  JsonReader& reader_;
-  Previous previous_;
-  std::vector<NumberedPair> pairs_;
-  std::unordered_map<std::uint32_t, OldPart> objects_;
-};
 
 }  // namespace
 
 Result<Previous> parse_previous(const std::string& name, const std::string& text) {
-  if (const std::string instead = what_it_is_instead(text); !instead.empty())
-    return json_error(name, text, {}, no_report(instead));
-  JsonReader reader(text, name);
-  if (reader.kind() == Kind::array) reader.fail(no_report("it is a list"));
-  Document document(reader);
-  document.read();
-  return document.finish();
+  const Result<json> report = parse_json(name, text, is_compared);
+  if (!report) return report.error();
+  try {
+    return read_report({&*report, ""});
+  } catch (const Mistake& mistake) {
+    return json_error(name, text, mistake.pointer, mistake.what);
+  }
 }
 
 Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes) {

@@ -12,14 +12,12 @@
 
 namespace impinge::report {
 
-/// What is taken over from the JSON of an earlier run (docs/cli.md, "The JSON of clash"), which people and programs may
-/// have written a status and comments into.
+/// What comparing with an earlier run needs of its JSON (docs/cli.md, "The JSON of clash").
 struct Previous {
   struct OldRegion {
     std::string id;
     Point centroid{};
     double reach = 0;  ///< half of its box's diagonal
-    Remark remark;
   };
   struct Pair {
     std::string id;
@@ -27,8 +25,7 @@ struct Previous {
     std::string test;  ///< empty: none
     Verdict verdict = Verdict::apart;
     std::optional<Point> middle;  ///< of its largest region, or of its nearest points
-    Remark remark;
-    bool has_regions = false;  ///< the earlier run looked for them
+    bool has_regions = false;     ///< the earlier run looked for them
     std::vector<OldRegion> regions;
   };
   struct OldFile {
@@ -39,7 +36,6 @@ struct Previous {
   std::vector<OldFile> files;
   std::vector<OldPart> parts;
   std::vector<Pair> pairs;
-  std::vector<Resolved> resolved;
 };
 
 /// Errors: `bad_file`, with the line and the place.

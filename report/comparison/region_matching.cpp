@@ -30,15 +30,8 @@ double reach_of(const Region& region) {
 /// Regions, the earlier ones, and which of them is which.
 class RegionMatch {
  public:
-  RegionMatch(const std::vector<Region>& regions, const std::vector<bool>& is_taken,
-              const std::vector<EarlierRegion>& earlier)
-      : regions_(regions),
-        earlier_(earlier),
-        matched_(regions.size()),
-        is_free_(regions.size()),
-        is_used_(earlier.size()) {
-    for (std::size_t i = 0; i < regions.size(); ++i) is_free_[i] = !is_taken[i];
-  }
+  RegionMatch(const std::vector<Region>& regions, const std::vector<Previous::OldRegion>& earlier)
+      : regions_(regions), earlier_(earlier), matched_(regions.size()), is_used_(earlier.size()) {}
 
   /// What stayed in its place, however many regions there are.
   void match_unmoved() {
@@ -46,7 +39,7 @@ class RegionMatch {
     for (std::size_t k = earlier_.size(); k-- > 0;) places[coordinates(earlier_[k].centroid)].push_back(k);
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       const auto there = places.find(coordinates(regions_[i].centroid));
-      if (!is_free_[i] || there == places.end() || there->second.empty()) continue;
+      if (there == places.end() || there->second.empty()) continue;
       take(i, there->second.back());
       there->second.pop_back();
     }
@@ -63,7 +56,7 @@ class RegionMatch {
       if (!is_used_[k]) left.push_back(k);
     std::size_t count = 0;
     for (std::size_t i = 0; i < regions_.size() && count < kMostRegions; ++i) {
-      if (!is_free_[i]) continue;
+      if (matched_[i]) continue;
       ++count;
       const double reach = reach_of(regions_[i]) + slack;
       for (const std::size_t k : left) {
@@ -75,7 +68,7 @@ class RegionMatch {
       return std::tie(x.distance, x.region, x.earlier) < std::tie(y.distance, y.region, y.earlier);
     });
     for (const Candidate& candidate : candidates)
-      if (is_free_[candidate.region] && !is_used_[candidate.earlier]) take(candidate.region, candidate.earlier);
+      if (!matched_[candidate.region] && !is_used_[candidate.earlier]) take(candidate.region, candidate.earlier);
   }
 
   std::vector<std::optional<std::size_t>> result() && { return std::move(matched_); }
@@ -85,34 +78,33 @@ class RegionMatch {
 
   void take(std::size_t region, std::size_t earlier) {
     matched_[region] = earlier;
-    is_free_[region] = false;
     is_used_[earlier] = true;
   }
 
   const std::vector<Region>& regions_;
-  const std::vector<EarlierRegion>& earlier_;
+  const std::vector<Previous::OldRegion>& earlier_;
   std::vector<std::optional<std::size_t>> matched_;
-  std::vector<bool> is_free_, is_used_;
+  std::vector<bool> is_used_;
 };
 
 }  // namespace
 
 std::vector<std::optional<std::size_t>> match_regions(const std::vector<Region>& regions,
-                                                      const std::vector<bool>& is_taken,
-                                                      const std::vector<EarlierRegion>& earlier, double slack) {
-  RegionMatch match(regions, is_taken, earlier);
+                                                      const std::vector<Previous::OldRegion>& earlier, double slack) {
+  RegionMatch match(regions, earlier);
   match.match_unmoved();
   match.match_nearest(slack);
   return std::move(match).result();
 }
 
-void name_regions(const std::string& pair, std::unordered_set<std::string> used, std::vector<RegionStanding>& regions) {
-  for (const RegionStanding& region : regions) used.insert(region.id);
+void name_regions(const std::string& pair, std::unordered_set<std::string> taken,
+                  std::vector<RegionStanding>& regions) {
+  for (const RegionStanding& region : regions) taken.insert(region.id);
   std::size_t number = 0;
   for (RegionStanding& region : regions)
     while (region.id.empty()) {
       std::string id = guid_of(fmt::format("{}/{}", pair, number++));
-      if (used.insert(id).second) region.id = std::move(id);
+      if (taken.insert(id).second) region.id = std::move(id);
     }
 }
 

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "report/comparison/mistaken_file.hpp"
 #include "report/json_file.hpp"
 #include "report/json_schema.hpp"
 #include "report/schemas.hpp"
@@ -106,9 +105,6 @@ std::string no_configuration(std::string_view what) {
 
 Result<void> read_object(const JsonNode& node, Configuration& to) {
   static const json schema = json::parse(kConfigurationSchema);
-  if (node.value.contains("asset"))
-    return to.error_at({},
-                       no_configuration("it is a glTF file; name it after the configuration, or among its \"files\""));
   if (node.value.contains("version"))
     return to.error_at("/version", no_configuration("it is a report, as --json writes it"));
   if (auto valid = check_against(schema, to.name, to.text, node.value); !valid) return valid;
@@ -143,8 +139,6 @@ Result<Configuration> parse_configuration(std::string name, std::string text) {
   Configuration configuration;
   configuration.name = std::move(name);
   configuration.text = std::move(text);
-  if (const std::string instead = what_it_is_instead(configuration.text); !instead.empty())
-    return configuration.error_at({}, no_configuration(instead));
   const Result<json> value = parse_json(configuration.name, configuration.text);
   if (!value) return value.error();
   const auto read = value->is_array() ? read_clash_sets : read_object;

@@ -133,32 +133,24 @@ TEST_F(Advice, UnknownOptionsAndCommandsHaveTheNearestNamed) {
     EXPECT_EQ(error(words).find("did you mean"), std::string::npos) << words.back() << " is no slip of anything";
 }
 
-TEST_F(Advice, WhatIsNoEarlierReportIsCalledWhatItIs) {
-  const std::string no_report =
-      "impinge: old:1: this is no report of an earlier run, which impinge clash FILE... --json REPORT writes: ";
+TEST_F(Advice, WhatIsNoEarlierReportIsRefused) {
   const auto told = [&](const std::string& text) {
     folder.write("old", text);
     return error({"clash", "pipe1.off", "pipe2.off", "--previous", "old"});
   };
-  EXPECT_EQ(told(""), no_report + "it is empty\n");
-  EXPECT_EQ(told("\xEF\xBB\xBF \n"), no_report + "it is empty\n");
-  EXPECT_EQ(told("solid pipe\n"), no_report + "it is no JSON object\n");
-  EXPECT_EQ(told("[1]"), no_report + "it is a list\n");
-  EXPECT_EQ(told("{}"), no_report + "it has no \"version\" or no \"pairs\"\n");
-  EXPECT_EQ(told(kPageHead + "<title>t</title>"), no_report + "it is a page, as --html writes it\n");
-  EXPECT_EQ(told("rank,verdict,fails\r\n"), no_report + "it is a table of clashes, as --csv writes it\n");
-  EXPECT_EQ(told(R"({"tests":[{"name":"t","a":"*"}]})"), no_report + "it is a configuration, which --config takes\n");
-  EXPECT_EQ(told(R"({"files":["pipe1.off"],"tests":[{"name":"t","a":"*"}]})"),
-            no_report + "it is a configuration, which --config takes\n");
-  EXPECT_EQ(told(gltf({{"pipe", {0, 0, 0}}})), no_report + "it is a glTF file\n");
+  const std::string no_report =
+      "impinge: old:1: this is no report of an earlier run, which impinge clash FILE... --json REPORT writes: ";
+  for (const char* text : {"", "solid pipe\n", "rank,verdict,fails\r\n"})
+    EXPECT_TRUE(told(text).starts_with("impinge: old:1:")) << text;
+  EXPECT_EQ(told("[1]"), no_report + "it has no \"version\"\n");
+  EXPECT_EQ(told(R"({"tests":[{"name":"t","a":"*"}]})"), no_report + "it has no \"version\"\n");
   // Documents of the other commands, as they are written.
-  const auto ends = [](const std::string& text, const std::string& part) { return text.ends_with(part + "\n"); };
-  EXPECT_TRUE(ends(told(impinge(folder, {"info", "pipe1.off", "--json", "-"}).out), "it is the JSON of impinge info"));
-  EXPECT_TRUE(ends(told(impinge(folder, {"check", "pipe1.off", "pipe2.off", "--json", "-"}).out),
-                   "it is the JSON of impinge check"))
+  EXPECT_EQ(told(impinge(folder, {"info", "pipe1.off", "--json", "-"}).out), no_report + "it has no \"objects\"\n");
+  EXPECT_EQ(told(impinge(folder, {"check", "pipe1.off", "pipe2.off", "--json", "-"}).out),
+            no_report + "it has no \"resolved\"\n")
       << "though nothing touches";
-  EXPECT_TRUE(ends(told(R"({"version":1,"animation":{},"settings":{},"objects":[],"spans":[]})"),
-                   "it is the JSON of impinge motion"));
+  EXPECT_EQ(told(R"({"version":1,"animation":{},"settings":{},"objects":[],"spans":[]})"),
+            no_report + "it has no \"pairs\"\n");
   // What people add to a report does not make it another document.
   json report = json::parse(clash({"--json", "-"}).out);
   report["reviewers"] = report["truncated"] = 1;
@@ -174,23 +166,17 @@ TEST_F(Advice, AFirstRunHasNoEarlierReport) {
       << "before any other file is read";
 }
 
-TEST_F(Advice, WhatIsNoConfigurationIsCalledWhatItIs) {
+TEST_F(Advice, WhatIsNoConfigurationIsRefused) {
   const std::string none =
-      "impinge: c.json:1: this is no configuration, such as {\"tests\": [{\"name\": \"all\", \"a\": \"*\"}]} "
-      "(docs/triage.md): ";
+      "this is no configuration, such as {\"tests\": [{\"name\": \"all\", \"a\": \"*\"}]} (docs/triage.md): ";
   const auto told = [&](const std::string& text) {
     folder.write("c.json", text);
     return error({"clash", "pipe1.off", "pipe2.off", "--config", "c.json"});
   };
-  EXPECT_EQ(told(""), none + "it is empty\n");
-  EXPECT_EQ(told("tests: all\n"), none + "it is no JSON object\n");
-  EXPECT_EQ(told("true"), none + "it is no JSON object\n");
-  EXPECT_EQ(told(kPageHead), none + "it is a page, as --html writes it\n");
-  EXPECT_EQ(told(gltf({{"pipe", {0, 0, 0}}})),
-            none + "it is a glTF file; name it after the configuration, or among its \"files\"\n");
+  for (const char* text : {"", "tests: all\n", "true", "<!doctype html>"})
+    EXPECT_TRUE(told(text).starts_with("impinge: c.json:1:")) << text;
   const std::string report = told(clash({"--json", "-"}).out);
-  EXPECT_EQ(report, "impinge: c.json:1: /version: " + none.substr(none.find("this is")) +
-                        "it is a report, as --json writes it\n");
+  EXPECT_EQ(report, "impinge: c.json:1: /version: " + none + "it is a report, as --json writes it\n");
   // The one that is shown is one.
   folder.write("c.json", R"({"tests": [{"name": "all", "a": "*"}]})");
   EXPECT_EQ(clash({"--config", "c.json"}).code, 0);

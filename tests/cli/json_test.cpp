@@ -150,7 +150,8 @@ TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
   // The user forgot the name of the JSON file.
   const Ended forgot = impinge(folder, {"check", "--json", "b.off", "a.off"});
   EXPECT_EQ(forgot.code, 2);
-  EXPECT_NE(forgot.err.find("holds no JSON of impinge"), std::string::npos) << forgot.err;
+  EXPECT_NE(forgot.err.find("exists and does not end in .json, so it is not replaced"), std::string::npos)
+      << forgot.err;
   const Ended input = check({"--json", "./b.off"});
   EXPECT_EQ(input.code, 2);
   EXPECT_NE(input.err.find("one of the files to read"), std::string::npos) << input.err;

@@ -63,18 +63,12 @@ class Renamed : public testing::Test {
     said = ended.err;
     report = json::parse(folder.read("new.json"));
   }
-  /// Approves each pair that nothing is written about, for its parts.
-  void approve() {
-    for (json& pair : report.at("pairs"))
-      if (pair.at("status").is_null()) pair["status"] = parts_of(report, pair);
-  }
-  /// All pairs, by their parts' names, of which these persist with what was written about them.
+  /// All pairs, by their parts' names, of which these persist.
   void expect(const std::set<std::string>& persisting, const std::set<std::string>& fresh) const {
     std::set<std::string> kept, others;
     for (const json& pair : report.at("pairs")) {
       const std::string parts = parts_of(report, pair);
       (pair.at("change") == "persisting" ? kept : others).insert(parts);
-      EXPECT_EQ(pair.at("status"), pair.at("change") == "persisting" ? json(parts) : json(nullptr)) << parts;
     }
     EXPECT_EQ(kept, persisting);
     EXPECT_EQ(others, fresh);
@@ -111,7 +105,6 @@ TEST_F(Renamed, EachWeekIsTheSameFile) {
     EXPECT_EQ(known_as(), (Known{{weeks[week], weeks[0]}}));
     if (week == 0) {
       EXPECT_EQ(said, "");
-      approve();
       first = ids();
       continue;
     }
@@ -130,7 +123,7 @@ TEST_F(Renamed, EachWeekIsTheSameFile) {
     EXPECT_EQ(said, "");
     EXPECT_EQ(known_as(), (Known{{weeks[2], weeks[0]}, {weeks[0], weeks[0] + " (2)"}}));
     for (const json& pair : report.at("pairs"))
-      EXPECT_EQ(pair.at("status").is_string(), first.contains(pair.at("id").get<std::string>()));
+      EXPECT_EQ(pair.at("change") == "persisting", again == 1 || first.contains(pair.at("id").get<std::string>()));
     EXPECT_EQ(report.at("pairs").size(), again == 0 ? report.at("pairs").size() : ids().size());
   }
 }
@@ -139,7 +132,6 @@ TEST_F(Renamed, PartsThatAreCalledAsTheirFileAre) {
   folder.write("plate_1.off", off(box({0, 0, 0}, {4, 4, 4})));
   folder.write("pin_1.off", off(box({3, 3, 3}, {6, 6, 6})));
   run({"plate_1.off", "pin_1.off"});
-  report.at("pairs").at(0)["status"] = "approved";
   const std::set<std::string> first = ids();
   for (const char* name : {"plate", "pin"})
     std::filesystem::rename(folder.path() / (name + std::string("_1.off")),
@@ -149,14 +141,13 @@ TEST_F(Renamed, PartsThatAreCalledAsTheirFileAre) {
             "impinge: pin_2.off is taken for pin_1.off of last.json, renamed, and 1 other file likewise: its parts are "
             "known by the same names as then\n");
   EXPECT_EQ(ids(), first);
-  EXPECT_EQ(report.at("pairs").at(0).at("status"), "approved");
+  EXPECT_EQ(report.at("pairs").at(0).at("change"), "persisting");
 }
 
 TEST_F(Renamed, OneOfTwoFilesOfWhichAPartHasChanged) {
   folder.write("plates.obj", blocks({kModel[0]}));
   folder.write("pins_1.obj", blocks({kModel[1], kModel[2]}));
   run({"plates.obj", "pins_1.obj"});
-  approve();
   const std::set<std::string> first = ids();
   folder.write("pins_2.obj", blocks({{"pin", {3, 3, 1}}, kModel[2], {"new", {3, -1, 0}}}));
   run({"pins_2.obj", "plates.obj"});
@@ -171,7 +162,6 @@ TEST_F(Renamed, FilesThatChangeTheirNamesWithEachOther) {
                     right = blocks({{"plate", {20, 0, 0}, 4}, {"pin", {22, 3, 3}}});
   folder.write("a.obj", left), folder.write("b.obj", right);
   run({"a.obj", "b.obj"});
-  approve();
   folder.write("a.obj", right), folder.write("b.obj", left);
   run({"a.obj", "b.obj"});
   EXPECT_EQ(said, "");
@@ -179,12 +169,11 @@ TEST_F(Renamed, FilesThatChangeTheirNamesWithEachOther) {
 }
 
 TEST_F(Renamed, IsNoneThatIsAnotherFile) {
-  // Parts of the same names, but no others: the one is gone, and the other has nothing of what was written.
+  // Parts of the same names, but no others: the pairs of the one are resolved, and those of the other are new.
   folder.write("plate.obj", blocks({kModel[0]}));
   folder.write("pins.obj", blocks({{"solid", {3, 3, 3}}, {"frame", {100, 0, 0}}, {"body", {-1, 0, 0}}}));
   folder.write("pipes.obj", blocks({{"solid", {3, 0, 0}}, {"frame", {100, 0, 0}}, {"body", {-1, 3, 0}}}));
   run({"plate.obj", "pins.obj"});
-  approve();
   run({"plate.obj", "pipes.obj"});
   EXPECT_EQ(
       said,
@@ -192,9 +181,7 @@ TEST_F(Renamed, IsNoneThatIsAnotherFile) {
       "cannot be told for certain to be the same, renamed; if so, give the file the name that it had then\n");
   expect({}, {"plate/solid", "body/plate"});
   EXPECT_EQ(known_as(), (Known{{"plate.obj", "plate.obj"}, {"pipes.obj", "pipes.obj"}}));
-  std::set<std::string> kept;
-  for (const json& gone : report.at("resolved")) kept.insert(gone.at("status").get<std::string>());
-  EXPECT_EQ(kept, (std::set<std::string>{"plate/solid", "body/plate"}));
+  EXPECT_EQ(report.at("resolved").size(), 2U);
 }
 
 TEST_F(Renamed, WhatTakesTheFirstNameOfARenamedFileIsNotIt) {
@@ -202,7 +189,6 @@ TEST_F(Renamed, WhatTakesTheFirstNameOfARenamedFileIsNotIt) {
   folder.write("pins.obj", blocks({kModel[1], kModel[2]}));
   folder.write("pins_2.obj", blocks({kModel[1], kModel[2]}));
   run({"plate.obj", "pins.obj"});
-  approve();
   run({"plate.obj", "pins_2.obj"});
   expect({"pin/plate", "bolt/plate"}, {});
   folder.write("pins.obj", blocks({{"pin", {3, 0, 0}}, {"bolt", {-1, 3, 0}}}));
@@ -217,7 +203,6 @@ TEST_F(Renamed, IsNoneThatHasTheNameOfAPart) {
     report = json();
     folder.write("bolt.obj", blocks(kModel));
     run({"bolt.obj"});
-    approve();
     folder.write("pin.obj", blocks(stays ? kModel : std::vector<Block>{kModel[0], kModel[1]}));
     run({"pin.obj"});
     expect({}, stays ? std::set<std::string>{"pin/plate", "bolt/plate"} : std::set<std::string>{"pin/plate"});
@@ -232,7 +217,6 @@ TEST_F(Renamed, WhatHasItsFirstNameLaterIsNotThePartThatHasNone) {
     report = json();
     folder.write("x_1.obj", blocks({nameless, pin}));
     run({"x_1.obj"});
-    approve();
     const std::set<std::string> first = ids();
     folder.write("x_2.obj", blocks({nameless, pin}));
     run({"x_2.obj"});
@@ -243,7 +227,7 @@ TEST_F(Renamed, WhatHasItsFirstNameLaterIsNotThePartThatHasNone) {
     std::size_t kept = 0;
     for (const json& pair : report.at("pairs")) {
       const bool is_of_nameless = parts_of(report, pair) == "pin/x_2";
-      EXPECT_EQ(pair.at("status"), is_of_nameless ? json("pin/x_1") : json(nullptr)) << parts_of(report, pair);
+      EXPECT_EQ(pair.at("change"), is_of_nameless ? "persisting" : "new") << parts_of(report, pair);
       EXPECT_EQ(first.contains(pair.at("id").get<std::string>()), is_of_nameless);
       kept += is_of_nameless ? 1 : 0;
     }
@@ -253,7 +237,7 @@ TEST_F(Renamed, WhatHasItsFirstNameLaterIsNotThePartThatHasNone) {
     std::filesystem::rename(folder.path() / "x_2.obj", folder.path() / "x_1.obj");
     run({"x_1.obj"});
     EXPECT_EQ(known_as(), (Known{{"x_1.obj", "x_1.obj (2)"}}));
-    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), json(nullptr));
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "new");
   }
 }
 
@@ -267,14 +251,13 @@ TEST_F(Renamed, PartsOfWhichTheNamesAreNoUtf8) {
     std::vector<std::string> files{"t\xfcren_1.obj"};
     if (!alone) files.emplace_back("pin.obj");
     run(files);
-    approve();
     const std::set<std::string> first = ids();
     files[0] = "t\xfcren_2.obj";
     run(files);
     EXPECT_NE(said.find(" of last.json, renamed: its parts are known by the same names as then"), std::string::npos)
         << said;
     EXPECT_EQ(ids(), first);
-    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), json(parts_of(report, pair)));
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "persisting");
   }
 }
 
@@ -286,13 +269,12 @@ TEST_F(Renamed, FilesOfWhichTheNamesAreNoUtf8AreNotRenamed) {
   ASSERT_EQ(report.at("pairs").size(), 3U);
   const std::set<std::string> first = ids();
   EXPECT_EQ(first.size(), 3U);
-  for (json& pair : report.at("pairs")) pair["status"] = pair.at("id");
   for (int again = 0; again < 2; ++again) {
     run({"\xfe.off", "plate.off", "\xff.off"});
     EXPECT_EQ(said, "");
     EXPECT_EQ(known_as(), (Known{{"\\xff.off", "\\xff.off"}, {"\\xfe.off", "\\xfe.off"}, {"plate.off", "plate.off"}}));
     EXPECT_EQ(ids(), first);
-    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("status"), pair.at("id"));
+    for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "persisting");
   }
 }
 
@@ -308,14 +290,13 @@ TEST_F(Renamed, IsNoneIfAnotherFileIsAsMuchLikeIt) {
     folder.write("a.obj", first);
     folder.write("b.obj", second);
     run({"plate.obj", "a.obj", "b.obj"});
-    for (json& pair : report.at("pairs")) pair["status"] = "approved";
     // c is what b was, or a copy of it.
     if (moved_on) folder.write("b.obj", first);
     run({"plate.obj", "b.obj", "c.obj"});
     EXPECT_EQ(known_as(), (Known{{"plate.obj", "plate.obj"}, {"b.obj", "b.obj"}, {"c.obj", "c.obj"}}));
     for (const json& pair : report.at("pairs"))
       if (report.at("objects").at(pair.at("b").get<std::size_t>()).at("file") == "c.obj") {
-        EXPECT_EQ(pair.at("status"), json(nullptr));
+        EXPECT_EQ(pair.at("change"), "new");
       }
   }
 }
@@ -325,29 +306,30 @@ TEST_F(Renamed, SeveralAtOnceAreToldApartByTheirParts) {
       right{{"plate", {20, 0, 0}, 4}, {"pin", {22, 3, 3}}};
   folder.write("north_1.obj", blocks(left)), folder.write("south_1.obj", blocks(right));
   run({"north_1.obj", "south_1.obj"});
-  for (json& pair : report.at("pairs"))
-    pair["status"] = pair.at("regions").at(0).at("centroid").at(0) < 10 ? "left" : "right";
-  const std::set<std::string> first = ids();
+  const auto sides = [&] {
+    std::map<std::string, std::string> found;  // by the pairs' ids
+    for (const json& pair : report.at("pairs"))
+      found[pair.at("id")] = pair.at("regions").at(0).at("centroid").at(0) < 10 ? "left" : "right";
+    return found;
+  };
+  const auto first = sides();
   // Their names say the opposite, and one is added.
   folder.write("south_2.obj", blocks(left)), folder.write("north_2.obj", blocks(right));
   folder.write("west_2.obj", blocks({{"pin", {60, 0, 0}}}));
   run({"west_2.obj", "north_2.obj", "south_2.obj"});
   EXPECT_EQ(known_as(),
             (Known{{"west_2.obj", "west_2.obj"}, {"north_2.obj", "south_1.obj"}, {"south_2.obj", "north_1.obj"}}));
-  EXPECT_EQ(ids(), first);
-  for (const json& pair : report.at("pairs"))
-    EXPECT_EQ(pair.at("status"), pair.at("regions").at(0).at("centroid").at(0) < 10 ? "left" : "right");
+  EXPECT_EQ(sides(), first);
   // Two that are alike: nobody knows which is which.
   folder.write("x.obj", blocks(left)), folder.write("y.obj", blocks(left));
   run({"x.obj", "y.obj"});
   EXPECT_NE(said.find("all clashes of x.obj and 1 other are new: "), std::string::npos) << said;
-  for (const json& pair : report.at("pairs")) EXPECT_TRUE(pair.at("status").is_null());
+  for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "new");
 }
 
 TEST_F(Renamed, OfAReportThatSaysNothingOfFiles) {
   folder.write("model_1.obj", blocks(kModel)), folder.write("model_2.obj", blocks(kModel));
   run({"model_1.obj"});
-  approve();
   report.erase("files");
   run({"model_2.obj"});
   expect({"pin/plate", "bolt/plate"}, {});

@@ -272,16 +272,13 @@ class Previous : public testing::Test {
   Folder folder;
 };
 
-TEST_F(Previous, RegionsPersistAppearAndAreResolvedAndRemarksSurvive) {
+TEST_F(Previous, RegionsPersistAppearAndAreResolved) {
   json first = run({"--regions"}, 1);
   ASSERT_EQ(first.at("pairs").at(0).at("regions").size(), 2U);
   EXPECT_TRUE(first.at("pairs").at(0).at("change").is_null());
   const std::string near = region_at(first, 1).at("id"), far = region_at(first, 21).at("id");
   EXPECT_NE(near, far);
-  first.at("pairs").at(0)["status"] = "open";
-  first.at("pairs").at(0)["comment"] = "say \"no\"\n\xC3\xA9";
-  region_at(first, 1)["comment"] = "left";
-  region_at(first, 21)["status"] = "approved";
+  first.at("pairs").at(0)["status"] = "open";  // which nothing reads
   folder.write("1.json", first.dump(2));
 
   prongs({1, 10});  // one moves a little, one is gone, one is new
@@ -290,54 +287,46 @@ TEST_F(Previous, RegionsPersistAppearAndAreResolvedAndRemarksSurvive) {
   EXPECT_EQ(pair.at("change"), "persisting");
   EXPECT_EQ(pair.at("was"), "penetrating");
   EXPECT_EQ(pair.at("id"), first.at("pairs").at(0).at("id"));
-  EXPECT_EQ(pair.at("status"), "open");
-  EXPECT_EQ(pair.at("comment"), "say \"no\"\n\xC3\xA9");
+  EXPECT_TRUE(pair.at("status").is_null());
   EXPECT_EQ(region_at(second, 2).at("change"), "persisting");
   EXPECT_EQ(region_at(second, 2).at("id"), near);
-  EXPECT_EQ(region_at(second, 2).at("comment"), "left");
   EXPECT_EQ(region_at(second, 11).at("change"), "new");
   EXPECT_NE(region_at(second, 11).at("id"), far);
   ASSERT_EQ(second.at("resolved").size(), 1U);
   EXPECT_EQ(second.at("resolved").at(0).at("region"), far);
-  EXPECT_EQ(second.at("resolved").at(0).at("status"), "approved");
+  EXPECT_EQ(second.at("resolved").at(0).at("id"), pair.at("id"));
+  EXPECT_EQ(second.at("resolved").at(0).at("centroid"), region_at(first, 21).at("centroid"));
   EXPECT_EQ(second.at("resolved").at(0).at("a").at("name"), "bar");
   folder.write("2.json", second.dump());
 
   json third = run({"--previous", "2.json", "--fail-on", "new,penetration"}, 0);
-  EXPECT_EQ(region_at(third, 2).at("comment"), "left");
+  EXPECT_EQ(region_at(third, 2).at("id"), near);
   EXPECT_EQ(region_at(third, 11).at("change"), "persisting");
-  EXPECT_EQ(third.at("resolved"), second.at("resolved"));
+  EXPECT_TRUE(third.at("resolved").empty()) << "it was listed once";
   EXPECT_EQ(third.at("pairs").at(0).at("fails"), false);
   folder.write("3.json", third.dump());
 
   prongs({1, 10, 20});  // what was gone comes back
   json fourth = run({"--previous", "3.json", "--fail-on", "new"}, 1);
   EXPECT_EQ(region_at(fourth, 21).at("change"), "new");
-  EXPECT_EQ(region_at(fourth, 21).at("id"), far);
-  EXPECT_EQ(region_at(fourth, 21).at("status"), "approved");
   EXPECT_TRUE(fourth.at("resolved").empty());
 }
 
 TEST_F(Previous, PairsAreResolvedAndComeBack) {
   json first = run({"--regions"}, 1);
-  region_at(first, 1)["comment"] = "here";
   folder.write("1.json", first.dump());
-  folder.write("plain.json", run({}, 1).dump());  // without regions, without remarks
+  folder.write("plain.json", run({}, 1).dump());  // without regions
   folder.write("prongs.off", off(box({100, 0, 0}, {102, 2, 2})));
   const json gone = run({"--previous", "1.json", "--fail-on", "new"}, 0);
   ASSERT_EQ(gone.at("resolved").size(), 1U);
   EXPECT_EQ(gone.at("resolved").at(0).at("verdict"), "penetrating");
   EXPECT_TRUE(gone.at("resolved").at(0).at("region").is_null());
   folder.write("2.json", gone.dump());
-  EXPECT_EQ(run({"--previous", "2.json"}, 0).at("resolved"), gone.at("resolved"));
-  const json plain = run({"--previous", "plain.json"}, 0);
-  EXPECT_EQ(plain.at("resolved").size(), 1U);
-  folder.write("3.json", plain.dump());
-  EXPECT_TRUE(run({"--previous", "3.json"}, 0).at("resolved").empty());  // told once
+  EXPECT_TRUE(run({"--previous", "2.json"}, 0).at("resolved").empty()) << "it was listed once";
+  EXPECT_EQ(run({"--previous", "plain.json"}, 0).at("resolved").size(), 1U);
   prongs({0, 20});
   json back = run({"--previous", "2.json", "--fail-on", "new"}, 1);
   EXPECT_EQ(back.at("pairs").at(0).at("change"), "new");
-  EXPECT_EQ(region_at(back, 1).at("comment"), "here");
   EXPECT_TRUE(back.at("resolved").empty());
   // An earlier run that looked for no regions says nothing about them.
   run({"--previous", "plain.json", "--fail-on", "new"}, 0);
@@ -389,16 +378,12 @@ TEST_F(Previous, ThatIsNoReportIsAnError) {
     change(bad);
     return error(bad.dump());
   };
-  EXPECT_NE(error("").find("old.json:1: "), std::string::npos);
+  EXPECT_NE(error("").find("old.json:1:"), std::string::npos);
   EXPECT_NE(error("{}").find("no report of an earlier run"), std::string::npos);
-  EXPECT_NE(error(R"({"version":[1]})").find("/version: a number should stand here"), std::string::npos);
-  EXPECT_NE(error(good.dump().substr(0, 500)).find("old.json:1: "), std::string::npos);
-  EXPECT_NE(error(impinge(folder, {"check", "bar.off", "prongs.off", "--json", "-"}).out)
-                .find("only the JSON of impinge clash"),
+  EXPECT_NE(error(good.dump().substr(0, 500)).find("old.json:1:"), std::string::npos);
+  EXPECT_NE(changed([](json& j) { j["version"] = json::array(); }).find("/version: a number should stand here"),
             std::string::npos);
   EXPECT_NE(changed([](json& j) { j["version"] = 2; }).find("another version"), std::string::npos);
-  EXPECT_NE(changed([](json& j) { j["pairs"][0]["status"] = 7; }).find("/pairs/0/status: a text in quotes"),
-            std::string::npos);
   EXPECT_NE(changed([](json& j) { j["pairs"][0]["a"] = 9; }).find("not among the \"objects\""), std::string::npos);
   EXPECT_NE(changed([](json& j) { j["pairs"][0]["a"] = -1e300; }).find("a whole number"), std::string::npos);
   EXPECT_NE(changed([](json& j) { j["pairs"].push_back(j["pairs"][0]); }).find("same \"id\""), std::string::npos);
@@ -409,11 +394,8 @@ TEST_F(Previous, ThatIsNoReportIsAnError) {
   for (const char* bracket : {"[", "{\"x\":"}) {
     std::string deep = R"({"version":1,"pairs":[],"resolved":)";
     for (int i = 0; i < 200'000; ++i) deep += bracket;
-    EXPECT_NE(error(deep).find("old.json:1: "), std::string::npos);
+    EXPECT_NE(error(deep).find("old.json:1:"), std::string::npos);
   }
-  std::string nested = R"({"version":1,"pairs":[],"resolved":[)";
-  for (int i = 0; i < 200'000; ++i) nested += R"({"id":"x","regions":[)";
-  EXPECT_NE(error(nested).find("deeper than 64"), std::string::npos);
   folder.write("old.json", good.dump());
   EXPECT_NE(impinge(folder, {"clash", "bar.off", "prongs.off", "--previous", "old.json", "--max-file", "1K"})
                 .err.find("larger than"),

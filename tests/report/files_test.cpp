@@ -64,33 +64,45 @@ TEST_F(Files, AllComeFromOneRunWithTheSameBytesEachTime) {
   }
 }
 
-TEST_F(Files, WhatNamesAnotherFileIsRefused) {
+TEST_F(Files, OnlyWhatEndsAsSuchADocumentIsReplacedUnlessForced) {
   const std::string foreign = "a letter to somebody\n";
   for (const Output& output : kOutputs) {
+    SCOPED_TRACE(output.option);
     folder.write(output.name, foreign);
-    const Ended run = clash({output.option, output.name});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_NE(run.err.find("so it is not replaced"), std::string::npos) << run.err;
-    EXPECT_EQ(folder.read(output.name), foreign);
-    EXPECT_EQ(clash({output.option, "a.off"}).code, 2) << "a file to read";
-    folder.write(output.name, "");
-    EXPECT_EQ(clash({output.option, output.name}).code, 1) << "an empty file is free";
-    // Of another kind.
-    EXPECT_EQ(clash({output.option == "--csv" ? "--bcf" : "--csv", output.name}).code, 2) << output.name;
+    EXPECT_EQ(clash({output.option, output.name}).code, 1) << "its own by name";
+    EXPECT_TRUE(folder.read(output.name).starts_with(output.beginning));
+    // Names of other kinds, and links to such.
+    std::filesystem::create_symlink("letter.txt", folder.path() / ("to-letter-" + output.name));
+    for (const std::string& name : {std::string("letter"), std::string("letter.txt"), "to-letter-" + output.name}) {
+      folder.write(name, foreign);
+      const Ended run = clash({output.option, name});
+      EXPECT_EQ(run.code, 2) << name;
+      EXPECT_NE(
+          run.err.find("so it is not replaced: the word after " + output.option + " is the file to write; --force"),
+          std::string::npos)
+          << run.err;
+      EXPECT_EQ(folder.read(name), foreign);
+      EXPECT_EQ(clash({output.option, name, "--force"}).code, 1);
+      EXPECT_TRUE(folder.read(name).starts_with(output.beginning)) << name;
+    }
+    folder.write("letter.txt", "");
+    EXPECT_EQ(clash({output.option, "letter.txt"}).code, 1) << "an empty file is free";
   }
-  EXPECT_EQ(folder.read("a.off"), off(box({0, 0, 0}, {2, 2, 2})));
+  folder.write("topics.bcfzip", foreign);
+  EXPECT_EQ(clash({"--bcf", "topics.bcfzip"}).code, 1);
 }
 
-TEST_F(Files, OtherArchivesAndModelsAreNotReplaced) {
-  const std::string archive = "PK\3\4" + std::string(26, ' ') + "word/document.xml" + std::string(100, ' ');
-  folder.write("letter.docx", archive);
-  EXPECT_EQ(clash({"--bcf", "letter.docx"}).code, 2);
-  EXPECT_EQ(folder.read("letter.docx"), archive);
-  const std::string model =
-      "glTF" + std::string(16, ' ') + R"({"asset":{"generator":"another","version":"2.0"}})" + std::string(100, ' ');
-  folder.write("model.glb", model);
-  EXPECT_EQ(clash({"--gltf", "model.glb"}).code, 2);
-  EXPECT_EQ(folder.read("model.glb"), model);
+TEST_F(Files, WhatIsReadIsNeverReplaced) {
+  folder.write("clash.json", R"({"tests":[{"name":"all","a":"*"}]})");
+  folder.write("decisions.json", "{}");
+  std::filesystem::create_symlink("a.off", folder.path() / "a.json");
+  const auto before = contents();
+  for (const char* name : {"a.off", "./b.off", "a.json", "clash.json", "decisions.json"}) {
+    const Ended run = clash({"--json", name, "--config", "clash.json", "--decisions", "decisions.json", "--force"});
+    EXPECT_EQ(run.code, 2) << name;
+    EXPECT_NE(run.err.find("is one of the files to read"), std::string::npos) << run.err;
+  }
+  EXPECT_TRUE(contents() == before);
 }
 
 TEST_F(Files, OnePlaceTakesOneDocument) {

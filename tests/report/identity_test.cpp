@@ -112,7 +112,6 @@ TEST(Identities, OfPartsOfOneNameAreTheirFilesAndFolders) {
   const auto turned = identities({"/else/r/p.off", "/else/l/p.off"}, {{0, "bolt", 7}, {1, "bolt", 8}});
   EXPECT_EQ(turned[0].key, all[1].key) << "moved, in another place, in another order";
   EXPECT_EQ(turned[1].key, all[0].key);
-  EXPECT_FALSE(all[0].is_ambiguous || all[1].is_ambiguous);
   // What was alone has not the name of either, once there are two.
   const auto alone = identities({"l/p.off"}, {{0, "bolt"}});
   EXPECT_NE(alone[0].key, all[0].key);
@@ -127,14 +126,11 @@ TEST(Identities, OfPartsOfOnePathAreTheirPlaces) {
   EXPECT_EQ(more[3].key, all[0].key);
   EXPECT_EQ(more[2].key, all[1].key);
   EXPECT_EQ(more[1].key, all[2].key) << "the only nut, wherever it is";
-  for (const Identity& one : more) EXPECT_FALSE(one.is_ambiguous);
 }
 
-TEST(Identities, OfTwinsAreAmbiguous) {
+TEST(Identities, OfTwinsAreTheirOrder) {
   const auto all = identities({"a.glb"}, {{0, "bolt", 1}, {0, "bolt", 2}, {0, "bolt", 1}, {0, "nut", 1}});
   expect_unlike(all);
-  EXPECT_TRUE(all[0].is_ambiguous && all[2].is_ambiguous);
-  EXPECT_FALSE(all[1].is_ambiguous || all[3].is_ambiguous);
   // The first of them is known by what the one that is alone is known by, with and without namesakes elsewhere.
   const auto one = identities({"a.glb"}, {{0, "bolt", 1}, {0, "bolt", 2}});
   EXPECT_EQ(one[0].key, all[0].key);
@@ -145,10 +141,10 @@ TEST(Identities, OfTwinsAreAmbiguous) {
   EXPECT_NE(alone[0].key, both[1].key);
   EXPECT_EQ(one[1].key, all[1].key);
   // -0 is 0; and a file that is read twice.
-  EXPECT_TRUE(identities({"a.glb"}, {{0, "bolt", 0.0}, {0, "bolt", -0.0}})[1].is_ambiguous);
+  const auto zeros = identities({"a.glb"}, {{0, "bolt", 0.0}, {0, "bolt", -0.0}});
+  EXPECT_EQ(zeros[0].placed, zeros[1].placed);
   const auto twice = identities({"a.off", "./a.off"}, {{0, "bolt"}, {1, "bolt"}});
   expect_unlike(twice);
-  EXPECT_TRUE(twice[0].is_ambiguous);
 }
 
 TEST(Identities, OfTextsThatRunIntoEachOtherAreUnlike) {
@@ -160,7 +156,6 @@ TEST(Identities, OfIfcProductsAreTheirGlobalIds) {
                     other = "IfcWall_North_1srAI$R4T8ihLXSNHmUSET";
   const auto all = identities({"a.ifc"}, {{0, "house/North", 0, wall}, {0, "house/North", 0, other}});
   expect_unlike(all);
-  EXPECT_FALSE(all[0].is_ambiguous);
   const auto later = identities({"a.ifc"}, {{0, "house/North", 0, other}, {0, "house/up/South", 3, renamed}});
   EXPECT_EQ(later[1].key, all[0].key);
   EXPECT_EQ(later[0].key, all[1].key);

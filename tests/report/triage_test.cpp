@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// What the files for other tools say of tests, changes, and what people wrote.
+// What the files for other tools say of tests, changes and decisions.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -65,17 +65,18 @@ class TriageFiles : public testing::Test {
         if (report.at("objects").at(pair.at(side).get<std::size_t>()).at("name") == name) return pair;
     throw std::runtime_error("no pair of " + name);
   }
-  /// The second run, in which p1 has gone and p4 has come, after people wrote about p1, p2 and its region.
+  json again(std::vector<std::string> more) const {
+    more.insert(more.end(), {"--previous", "last.json", "--decisions", "decisions.json"});
+    return run({"p2", "p3", "p4"}, more);
+  }
+  /// The second run, in which p1 has gone and p4 has come, with a decision about p2.
   json second() const {
     json first = run({"p1", "p2", "p3"}, {});
-    pair_of(first, "p1")["comment"] = "=gone";
-    pair_of(first, "p2")["status"] = "in \"review\"\n<b>";
-    pair_of(first, "p2")["comment"] = "two\nlines & \x1b[2J";
-    pair_of(first, "p2").at("regions").at(0)["status"] = "approved";
-    pair_of(first, "p2").at("regions").at(0)["comment"] = "glued,\r\nand\rwelded";
     folder.write("last.json", first.dump());
+    const json decision{{"status", "in \"review\"\n<b>"}, {"comment", "two\nlines & \x1b[2J"}};
+    folder.write("decisions.json", json{{pair_of(first, "p2").at("id"), decision}}.dump());
     pin("p4", 32);
-    return run({"p2", "p3", "p4"}, {"--previous", "last.json"});
+    return again({});
   }
   Folder folder;
 };
@@ -87,7 +88,6 @@ TEST_F(TriageFiles, CsvHasTestChangeStatusAndComment) {
   std::map<std::string, Row> by_id;
   for (const Row& row : rows) {
     EXPECT_EQ(row.at("test"), "pins & \"plate\"");
-    EXPECT_EQ(row.at("ambiguous"), "false");
     by_id[row.at("id")] = row;
   }
   const Row& kept = by_id.at(pair_of(report, "p2").at("id"));
@@ -111,22 +111,6 @@ TEST_F(TriageFiles, CsvHasTestChangeStatusAndComment) {
   EXPECT_EQ(gone.at("b_file"), "p1.off");
   EXPECT_EQ(gone.at("x"), "3");
   EXPECT_EQ(gone.at("region"), "");
-  EXPECT_EQ(gone.at("comment"), "'=gone");
-}
-
-TEST_F(TriageFiles, CsvHasARowForEachRegionThatIsGoneOrWasWrittenAboutWithItsPair) {
-  json first = run({"p1", "p2"}, {});
-  pair_of(first, "p1").at("regions").at(0)["comment"] = "here";
-  const std::string region = pair_of(first, "p1").at("regions").at(0).at("id");
-  folder.write("last.json", first.dump());
-  run({"p2", "p3"}, {"--previous", "last.json"});
-  const std::vector<Row> rows = rows_of(folder.read("out.csv"));
-  ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[2].at("region"), "");
-  EXPECT_EQ(rows[3].at("region"), region);
-  EXPECT_EQ(rows[3].at("id"), rows[2].at("id"));
-  EXPECT_EQ(rows[3].at("comment"), "here");
-  EXPECT_EQ(rows[3].at("change"), "resolved");
 }
 
 TEST_F(TriageFiles, CsvOfARunWithoutTriageLeavesItsCellsEmpty) {
@@ -163,7 +147,7 @@ TEST_F(TriageFiles, BcfHasStatusLabelsAndComments) {
     EXPECT_EQ(std::string(comment.child("Author").text().get()), "impinge");
     EXPECT_EQ(std::string(comment.child("Viewpoint").attribute("Guid").value()), kept.view().attribute("Guid").value());
   }
-  EXPECT_EQ(said, (std::vector<std::string>{"two\nlines & \\x1b[2J", "Region 1 (approved): glued,\nand\nwelded"}));
+  EXPECT_EQ(said, std::vector<std::string>{"two\nlines & \\x1b[2J"});
   const Topic& fresh = topics.at(pair_of(report, "p4").at("id"));
   EXPECT_EQ(std::string(fresh.topic().attribute("TopicStatus").value()), "Open");
   EXPECT_EQ(texts(fresh.topic(), "Labels"), (std::vector<std::string>{"penetrating", "pins & \"plate\"", "new"}));
@@ -174,9 +158,9 @@ TEST_F(TriageFiles, AreTheSameBytesEachTime) {
   second();
   std::map<std::string, std::string> first;
   for (const char* name : {"out.csv", "out.bcf", "out.glb"}) first[name] = folder.read(name);
-  run({"p2", "p3", "p4"}, {"--previous", "last.json", "--threads", "1"});
+  again({"--threads", "1"});
   for (const auto& [name, bytes] : first) EXPECT_TRUE(folder.read(name) == bytes) << name;
-  run({"p2", "p3", "p4"}, {"--previous", "last.json", "--date", "2024-05-31"});
+  again({"--date", "2024-05-31"});
   for (const Topic& topic : read_bcf(folder.read("out.bcf")))
     for (const pugi::xml_node& comment : topic.markup.document_element().children("Comment"))
       EXPECT_EQ(std::string(comment.child("Date").text().get()), "2024-05-31T00:00:00Z");
@@ -192,11 +176,11 @@ TEST_F(TriageFiles, GltfHasTheJsonsWords) {
     const json& extras = node.at("extras");
     for (const json& pair : report.at("pairs")) {
       if (pair.at("id") != extras.at("id")) continue;
-      for (const char* key : {"test", "change", "status", "comment", "was", "ambiguous"})
+      for (const char* key : {"test", "change", "status", "comment", "was"})
         EXPECT_EQ(extras.at(key), pair.at(key)) << key;
       for (std::size_t i = 0; i < pair.at("regions").size(); ++i, ++regions) {
         const json& child = document.at("nodes").at(node.at("children").at(i).get<std::size_t>());
-        for (const char* key : {"id", "change", "status", "comment"})
+        for (const char* key : {"id", "change"})
           EXPECT_EQ(child.at("extras").at(key), pair.at("regions").at(i).at(key)) << key;
       }
     }

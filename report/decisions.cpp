@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/decisions.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <unordered_map>
+
+#include "report/json_file.hpp"
+#include "report/text.hpp"
+
+namespace impinge::report {
+namespace {
+
+using nlohmann::json;
+
+// People write this file; what is larger is another one.
+constexpr std::uint64_t kMostBytesOfDecisions = 16'000'000;
+constexpr std::string_view kBetweenNames = " | ";
+
+bool is_pair_id(std::string_view key) {
+  constexpr std::size_t kLengthOfUuid = 36;
+  return key.size() == kLengthOfUuid && key.find_first_not_of("0123456789abcdef-") == std::string_view::npos;
+}
+
+Result<Decision> read_decision(const std::string& name, const std::string& text, const json::json_pointer& place,
+                               const nlohmann::ordered_json& entry) {
+  if (!entry.is_object())
+    return json_error(name, text, place.to_string(), R"(a decision should stand here, such as {"status": "approved"})");
+  Decision decision;
+  for (const auto& [key, value] : entry.items()) {
+    const std::string at = (place / key).to_string();
+    if (key != "status" && key != "comment")
+      return json_error(name, text, at, R"(there is no such key; a decision has a "status" and a "comment")");
+    if (!value.is_string()) return json_error(name, text, at, "a text in quotes should stand here");
+    (key == "status" ? decision.status : decision.comment) = value.get<std::string>();
+  }
+  return decision;
+}
+
+}  // namespace
+
+Result<Decisions> parse_decisions(const std::string& name, const std::string& text) {
+  if (const auto sound = parse_json(name, text); !sound) return sound.error();
+  const auto document = nlohmann::ordered_json::parse(text);  // patterns count in the order of the file
+  if (!document.is_object())
+    return json_error(name, text, "",
+                      R"(this is no list of decisions, such as {"pipe* | support*": {"status": "ok"}})");
+  Decisions decisions;
+  for (const auto& [key, entry] : document.items()) {
+    const json::json_pointer place = json::json_pointer() / key;
+    if (key == "$schema") continue;
+    const std::size_t bar = key.find(kBetweenNames);
+    if (bar == std::string::npos && !is_pair_id(key))
+      return json_error(name, text, place.to_string(),
+                        "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
+                        "between them");
+    const Result<Decision> decision = read_decision(name, text, place, entry);
+    if (!decision) return decision.error();
+    if (bar == std::string::npos)
+      decisions.by_id.emplace(key, *decision);
+    else
+      decisions.by_names.push_back({key, key.substr(0, bar), key.substr(bar + kBetweenNames.size()), *decision});
+  }
+  return decisions;
+}
+
+Result<Decisions> read_decisions(const std::string& name) {
+  const Result<std::string> text = read_text_file(name, kMostBytesOfDecisions);
+  if (!text) return text.error();
+  return parse_decisions(name, *text);
+}
+
+std::vector<std::string> decide(const Decisions& decisions, Review& review) {
+  std::vector<std::string> unmatched;
+  std::vector<bool> is_decided(review.ids.size());
+  std::unordered_map<std::string_view, std::size_t> pairs;
+  for (std::size_t i = 0; i < review.ids.size(); ++i) pairs.emplace(review.ids[i], i);
+  for (const auto& [id, decision] : decisions.by_id) {
+    const auto pair = pairs.find(id);
+    if (pair == pairs.end()) {
+      unmatched.push_back(id);
+    } else {
+      review.standings[pair->second].decision = decision;
+      is_decided[pair->second] = true;
+    }
+  }
+  const Assembly& assembly = review.assembly;
+  const auto parts_named = [&](const std::string& pattern) {
+    std::vector<bool> named(assembly.objects.size());
+    for (std::size_t i = 0; i < named.size(); ++i)
+      named[i] = matches_pattern(pattern, assembly.objects[i].name) || matches_pattern(pattern, assembly.labels[i]);
+    return named;
+  };
+  for (const Decisions::ByNames& entry : decisions.by_names) {
+    const std::vector<bool> a = parts_named(entry.a), b = parts_named(entry.b);
+    bool is_matched = false;
+    for (std::size_t i = 0; i < is_decided.size(); ++i) {
+      const auto [first, second] = review.clashes.pairs[i].objects;
+      if (!(a[first] && b[second]) && !(a[second] && b[first])) continue;
+      is_matched = true;
+      if (!is_decided[i]) review.standings[i].decision = entry.decision;
+      is_decided[i] = true;
+    }
+    if (!is_matched) unmatched.push_back(entry.key);
+  }
+  return unmatched;
+}
+
+}  // namespace impinge::report
