@@ -12,6 +12,7 @@
 #include "help.hpp"
 #include "impinge/version.hpp"
 #include "report/text.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -17,6 +17,7 @@
 #include "scene_command.hpp"
 #include "stats.hpp"
 #include "table.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -136,8 +137,9 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     mention_warnings(answer->assembly);
     for (const std::string& warning : answer->contacts.warnings) complain(warning);
   }
-  const auto written = documents.write(
-      kJson, [&](Sink& sink) { return write_check_json(sink, answer->assembly, answer->contacts, arguments, stop); });
+  const auto written = documents.write(kJson, [&](Sink& sink) {
+    return write_check_json(sink, answer->assembly, answer->contacts, arguments.triangles, !arguments.first, stop);
+  });
   if (!written) return written.error();
   if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {

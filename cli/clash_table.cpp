@@ -163,6 +163,19 @@ std::string note_text(Note note) {
   return kNothing;
 }
 
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
+                    std::optional<std::size_t> width) {
+  constexpr std::size_t kMostLines = 10, kLeastName = 12;
+  std::size_t surfaces = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].facts.solid || ++surfaces > kMostLines) continue;
+    const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
+    sink.write(fmt::format("{} is no solid: {}\n", name, defects_text(parts[i])));
+  }
+  if (surfaces > kMostLines)
+    sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));
+}
+
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
   print_pairs(review, arguments, sink, width, stop);

@@ -4,13 +4,21 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 
+#include "arguments.hpp"
+#include "report/part.hpp"
 #include "report/review.hpp"
 #include "report/sink.hpp"
 
 namespace impinge::cli {
+
+/// A line for each of the first few parts that are no solids, and how many more there are. Labels are printable, and
+/// cut where the width of a line is known.
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
+                    std::optional<std::size_t> width);
 
 /// The ranked table, the parts that are no solids, and the summary.
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,

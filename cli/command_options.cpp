@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "date.hpp"
 #include "help.hpp"
 #include "numbers.hpp"
-#include "report/date.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -103,7 +103,7 @@ void add_fail_on(CLI::App& command, FailOn& to, const std::vector<std::string>& 
       ->check(CLI::IsMember(names).description(""));
 }
 
-void add_ignore(CLI::App& command, SceneArguments& to) {
+void add_ignore(CLI::App& command, SceneOptions& to) {
   command
       .add_option("--ignore", to.ignored,
                   "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
@@ -112,7 +112,7 @@ void add_ignore(CLI::App& command, SceneArguments& to) {
       ->allow_extra_args(false);
 }
 
-void add_scale(CLI::App& command, SceneArguments& to) {
+void add_scale(CLI::App& command, SceneOptions& to) {
   const auto take = [&to](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       const std::size_t at = text.rfind('=');
@@ -133,7 +133,7 @@ void add_scale(CLI::App& command, SceneArguments& to) {
       ->allow_extra_args(false);
 }
 
-void check_scales(const SceneArguments& arguments) {
+void check_scales(const SceneOptions& arguments) {
   for (const auto& [file, _] : arguments.scales)
     if (std::find(arguments.files.begin(), arguments.files.end(), file) == arguments.files.end())
       refuse(fmt::format("--scale {}: it is none of the files to read; write it as it stands among them", file));
@@ -146,13 +146,13 @@ void add_max_file(CLI::App& command, std::uint64_t& bytes) {
       ->type_name("BYTES");
 }
 
-CLI::Option* add_page_triangles(CLI::App& command, PageArguments& to) {
+CLI::Option* add_page_triangles(CLI::App& command, PageOptions& to) {
   return add_number(
       command, "--page-triangles", to.page_triangles, std::uint64_t{0}, kMostWhole,
       "draw about N triangles at most on the page; larger meshes are simplified there (default: 1000000)");
 }
 
-CLI::Option* add_up(CLI::App& command, PageArguments& to, const std::string& outputs) {
+CLI::Option* add_up(CLI::App& command, PageOptions& to, const std::string& outputs) {
   return add_choice<bool>(command, "--up", to.y_up, {{"y", true}, {"z", false}},
                           "which of the coordinates' axes is up, for " + outputs +
                               " (default: by the formats: z if all files are OBJ, OFF, PLY, STL or AMF, else that of "
@@ -248,6 +248,7 @@ void add_exports(CLI::App& command, ClashArguments& to) {
   add_number(command, "--bcf-topics", to.topics, std::uint64_t{0}, kMostTopics,
              "the worst N pairs at most become topics of the BCF (default: 1000)")
       ->needs("--bcf");
+  to.date.clear();  // SOURCE_DATE_EPOCH says it where the option does not
   const auto take_date = [&to](const std::string& text) {
     const std::optional<std::string> date = parse_date(text);
     if (!date) refuse(fmt::format("--date takes now, or a date such as 2024-05-31, not '{}'", text));

@@ -12,6 +12,7 @@
 #include "report/csv.hpp"
 #include "report/gltf.hpp"
 #include "report/text.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

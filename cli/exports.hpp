@@ -4,6 +4,7 @@
 
 #include <stop_token>
 
+#include "arguments.hpp"
 #include "documents.hpp"
 #include "report/review.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "clash_table.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
 #include "impinge/clash.hpp"
@@ -18,6 +19,7 @@
 #include "report/sink.hpp"
 #include "report/text.hpp"
 #include "table.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "report/sink.hpp"
+#include "terminal.hpp"
 
 namespace {
 

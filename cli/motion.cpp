@@ -14,10 +14,10 @@
 #include "progress.hpp"
 #include "report/clash_json.hpp"
 #include "report/motion/motion_report.hpp"
-#include "report/motion/timeline.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
 #include "scene_command.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -60,51 +60,38 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
                                              arguments.files.front(), names)};
 }
 
-Assembly assembly_of(const io::Model& model, const std::string& file) {
-  Assembly assembly;
-  assembly.files = {file};
-  assembly.objects = model.objects;
-  assembly.groups = model.groups;
-  assembly.file_of.assign(model.objects.size(), 0);
-  for (const io::Object& object : model.objects) assembly.triangles += object.mesh.triangle_count();
-  assembly.warnings = model.warnings;
-  for (const std::string& sentence : model.missing) assembly.missing.push_back(file + ": " + sentence);
-  assembly.labels = labels_of(assembly);
-  return assembly;
-}
-
-Result<Timeline> run(const MotionArguments& arguments, const Assembly& assembly, const Mover& mover, ProgressLine& line,
-                     const std::stop_token& stop) {
+Result<Timeline> run(const io::Model& model, const io::Animation& animation, const MotionArguments& arguments,
+                     ProgressLine& line, const std::stop_token& stop) {
   Progress progress;
-  TimelineOptions options;
-  options.frames = arguments.frames;
-  options.tolerance = arguments.tolerance;
-  options.depth = arguments.depth;
-  options.fail_on = arguments.fail_on;
-  options.threads = arguments.threads;
+  MotionOptions options = arguments;
   options.progress = &progress;
   options.stop = stop;
   line.phase(
-      fmt::format("moving {}", counted(assembly.objects.size(), "part")), [&progress] { return work_of(progress); },
+      fmt::format("moving {}", counted(model.objects.size(), "part")), [&progress] { return work_of(progress); },
       "frames");
-  const std::vector<std::uint32_t> groups = products_of(assembly);
-  Assembly placed = assembly;
-  const auto make_scene = [&](const std::vector<Posed>& posed) {
-    for (std::size_t i = 0; i < posed.size(); ++i)
-      placed.objects[i].mesh = posed[i].mesh, placed.objects[i].pose = posed[i].pose;
-    return scene_of(placed, arguments, groups);
-  };
-  Result<Timeline> timeline = find_timeline(mover, make_scene, options);
+  Result<Timeline> timeline = find_timeline(model, animation, options);
   line.end();  // it looks at `progress`
   if (stop.stop_requested()) return interrupted();
   return timeline;
+}
+
+/// Says it on standard error. What is not of the whole motion says so even where everything else is quiet.
+void mention(const LeftOut& left, bool quiet) {
+  static constexpr std::size_t kMost = 5;
+  const auto say = [](const std::vector<std::string>& sentences) {
+    for (std::size_t i = 0; i < std::min(kMost, sentences.size()); ++i) complain(sentences[i]);
+    if (sentences.size() > kMost)
+      complain(fmt::format("and {} such, which --json lists", counted(sentences.size() - kMost, "more thing")));
+  };
+  say(left.shapes);
+  if (!quiet) say(left.harmless);
 }
 
 Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std::string& page,
                                const MotionArguments& arguments, const std::stop_token& stop) {
   const Result<DrawnScene> scene = draw(report.assembly, arguments.page_triangles, stop);
   if (!scene) return scene.error();
-  if (!arguments.quiet) mention_simplified(*scene);
+  if (const auto warning = simplified(*scene); warning && !arguments.quiet) complain(*warning);
   const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene, arguments); };
   return write_page(
       sink, page, head_of(arguments.files, arguments), *scene,
@@ -127,12 +114,11 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   const Result<const io::Animation*> animation = choose(*model, arguments);
   if (!animation) return animation.error();
   const Mover mover(*model, **animation);
-  MotionReport report{
-      assembly_of(*model, arguments.files.front()), **animation, model->animations.size(), mover, {}, {}};
+  MotionReport report{assemble(arguments.files, {*model}), **animation, model->animations.size(), mover, {}, {}};
   Result<LeftOut> left = left_out(*model, **animation, report.assembly);
   if (!left) return left.error();
   report.left_out = std::move(*left);
-  Result<Timeline> timeline = run(arguments, report.assembly, mover, line, stop);
+  Result<Timeline> timeline = run(*model, **animation, arguments, line, stop);
   if (!timeline) return timeline.error();
   report.timeline = std::move(*timeline);
   mention_missing(report.assembly);

@@ -4,7 +4,9 @@
 
 #include <optional>
 
+#include "arguments.hpp"
 #include "report/motion/motion_report.hpp"
+#include "report/sink.hpp"
 
 namespace impinge::cli {
 

@@ -13,6 +13,7 @@
 
 #include "report/sink.hpp"
 #include "report/text.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 using namespace report;

@@ -4,32 +4,35 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <vector>
 
-#include "ignore.hpp"
 #include "report/text.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments,
-                       std::span<const std::uint32_t> groups) {
-  Scene scene;
-  std::vector<ObjectId> ids;
-  ids.reserve(assembly.objects.size());
-  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
-    const io::Object& object = assembly.objects[i];
-    Result<ObjectId> id = scene.add(object.mesh, object.pose, groups.empty() ? 0 : groups[i]);
-    if (!id)
-      return Error{id.error().code, fmt::format("{}: object '{}': {}", assembly.files[assembly.file_of[i]],
-                                                assembly.labels[i], id.error().message)};
-    ids.push_back(*id);
+Result<Assembly> read_assembly(const SceneOptions& options, ProgressLine& line, const std::stop_token& stop) {
+  constexpr double kMega = 1e6;
+  const std::vector<std::string>& files = options.files;
+  std::vector<double> ends;  // of each file, in megabytes of all of them
+  for (const std::string& file : files) {
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(file, unknown);
+    ends.push_back((ends.empty() ? 0 : ends.back()) + (unknown ? 0 : static_cast<double>(bytes) / kMega));
   }
-  if (auto ignored = ignore_pairs(assembly, arguments.ignored, ids, scene); !ignored) return ignored.error();
-  if (auto updated = scene.update(); !updated) return updated.error();
-  return scene;
+  SceneOptions stoppable = options;
+  stoppable.stop = stop;
+  return report::read_assembly(stoppable, [&](std::size_t i) {
+    // Of a single file nobody knows how far it is read.
+    const Work work = files.size() > 1 ? Work{i == 0 ? 0 : ends[i - 1], ends.back()} : Work();
+    line.phase(
+        fmt::format("reading {} ({} of {})", printable(files[i]), i + 1, files.size()), [work] { return work; }, "MB");
+  });
 }
 
 Work work_of(const Progress& progress) {

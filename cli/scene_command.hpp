@@ -3,16 +3,13 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <optional>
-#include <span>
+#include <stop_token>
 
 #include "arguments.hpp"
 #include "impinge/options.hpp"
-#include "impinge/scene.hpp"
-#include "pace.hpp"
+#include "progress.hpp"
 #include "report/assembly.hpp"
-#include "report/sink.hpp"
+#include "report/scene.hpp"
 
 /// What `check` and `clash` do alike.
 namespace impinge::cli {
@@ -20,11 +17,8 @@ namespace impinge::cli {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start);
 
-/// The assembly as a scene that knows which of its objects are near each other; an object's index is its number.
-/// Objects of one group that is not 0 are not tested against each other; without groups, none. Errors: `bad_option` of
-/// `--ignore`; `bad_pose`, with the object's name.
-Result<Scene> scene_of(const Assembly& assembly, const SceneArguments& arguments,
-                       std::span<const std::uint32_t> groups = {});
+/// Reads the files while a line shows how far that is. Errors: as the library's `read_assembly`.
+Result<Assembly> read_assembly(const SceneOptions& options, ProgressLine& line, const std::stop_token& stop);
 
 /// How much of the work is done, for a progress line.
 Work work_of(const Progress& progress);

@@ -9,17 +9,10 @@
 
 #include "report/text.hpp"
 #include "table.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {
-
-bool has_new_region(const Standing& standing) {
-  return std::any_of(standing.regions.begin(), standing.regions.end(),
-                     [](const RegionStanding& region) { return region.change == Change::fresh; });
-}
-
-/// Whether the verdict is worse than that of the earlier run. The values of `Verdict` begin with the worst.
-bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
 
 /// How many pairs of a test have each verdict, "3 penetrating, 2 nearer"; counts those that fail.
 std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64_t& failing) {
@@ -73,13 +66,6 @@ std::string name_of(const Review& review, GroupBy by, std::uint32_t number) {
 }
 
 }  // namespace
-
-std::string change_text(const Clash& pair, const Standing& standing) {
-  if (standing.change == Change::fresh) return "new";
-  const bool worse = is_worse(pair, standing);
-  if (has_new_region(standing)) return worse ? "worse, new region" : "new region";
-  return worse ? "worse" : "persisting";
-}
 
 void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,
                   Sink& sink, std::optional<std::size_t> width, const std::stop_token& stop) {

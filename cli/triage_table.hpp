@@ -8,15 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "report/review.hpp"
 #include "report/sink.hpp"
 
 /// What `impinge clash` prints about groups of pairs, named tests and changes since an earlier run.
 namespace impinge::cli {
-
-/// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
-/// it has one.
-std::string change_text(const Clash& pair, const Standing& standing);
 
 /// A row for each group, the one with the worst pair first. `shown` is how many rows there are at most.
 void print_groups(const Review& review, GroupBy by, const std::vector<std::size_t>& order, std::uint64_t shown,

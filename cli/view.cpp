@@ -11,6 +11,7 @@
 #include "report/page.hpp"
 #include "report/text.hpp"
 #include "scene_command.hpp"
+#include "terminal.hpp"
 
 namespace impinge::cli {
 
@@ -29,7 +30,7 @@ Result<void> view(const ViewArguments& arguments, const std::stop_token& stop) {
   line.end();
   mention_missing(*assembly);
   if (!arguments.quiet) mention_warnings(*assembly);
-  if (!arguments.quiet) mention_simplified(*scene);
+  if (const auto warning = simplified(*scene); warning && !arguments.quiet) complain(*warning);
 
   auto written = documents.write(kPage, [&](Sink& sink) {
     const auto write_report = [&](Sink& to) { return write_view_json(to, *assembly); };

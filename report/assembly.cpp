@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
-#include <system_error>
 #include <utility>
 
 #include "report/text.hpp"
@@ -14,60 +12,50 @@
 namespace impinge::report {
 namespace {
 
-std::uint64_t bytes_of(const std::string& file) {
-  std::error_code unknown;
-  const auto bytes = std::filesystem::file_size(file, unknown);
-  return unknown ? 0 : bytes;
-}
-
-double scale_of(const SceneArguments& arguments, const std::string& file) {
-  for (const auto& [name, factor] : arguments.scales)
+double scale_of(const SceneOptions& options, const std::string& file) {
+  for (const auto& [name, factor] : options.scales)
     if (name == file) return factor;
   return 1;
 }
 
 }  // namespace
 
-Result<Assembly> read_assembly(const SceneArguments& arguments, ProgressLine& progress, const std::stop_token& stop) {
-  std::uint64_t all_bytes = 0, bytes_read = 0;
-  for (const std::string& file : arguments.files) all_bytes += bytes_of(file);
-
+Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models) {
   Assembly assembly;
-  assembly.files = arguments.files;
-  for (std::size_t i = 0; i < arguments.files.size(); ++i) {
-    const std::string& file = arguments.files[i];
-    // Of a single file nobody knows how far it is read.
-    constexpr double kMega = 1e6;
-    const Work work = arguments.files.size() > 1
-                          ? Work{static_cast<double>(bytes_read) / kMega, static_cast<double>(all_bytes) / kMega}
-                          : Work();
-    progress.phase(
-        fmt::format("reading {} ({} of {})", printable(file), i + 1, arguments.files.size()), [work] { return work; },
-        "MB");
-    io::ReadOptions options;
-    options.max_file_bytes = arguments.max_file_bytes;
-    options.scale = scale_of(arguments, file);
-    options.stop = stop;
-    Result<io::Model> model = io::read(file, options);
-    if (stop.stop_requested()) return interrupted();
-    if (!model) return model.error();
+  assembly.files = files;
+  for (std::size_t i = 0; i < models.size(); ++i) {
     const auto groups_before = static_cast<std::uint32_t>(assembly.groups.size());
-    for (io::Group& group : model->groups) {
+    for (io::Group& group : models[i].groups) {
       if (group.parent) *group.parent += groups_before;
       assembly.groups.push_back(std::move(group));
     }
-    for (io::Object& object : model->objects) {
+    for (io::Object& object : models[i].objects) {
       if (object.group) *object.group += groups_before;
       assembly.triangles += object.mesh.triangle_count();
       assembly.file_of.push_back(static_cast<std::uint32_t>(i));
       assembly.objects.push_back(std::move(object));
     }
-    for (std::string& warning : model->warnings) assembly.warnings.push_back(std::move(warning));
-    for (const std::string& sentence : model->missing) assembly.missing.push_back(file + ": " + sentence);
-    bytes_read += bytes_of(file);
+    for (std::string& warning : models[i].warnings) assembly.warnings.push_back(std::move(warning));
+    for (const std::string& sentence : models[i].missing) assembly.missing.push_back(files[i] + ": " + sentence);
   }
   assembly.labels = labels_of(assembly);
   return assembly;
+}
+
+Result<Assembly> read_assembly(const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file) {
+  std::vector<io::Model> models;
+  for (const std::string& file : options.files) {
+    begin_file(models.size());
+    io::ReadOptions read;
+    read.max_file_bytes = options.max_file_bytes;
+    read.scale = scale_of(options, file);
+    read.stop = options.stop;
+    Result<io::Model> model = io::read(file, read);
+    if (options.stop.stop_requested()) return interrupted();
+    if (!model) return model.error();
+    models.push_back(*std::move(model));
+  }
+  return assemble(options.files, std::move(models));
 }
 
 std::vector<std::string> labels_of(const Assembly& assembly) {

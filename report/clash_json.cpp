@@ -12,18 +12,18 @@
 namespace impinge::report {
 namespace {
 
-Json json_settings(const ClashArguments& arguments) {
-  return {{"tolerance", json_tolerance(arguments.tolerance)},
-          {"clearance", arguments.clearance},
-          {"depth", arguments.depth},
-          {"regions", arguments.regions},
-          {"fail_on", words_of(arguments.fail_on)},
-          {"ignore", arguments.ignored},
-          {"within_products", arguments.within_products},
-          {"scale", arguments.scales},
-          {"config", or_null(arguments.config)},
-          {"previous", or_null(arguments.previous)},
-          {"decisions", or_null(arguments.decisions)}};
+Json json_settings(const ReportOptions& options) {
+  return {{"tolerance", json_tolerance(options.tolerance)},
+          {"clearance", options.clearance},
+          {"depth", options.depth},
+          {"regions", options.regions},
+          {"fail_on", words_of(options.fail_on)},
+          {"ignore", options.ignored},
+          {"within_products", options.within_products},
+          {"scale", options.scales},
+          {"config", or_null(options.config)},
+          {"previous", or_null(options.previous)},
+          {"decisions", or_null(options.decisions)}};
 }
 
 Json json_part(const Review& review, std::size_t i) {
@@ -60,7 +60,7 @@ Json json_region(const Region& region, const RegionStanding& standing) {
           {"triangles_b", region.triangles_b}};
 }
 
-Json json_pair(const Review& review, std::size_t number, const ClashArguments& arguments) {
+Json json_pair(const Review& review, std::size_t number, const ReportOptions& options) {
   const Clash& pair = review.clashes.pairs[number];
   const Standing& standing = review.standings[number];
   const bool has_inner = pair.verdict == Verdict::inside && pair.inner >= 0;
@@ -76,9 +76,9 @@ Json json_pair(const Review& review, std::size_t number, const ClashArguments& a
             {"tolerance", pair.tolerance},
             {"fails", standing.fails}};
   json.update(json_triage(review, number));
-  if (arguments.depth) json["overlap_depth"] = json_depth(pair.overlap_depth);
-  if (arguments.clearance > 0) json.update(json_distance(pair.nearest));
-  if (!arguments.regions) return json;
+  if (options.depth) json["overlap_depth"] = json_depth(pair.overlap_depth);
+  if (options.clearance > 0) json.update(json_distance(pair.nearest));
+  if (!options.regions) return json;
   Json& regions = json["regions"] = Json::array();
   for (std::size_t i = 0; i < pair.regions.size(); ++i)
     regions.push_back(json_region(pair.regions[i], standing.regions[i]));
@@ -97,11 +97,11 @@ Json json_counts(const Review& review) {
 
 }  // namespace
 
-Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArguments& arguments,
+Result<void> write_clash_json(Sink& sink, const Review& review, const ReportOptions& options,
                               const std::stop_token& stop) {
   JsonDocument document(sink, stop);
   document.member("version", 1);
-  document.member("settings", json_settings(arguments));
+  document.member("settings", json_settings(options));
   write_tests(document, review);
   write_types(document, review);
   document.list("files", review.file_names.size(), [&](std::size_t i) {
@@ -111,9 +111,9 @@ Result<void> write_clash_json(Sink& sink, const Review& review, const ClashArgum
   });
   document.list("objects", review.parts.size(), [&](std::size_t i) { return json_part(review, i); });
   write_missing(document, review.assembly);
-  document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i, arguments); });
+  document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i, options); });
   write_resolved(document, review);
-  write_groups(document, review, arguments.group_by);
+  write_groups(document, review, options.group_by);
   document.member("counts", json_counts(review));
   return document.end();
 }

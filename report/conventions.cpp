@@ -48,11 +48,11 @@ bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said) {
   return false;
 }
 
-Conventions conventions_of(const ClashArguments& arguments) {
+Conventions conventions_of(const ReportOptions& options) {
   // A file that is scaled is brought to the unit of the others, whatever that is.
-  const bool is_known = arguments.metres || (arguments.scales.empty() &&
-                                             std::all_of(arguments.files.begin(), arguments.files.end(), is_in_metres));
-  return {arguments.metres.value_or(1), is_y_up(arguments.files, arguments.y_up), is_known};
+  const bool is_known = options.metres || (options.scales.empty() &&
+                                           std::all_of(options.files.begin(), options.files.end(), is_in_metres));
+  return {options.metres.value_or(1), is_y_up(options.files, options.y_up), is_known};
 }
 
 Point direction_in_bcf(const Conventions& conventions, const Point& direction) {

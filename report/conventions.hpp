@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "impinge/mesh.hpp"
+#include "impinge/report.hpp"
 
 /// What other tools take coordinates for, and the way there from the files' coordinates.
 namespace impinge::report {
@@ -25,7 +25,7 @@ struct Conventions {
 bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said);
 
 /// As the call says, or else metres, and up as above.
-Conventions conventions_of(const ClashArguments& arguments);
+Conventions conventions_of(const ReportOptions& options);
 
 /// In metres with Z up, as BCF has it; and a direction likewise.
 Point place_in_bcf(const Conventions& conventions, const Point& point);

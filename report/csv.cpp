@@ -194,8 +194,8 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-Result<void> write_csv(Sink& sink, const Review& review, const ClashArguments& arguments, const std::stop_token& stop) {
-  const Conventions conventions = conventions_of(arguments);
+Result<void> write_csv(Sink& sink, const Review& review, const ReportOptions& options, const std::stop_token& stop) {
+  const Conventions conventions = conventions_of(options);
   sink.write(line([](const Column& column) { return column.name; }));
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {

@@ -217,8 +217,7 @@ std::size_t node_of(Document& document, const Review& review, std::size_t pair, 
 
 }  // namespace
 
-Result<void> write_gltf(Sink& sink, const Review& review, const ClashArguments& arguments,
-                        const std::stop_token& stop) {
+Result<void> write_gltf(Sink& sink, const Review& review, const ReportOptions& options, const std::stop_token& stop) {
   Document document;
   std::vector<std::size_t> clashes;
   std::size_t rank = 0;
@@ -226,7 +225,7 @@ Result<void> write_gltf(Sink& sink, const Review& review, const ClashArguments& 
     if (stop.stop_requested()) return interrupted();
     clashes.push_back(node_of(document, review, pair, ++rank));
   }
-  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(arguments))}};
+  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(options))}};
   if (!clashes.empty()) root["children"] = clashes;
   return document.write(sink, document.node(std::move(root)));
 }

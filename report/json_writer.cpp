@@ -168,8 +168,8 @@ std::string_view kind_name(Kind kind) {
   return "unknown";
 }
 
-Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts,
-                              const CheckArguments& arguments, const std::stop_token& stop) {
+Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts, bool with_triangles,
+                              bool with_hash, const std::stop_token& stop) {
   JsonDocument document(sink, stop);
   document.member("version", 1);
   document.list("objects", assembly.objects.size(), [&](std::size_t i) { return json_identity(assembly, i); });
@@ -181,12 +181,12 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
                                   {"crossing", counts.crossing},
                                   {"touching", counts.touching},
                                   {"coplanar", counts.coplanar}});
-    if (arguments.triangles) pair.pop_back();  // the brace, which follows the triangles
+    if (with_triangles) pair.pop_back();  // the brace, which follows the triangles
     sink.write(pair);
-    if (arguments.triangles) write_triangles(sink, contacts, row, stop);
+    if (with_triangles) write_triangles(sink, contacts, row, stop);
   });
   document.member("truncated", contacts.truncated);
-  document.member("hash", arguments.first ? Json() : Json(fmt::format("{:016x}", contacts.hash)));
+  document.member("hash", with_hash ? Json(fmt::format("{:016x}", contacts.hash)) : Json());
   document.member("stats", json_statistics(contacts.statistics));
   return document.end();
 }

@@ -100,8 +100,8 @@ RowCounts count_row(const Contacts& contacts, std::size_t row);
 std::string_view kind_name(Kind kind);
 
 /// Errors: `cancelled`. Write errors stay in the sink.
-Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts,
-                              const CheckArguments& arguments, const std::stop_token& stop);
+Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts, bool with_triangles,
+                              bool with_hash, const std::stop_token& stop);
 
 /// What `info` found out about one object.
 struct ObjectFacts {

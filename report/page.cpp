@@ -97,21 +97,21 @@ Result<std::string> read_page_template() {
                   kName, looked)};
 }
 
-PageHead head_of(const std::vector<std::string>& files, const PageArguments& arguments) {
+PageHead head_of(const std::vector<std::string>& files, const PageOptions& options) {
   std::string title;
   for (const std::string& file : files)
     title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
-  return {title, is_y_up(files, arguments.y_up)};
+  return {title, is_y_up(files, options.y_up)};
 }
 
-void mention_simplified(const DrawnScene& scene) {
-  if (scene.shown >= scene.triangles) return;
+std::optional<std::string> simplified(const DrawnScene& scene) {
+  if (scene.shown >= scene.triangles) return std::nullopt;
   const std::string why =
       scene.shown > scene.asked
           ? fmt::format("with --page-triangles {} parts would lose their shape", grouped(scene.asked))
           : fmt::format("it is simplified to some {}, which --page-triangles changes", grouped(scene.asked));
-  complain(fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
-                       grouped(scene.shown), counted(scene.triangles, "triangle"), why));
+  return fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
+                     grouped(scene.shown), counted(scene.triangles, "triangle"), why);
 }
 
 Result<void> write_page(Sink& sink, const std::string& page_template, const PageHead& head, const DrawnScene& scene,

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
+#include "impinge/report.hpp"
 #include "report/drawn_scene.hpp"
 #include "report/sink.hpp"
 
@@ -21,10 +22,10 @@ struct PageHead {
   std::string title;  ///< the names of the files, without their folders
   bool y_up = false;  ///< or Z
 };
-PageHead head_of(const std::vector<std::string>& files, const PageArguments& arguments);
+PageHead head_of(const std::vector<std::string>& files, const PageOptions& options);
 
-/// Says on standard error that the page draws fewer triangles than there are, or more than were asked for.
-void mention_simplified(const DrawnScene& scene);
+/// A sentence where the page draws fewer triangles than there are, or more than were asked for; else nothing.
+std::optional<std::string> simplified(const DrawnScene& scene);
 
 /// Writes a page that needs nothing else: the template, with the report and what is drawn in its middle
 /// (page/README.md describes them). `write_report` writes the report's JSON. Errors: those of `write_report`;

@@ -80,17 +80,4 @@ std::string defects_text(const Part& part) {
   return text.empty() ? "it encloses nothing" : text;
 }
 
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
-                    std::optional<std::size_t> width) {
-  constexpr std::size_t kMostLines = 10, kLeastName = 12;
-  std::size_t surfaces = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].facts.solid || ++surfaces > kMostLines) continue;
-    const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
-    sink.write(fmt::format("{} is no solid: {}\n", name, defects_text(parts[i])));
-  }
-  if (surfaces > kMostLines)
-    sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));
-}
-
 }  // namespace impinge::report

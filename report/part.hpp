@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "impinge/clash.hpp"
-#include "report/sink.hpp"
 
 /// What is said of a part: whether it is a solid, and if not, why not and where.
 namespace impinge::report {
@@ -28,10 +24,5 @@ std::string defects_text(const Part& part);
 
 /// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
 std::string coordinate(double value, double size);
-
-/// A line for each of the first few parts that are no solids, and how many more there are. Labels are printable, and
-/// cut where the width of a line is known.
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
-                    std::optional<std::size_t> width);
 
 }  // namespace impinge::report

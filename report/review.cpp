@@ -24,8 +24,8 @@ std::string test_of(const Review& review, const Clash& pair) {
 
 }  // namespace
 
-std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments) {
-  if (arguments.within_products) return std::vector<std::uint32_t>(assembly.objects.size());
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ReportOptions& options) {
+  if (options.within_products) return std::vector<std::uint32_t>(assembly.objects.size());
   return products_of(assembly);
 }
 
@@ -82,7 +82,7 @@ std::uint64_t count_failing(const Review& review) {
                                                   [](const Standing& standing) { return standing.fails; }));
 }
 
-void identify(const Previous* previous, Review& review) {
+void assign_ids(const Previous* previous, Review& review) {
   review.file_names = names_of_files(review.assembly.files);
   review.known_names = known_names(review.assembly, review.file_names, previous);
   review.identities = identities_of(review.assembly, review.known_names.known_as);
@@ -92,9 +92,9 @@ void identify(const Previous* previous, Review& review) {
   }
 }
 
-void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review) {
+void compare_with_previous(const Previous* previous, Review& review) {
   const auto is_named = [&](const Clash& pair, Verdict verdict) {
-    return review.plan.tests().empty() ? names(arguments.fail_on, verdict)
+    return review.plan.tests().empty() ? names(review.options.fail_on, verdict)
                                        : review.plan.names(pair.objects[0], pair.objects[1], pair.test, verdict);
   };
   // A part that was moved by a twentieth of its size is still where it was, for a reviewer.
@@ -103,15 +103,27 @@ void take_stock(const ClashArguments& arguments, const Previous* previous, Revie
   };
   review.standings = compare({review.clashes.pairs, review.ids, slack, is_named}, previous, review.resolved);
   const auto is_new = [](const Standing& standing) {
-    return standing.change == Change::fresh ||
-           std::any_of(standing.regions.begin(), standing.regions.end(),
-                       [](const RegionStanding& region) { return region.change == Change::fresh; });
+    return standing.change == Change::fresh || has_new_region(standing);
   };
   for (std::size_t i = 0; i < review.standings.size(); ++i) {
     Standing& standing = review.standings[i];
     const Clash& pair = review.clashes.pairs[i];
-    standing.fails = is_named(pair, pair.verdict) && (!arguments.fail_on.fresh || is_new(standing));
+    standing.fails = is_named(pair, pair.verdict) && (!review.options.fail_on.fresh || is_new(standing));
   }
+}
+
+bool has_new_region(const Standing& standing) {
+  return std::any_of(standing.regions.begin(), standing.regions.end(),
+                     [](const RegionStanding& region) { return region.change == Change::fresh; });
+}
+
+bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
+
+std::string change_text(const Clash& pair, const Standing& standing) {
+  if (standing.change == Change::fresh) return "new";
+  const bool worse = is_worse(pair, standing);
+  if (has_new_region(standing)) return worse ? "worse, new region" : "new region";
+  return worse ? "worse" : "persisting";
 }
 
 std::vector<std::string> words_of(const FailOn& fail_on) {

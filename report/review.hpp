@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "impinge/clash.hpp"
+#include "impinge/report.hpp"
 #include "report/assembly.hpp"
 #include "report/comparison/previous.hpp"
 #include "report/comparison/renamed_files.hpp"
@@ -22,6 +22,7 @@ namespace impinge::report {
 
 /// What `clash` found out.
 struct Review {
+  ReportOptions options;  ///< with what the configuration adds to them
   Assembly assembly;
   std::vector<Part> parts;              ///< for each object
   Clashes clashes;                      ///< its `parts` are moved to those above
@@ -33,12 +34,13 @@ struct Review {
   std::vector<Standing> standings;      ///< for each pair
   std::vector<Resolved> resolved;       ///< what is gone since the previous run
   PartTypes types;
-  std::size_t split_products = 0;  ///< IFC products of several parts, which were not tested against each other
+  std::size_t split_products = 0;     ///< IFC products of several parts, which were not tested against each other
+  std::vector<std::string> warnings;  ///< sentences on the configuration and on renamed files
   double read_seconds = 0, judge_seconds = 0;
 };
 
 /// For each object the group within which nothing is tested, 0 for none: its IFC product, but with `--within-products`.
-std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ClashArguments& arguments);
+std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ReportOptions& options);
 /// How many groups have more than one object.
 std::size_t count_shared(std::vector<std::uint32_t> groups);
 
@@ -57,10 +59,19 @@ bool names(const FailOn& fail_on, Verdict verdict);
 std::uint64_t count_failing(const Review& review);
 
 /// Fills in by what the pairs and files are known; the previous run may be null.
-void identify(const Previous* previous, Review& review);
+void assign_ids(const Previous* previous, Review& review);
 
 /// Fills in what the pairs are since the previous run, which may be null, and which fail.
-void take_stock(const ClashArguments& arguments, const Previous* previous, Review& review);
+void compare_with_previous(const Previous* previous, Review& review);
+
+/// Whether a region of a pair that was there before is new.
+bool has_new_region(const Standing& standing);
+/// Whether the verdict comes before the earlier one: verdicts are in order, the worst first.
+bool is_worse(const Clash& pair, const Standing& standing);
+
+/// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
+/// it has one.
+std::string change_text(const Clash& pair, const Standing& standing);
 
 /// The words of `--fail-on` that are set.
 std::vector<std::string> words_of(const FailOn& fail_on);

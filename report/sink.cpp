@@ -167,32 +167,4 @@ std::filesystem::path place_behind(const std::filesystem::path& name) {
   return place;
 }
 
-void complain(std::string_view sentence) {
-  Sink errors(STDERR_FILENO, "standard error");
-  errors.write(fmt::format("impinge: {}\n", printable(sentence)));
-  // There is nowhere left to report to if this fails; the exit status still tells.
-  if (!errors.flush()) return;
-}
-
-std::optional<std::size_t> width_of(int descriptor) {
-  winsize size{};
-  if (::isatty(descriptor) == 1 && ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  if (const char* text = std::getenv("COLUMNS")) {
-    const std::string_view digits(text);
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
-    if (error == std::errc{} && end == digits.end() && value > 0) return value;
-  }
-  return std::nullopt;
-}
-
-void fill_closed_descriptors() {
-  // `open` gives the lowest free descriptor, so the order matters. Read-only on 1: writing there must fail.
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
-    const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
-    if (opened >= 0 && opened != descriptor) ::close(opened);
-  }
-}
-
 }  // namespace impinge::report

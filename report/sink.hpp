@@ -106,14 +106,4 @@ class Target {
 /// links that lead in a circle, one of them.
 std::filesystem::path place_behind(const std::filesystem::path& name);
 
-/// "impinge: " and the sentence, on one line of standard error, safe for a terminal.
-void complain(std::string_view sentence);
-
-/// How wide the lines of this descriptor are: the terminal's width, or the variable COLUMNS; nothing if neither says.
-std::optional<std::size_t> width_of(int descriptor);
-
-/// Opens the null device on standard descriptors that the caller closed, so that no file read or written lands on
-/// them; writing to a closed standard output stays an error.
-void fill_closed_descriptors();
-
 }  // namespace impinge::report

@@ -19,10 +19,10 @@ struct Topics {
   std::vector<std::size_t> pairs;
   std::size_t left_out = 0;  ///< by the limit
 };
-Topics topics_of(const Review& review, const ClashArguments& arguments);
+Topics topics_of(const Review& review, const ReportOptions& options);
 
 /// Writes the archive; `done` is called after each topic. Errors: as `write_zip`.
-Result<void> write_bcf(Sink& sink, const Review& review, const ClashArguments& arguments, const Topics& topics,
+Result<void> write_bcf(Sink& sink, const Review& review, const ReportOptions& options, const Topics& topics,
                        const std::function<void()>& done, const std::stop_token& stop);
 
 }  // namespace impinge::report

@@ -196,20 +196,22 @@ FileNames known_names(const Assembly& assembly, const std::vector<std::string>& 
   return Renaming(assembly, names, *previous).names();
 }
 
-void mention_renamed(const FileNames& names, const std::string& previous) {
+std::vector<std::string> renaming_warnings(const FileNames& names, const std::string& previous) {
+  std::vector<std::string> warnings;
   if (!names.renamed.empty()) {
     const auto& [now, then] = names.renamed.front();
     const std::string more = names.renamed.size() > 1
                                  ? fmt::format(", and {} likewise", counted(names.renamed.size() - 1, "other file"))
                                  : "";
-    complain(fmt::format("{} is taken for {} of {}, renamed{}: its parts are known by the same names as then",
-                         printable(now), printable(then), printable(previous), more));
+    warnings.push_back(fmt::format("{} is taken for {} of {}, renamed{}: its parts are known by the same names as then",
+                                   printable(now), printable(then), printable(previous), more));
   }
   if (!names.fresh.empty())
-    complain(
+    warnings.push_back(
         fmt::format("all clashes of {} are new: {} has no file of that name, and {}, which it has, cannot be told "
                     "for certain to be the same, renamed; if so, give the file the name that it had then",
                     in_short(names.fresh), printable(previous), in_short(names.gone)));
+  return warnings;
 }
 
 }  // namespace impinge::report

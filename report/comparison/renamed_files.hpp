@@ -27,7 +27,7 @@ struct FileNames {
 /// then or now. None in which a part has the name of the other.
 FileNames known_names(const Assembly& assembly, const std::vector<std::string>& names, const Previous* previous);
 
-/// Says so on standard error.
-void mention_renamed(const FileNames& names, const std::string& previous);
+/// Sentences that say so.
+std::vector<std::string> renaming_warnings(const FileNames& names, const std::string& previous);
 
 }  // namespace impinge::report

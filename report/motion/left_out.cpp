@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "report/sink.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -81,17 +80,6 @@ Result<LeftOut> left_out(const io::Model& model, const io::Animation& animation,
                           : !left.harmless.empty() ? left.harmless.front()
                                                    : named(animation) + " changes the shape of what is no part";
   return Error{Code::bad_file, fmt::format("{}: nothing moves in it: {}", file, why)};
-}
-
-void mention(const LeftOut& left, bool quiet) {
-  static constexpr std::size_t kMost = 5;
-  const auto say = [](const std::vector<std::string>& sentences) {
-    for (std::size_t i = 0; i < std::min(kMost, sentences.size()); ++i) complain(sentences[i]);
-    if (sentences.size() > kMost)
-      complain(fmt::format("and {} such, which --json lists", counted(sentences.size() - kMost, "more thing")));
-  };
-  say(left.shapes);
-  if (!quiet) say(left.harmless);
 }
 
 }  // namespace impinge::report

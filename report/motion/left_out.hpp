@@ -20,7 +20,4 @@ struct LeftOut {
 /// motion. The assembly is of the model.
 Result<LeftOut> left_out(const io::Model& model, const io::Animation& animation, const Assembly& assembly);
 
-/// Says it on standard error. What is not of the whole motion says so even where everything else is quiet.
-void mention(const LeftOut& left, bool quiet);
-
 }  // namespace impinge::report

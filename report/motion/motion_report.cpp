@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/json_writer.hpp"
+#include "report/review.hpp"
 
 namespace impinge::report {
 namespace {
@@ -41,13 +42,13 @@ void write_animation(JsonDocument& document, const MotionReport& report) {
 
 }  // namespace
 
-Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionArguments& arguments) {
+Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionOptions& options) {
   JsonDocument document(sink);
   document.member("version", 1);
   write_animation(document, report);
-  document.member("settings", Json{{"tolerance", json_tolerance(arguments.tolerance)},
-                                   {"depth", arguments.depth},
-                                   {"fail_on", words_of(arguments.fail_on)}});
+  document.member("settings", Json{{"tolerance", json_tolerance(options.tolerance)},
+                                   {"depth", options.depth},
+                                   {"fail_on", words_of(options.fail_on)}});
   document.list("objects", report.assembly.objects.size(), [&](std::size_t i) {
     Json object = json_identity(report.assembly, i);
     object["moves"] = report.mover.bodies()[i] != 0;
@@ -55,12 +56,12 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
   });
   write_missing(document, report.assembly);
   write_left_out(document, report.left_out);
-  write_spans(document, report.timeline.spans, arguments.depth);
+  write_spans(document, report.timeline.spans, options.depth);
   return document.end();
 }
 
 Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene,
-                                const MotionArguments& arguments) {
+                                const MotionOptions& options) {
   std::vector<Json> poses(report.assembly.objects.size());
   for (const double time : report.timeline.times) {
     const Result<std::vector<Posed>> posed = report.mover.at(time);
@@ -81,7 +82,7 @@ Result<void> write_motion_block(Sink& sink, const MotionReport& report, const Dr
     return Json{{"id", moving[i]}, {"poses", std::move(poses[moving[i]])}};
   });
   write_left_out(document, report.left_out);
-  write_spans(document, report.timeline.spans, arguments.depth);
+  write_spans(document, report.timeline.spans, options.depth);
   return document.end();
 }
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "arguments.hpp"
 #include "report/assembly.hpp"
 #include "report/drawn_scene.hpp"
 #include "report/motion/left_out.hpp"
-#include "report/motion/timeline.hpp"
+#include "report/motion/mover.hpp"
 #include "report/sink.hpp"
 
 namespace impinge::report {
@@ -22,11 +21,11 @@ struct MotionReport {
 };
 
 /// The JSON of `motion` (docs/cli.md).
-Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionArguments& arguments);
+Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionOptions& options);
 
 /// The part of a page that its timeline plays (page/README.md): the same spans, and where each part that moves is at
 /// each frame. Errors: as `Mover::at`.
 Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene,
-                                const MotionArguments& arguments);
+                                const MotionOptions& options);
 
 }  // namespace impinge::report

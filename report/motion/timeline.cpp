@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/motion/timeline.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,6 +7,8 @@
 #include <utility>
 
 #include "report/motion/moving_scene.hpp"
+#include "report/review.hpp"
+#include "report/scene.hpp"
 
 namespace impinge::report {
 namespace {
@@ -17,9 +18,9 @@ using Frame = std::map<Objects, Clash>;  ///< the pairs that clash at one time
 
 class Search {
  public:
-  Search(const Mover& mover, const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of,
-         const TimelineOptions& options)
-      : mover_(mover), scene_of_(scene_of), options_(options) {}
+  /// `assembly` has the parts of the model, and is changed to have them where they stand.
+  Search(const Mover& mover, Assembly& assembly, const MotionOptions& options)
+      : mover_(mover), assembly_(assembly), options_(options) {}
 
   Result<Timeline> run() {
     for (std::uint32_t frame = 0; frame <= options_.frames; ++frame) {
@@ -83,7 +84,9 @@ class Search {
     Result<std::vector<Posed>> posed = mover_.at(time);
     if (!posed) return posed.error();
     if (scene_) return scene_->move_to(*std::move(posed));
-    Result<Scene> scene = scene_of_(*posed);
+    for (std::size_t i = 0; i < posed->size(); ++i)
+      assembly_.objects[i].mesh = (*posed)[i].mesh, assembly_.objects[i].pose = (*posed)[i].pose;
+    Result<Scene> scene = scene_of(assembly_, options_, products_of(assembly_));
     if (!scene) return scene.error();
     scene_.emplace(*std::move(scene), *std::move(posed));
     return {};
@@ -166,8 +169,8 @@ class Search {
   }
 
   const Mover& mover_;
-  const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of_;
-  const TimelineOptions& options_;
+  Assembly& assembly_;
+  const MotionOptions& options_;
   Timeline timeline_;
   std::optional<MovingScene> scene_;
   std::map<Objects, ClashSpan> open_;
@@ -176,11 +179,11 @@ class Search {
 
 }  // namespace
 
-Result<Timeline> find_timeline(const Mover& mover,
-                               const std::function<Result<Scene>(const std::vector<Posed>&)>& scene_of,
-                               const TimelineOptions& options) {
+Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation, const MotionOptions& options) {
   if (options.progress != nullptr) options.progress->done = 0, options.progress->total = options.frames + 1;
-  return Search(mover, scene_of, options).run();
+  const Mover mover(model, animation);
+  Assembly assembly = assemble({options.files.empty() ? "" : options.files.front()}, {model});
+  return Search(mover, assembly, options).run();
 }
 
 }  // namespace impinge::report

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "impinge/clash.hpp"
+#include "impinge/report.hpp"
 #include "report/assembly.hpp"
 
 namespace impinge::report {

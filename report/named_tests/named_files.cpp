@@ -39,28 +39,28 @@ std::string nearest_file(const std::vector<std::string>& files, const std::strin
 
 class FileAdder {
  public:
-  FileAdder(const Configuration& configuration, ClashArguments& arguments)
-      : configuration_(configuration), arguments_(arguments) {}
+  FileAdder(const Configuration& configuration, ReportOptions& options)
+      : configuration_(configuration), options_(options) {}
 
   Result<void> add(const NamedFile& file) {
     const fs::path place = from_folder(configuration_, file.file.text);
-    auto known = std::find_if(arguments_.files.begin(), arguments_.files.end(),
+    auto known = std::find_if(options_.files.begin(), options_.files.end(),
                               [&](const std::string& other) { return is_same_file(place, other); });
-    if (known == arguments_.files.end()) {
+    if (known == options_.files.end()) {
       if (auto added = add_new(file.file); !added) return added;
-      known = arguments_.files.end() - 1;
+      known = options_.files.end() - 1;
     }
     if (!file.scale) return {};
-    for (const auto& [scaled, factor] : arguments_.scales)
+    for (const auto& [scaled, factor] : options_.scales)
       if (scaled == *known)
         return configuration_.error_at(file.file.place, fmt::format("'{}' has a scale already", printable(*known)));
-    arguments_.scales.emplace_back(*known, *file.scale);
+    options_.scales.emplace_back(*known, *file.scale);
     return {};
   }
 
   Result<void> add_all_of(const Group& group) {
     for (const Word& word : group.files)
-      if (!has_wildcard(word.text) && files_named(configuration_, word.text, arguments_.files).empty())
+      if (!has_wildcard(word.text) && files_named(configuration_, word.text, options_.files).empty())
         if (auto added = add_new(word); !added) return added;
     for (const std::vector<Group>* const more : {&group.any, &group.except})
       for (const Group& inner : *more)
@@ -88,34 +88,34 @@ class FileAdder {
     std::error_code unknown;
     if (!fs::exists(place, unknown))
       return configuration_.error_at(word.place, fmt::format("there is no file '{}'{}", printable(place.string()),
-                                                             nearest_file(arguments_.files, word.text)));
-    arguments_.files.push_back(place.string());
+                                                             nearest_file(options_.files, word.text)));
+    options_.files.push_back(place.string());
     return {};
   }
 
   const Configuration& configuration_;
-  ClashArguments& arguments_;
+  ReportOptions& options_;
 };
 
 /// `--scale FILE=S`, where FILE is one on the command line or in the configuration, as either of them writes it.
 Result<void> add_scale(const Configuration& configuration, const std::string& file, double factor,
-                       ClashArguments& arguments) {
+                       ReportOptions& options) {
   const auto bad = [&](const std::string& what) {
     return Error{Code::bad_option, fmt::format("--scale {}={}: {}", printable(file), factor, what)};
   };
-  auto known = std::find(arguments.files.begin(), arguments.files.end(), file);
-  if (known == arguments.files.end())
-    known = std::find_if(arguments.files.begin(), arguments.files.end(), [&](const std::string& other) {
+  auto known = std::find(options.files.begin(), options.files.end(), file);
+  if (known == options.files.end())
+    known = std::find_if(options.files.begin(), options.files.end(), [&](const std::string& other) {
       return is_same_file(file, other) || is_same_file(from_folder(configuration, file), other);
     });
-  if (known == arguments.files.end())
+  if (known == options.files.end())
     return bad(fmt::format("it is none of the files to read, on the command line or in {}{}",
-                           printable(configuration.name), nearest_file(arguments.files, file)));
-  for (const auto& [scaled, other] : arguments.scales)
+                           printable(configuration.name), nearest_file(options.files, file)));
+  for (const auto& [scaled, other] : options.scales)
     if (scaled == *known)
       return bad(fmt::format("this file has a scale already, {}, here or in {}; leave one out", other,
                              printable(configuration.name)));
-  arguments.scales.emplace_back(*known, factor);
+  options.scales.emplace_back(*known, factor);
   return {};
 }
 
@@ -142,9 +142,9 @@ std::vector<std::uint32_t> files_named(const Configuration& configuration, const
   return found;
 }
 
-Result<void> add_files(const Configuration& configuration, ClashArguments& arguments) {
-  const std::vector<std::pair<std::string, double>> asked = std::exchange(arguments.scales, {});
-  FileAdder adder(configuration, arguments);
+Result<void> add_files(const Configuration& configuration, ReportOptions& options) {
+  const std::vector<std::pair<std::string, double>> asked = std::exchange(options.scales, {});
+  FileAdder adder(configuration, options);
   for (const NamedFile& file : configuration.files)
     if (auto added = adder.add(file); !added) return added;
   for (const auto& [name, group] : configuration.groups)
@@ -157,7 +157,7 @@ Result<void> add_files(const Configuration& configuration, ClashArguments& argum
     if (auto added = adder.add_all_of(test.terms); !added) return added;
   }
   for (const auto& [file, factor] : asked)
-    if (auto added = add_scale(configuration, file, factor, arguments); !added) return added;
+    if (auto added = add_scale(configuration, file, factor, options); !added) return added;
   return {};
 }
 

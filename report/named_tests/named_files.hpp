@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
+#include "impinge/report.hpp"
 #include "report/named_tests/configuration.hpp"
 
 namespace impinge::report {
@@ -19,6 +19,6 @@ std::vector<std::uint32_t> files_named(const Configuration& configuration, const
 /// Adds to the files to read those that the configuration names and that are not among them, and finds out which files
 /// the given scales are for. Errors: `bad_file` (there is no such file); `bad_option` (a scale of no file, or a
 /// second).
-Result<void> add_files(const Configuration& configuration, ClashArguments& arguments);
+Result<void> add_files(const Configuration& configuration, ReportOptions& options);
 
 }  // namespace impinge::report

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "ignore.hpp"
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/named_tests/named_files.hpp"
+#include "report/scene.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/part.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "clash_table.hpp"
 #include "report/json_writer.hpp"
 
-namespace impinge::report {
+namespace impinge::cli {
 namespace {
 
 using nlohmann::json;
@@ -102,4 +101,4 @@ TEST(Part, TheListOfSurfacesIsCut) {
 }
 
 }  // namespace
-}  // namespace impinge::report
+}  // namespace impinge::cli

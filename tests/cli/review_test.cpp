@@ -54,7 +54,7 @@ TEST(Review, FailsWhatEachWordNames) {
       EXPECT_EQ(names(fail_on, verdict), named.contains(verdict)) << word << " " << static_cast<int>(verdict);
     }
   }
-  EXPECT_EQ(words_of(ClashArguments{}.fail_on), (std::vector<std::string>{"penetration", "inside"}));
+  EXPECT_EQ(words_of(ReportOptions{}.fail_on), (std::vector<std::string>{"penetration", "inside"}));
 }
 
 /// Objects that are one and the same triangle, of these products of these files.
@@ -89,15 +89,15 @@ TEST(Review, PartsOfOneProductOfOneFileHaveOneNumber) {
 TEST(Review, PartsOfOneProductAreTestedAgainstEachOtherOnlyIfAskedFor) {
   using Pairs = std::vector<std::array<std::uint32_t, 2>>;
   const Assembly assembly = triangles_of({{0, "IfcDoor_1"}, {0, "IfcDoor_1"}, {0, ""}, {1, "IfcDoor_1"}});
-  const auto tested = [&](const ClashArguments& arguments) {
-    return scene_of(assembly, arguments, groups_of(assembly, arguments)).value().collide().value().objects;
+  const auto tested = [&](const ReportOptions& options) {
+    return scene_of(assembly, options, groups_of(assembly, options)).value().collide().value().objects;
   };
   EXPECT_EQ(tested({}), (Pairs{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
-  ClashArguments within;
+  ReportOptions within;
   within.within_products = true;
   EXPECT_EQ(tested(within), (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
   // `check` knows nothing of products.
-  EXPECT_EQ(scene_of(assembly, CheckArguments{}).value().collide().value().objects, tested(within));
+  EXPECT_EQ(scene_of(assembly, SceneOptions{}).value().collide().value().objects, tested(within));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Dates of documents.
-#include "report/date.hpp"
+#include "date.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-namespace impinge::report {
+namespace impinge::cli {
 namespace {
 
 TEST(Date, IsTakenInTwoForms) {
@@ -55,4 +55,4 @@ TEST_F(Epoch, SaysTheUsualDate) {
 }
 
 }  // namespace
-}  // namespace impinge::report
+}  // namespace impinge::cli

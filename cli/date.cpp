@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/date.hpp"
+#include "date.hpp"
 
 #include <fmt/chrono.h>
 #include <time.h>
@@ -10,7 +10,7 @@
 
 #include "numbers.hpp"
 
-namespace impinge::report {
+namespace impinge::cli {
 namespace {
 
 std::string text_of(std::time_t time) { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(time)); }
@@ -34,11 +34,11 @@ Result<std::string> usual_date() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
   if (epoch == nullptr || *epoch == '\0') return text_of(0);
   constexpr std::uint64_t kYear10000 = 253402300800;
-  const std::optional<std::uint64_t> count = cli::parse_whole(epoch);
+  const std::optional<std::uint64_t> count = parse_whole(epoch);
   if (!count || *count >= kYear10000)
     return Error{Code::bad_option,
                  fmt::format("the variable SOURCE_DATE_EPOCH is '{}', not a number of seconds since 1970", epoch)};
   return text_of(static_cast<std::time_t>(*count));
 }
 
-}  // namespace impinge::report
+}  // namespace impinge::cli

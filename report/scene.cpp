@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "ignore.hpp"
+#include "report/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "report/text.hpp"
 
-namespace impinge::cli {
+namespace impinge::report {
 namespace {
 
 // A scene keeps ignored pairs one by one. Ten million take about half a gigabyte.
@@ -48,6 +48,9 @@ Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::
                fmt::format("nothing is named '{}'; the nearest name is '{}'", word, nearest_label(assembly, word))};
 }
 
+namespace {
+
+/// Leaves out of the scene every pair that `ignored` names; `ids` are the scene's ids of the assembly's objects.
 Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<std::string, std::string>> ignored,
                           std::span<const ObjectId> ids, Scene& scene) {
   std::uint64_t total = 0;
@@ -77,4 +80,23 @@ Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<st
   return {};
 }
 
-}  // namespace impinge::cli
+}  // namespace
+
+Result<Scene> scene_of(const Assembly& assembly, const SceneOptions& options, std::span<const std::uint32_t> groups) {
+  Scene scene;
+  std::vector<ObjectId> ids;
+  ids.reserve(assembly.objects.size());
+  for (std::size_t i = 0; i < assembly.objects.size(); ++i) {
+    const io::Object& object = assembly.objects[i];
+    Result<ObjectId> id = scene.add(object.mesh, object.pose, groups.empty() ? 0 : groups[i]);
+    if (!id)
+      return Error{id.error().code, fmt::format("{}: object '{}': {}", assembly.files[assembly.file_of[i]],
+                                                assembly.labels[i], id.error().message)};
+    ids.push_back(*id);
+  }
+  if (auto ignored = ignore_pairs(assembly, options.ignored, ids, scene); !ignored) return ignored.error();
+  if (auto updated = scene.update(); !updated) return updated.error();
+  return scene;
+}
+
+}  // namespace impinge::report

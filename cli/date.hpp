@@ -10,7 +10,7 @@
 #include "impinge/result.hpp"
 
 /// Dates in documents, as XML Schema writes them, in UTC: "2024-05-31T16:30:00Z".
-namespace impinge::report {
+namespace impinge::cli {
 
 /// What `--date` says, "now", "2024-05-31" or "2024-05-31T16:30:00Z"; nothing for any other text, and for days that
 /// there are none of.
@@ -20,4 +20,4 @@ std::optional<std::string> parse_date(std::string_view text);
 /// or 1970 began. A clock would make each document another one. Errors: `bad_option`, of the variable.
 Result<std::string> usual_date();
 
-}  // namespace impinge::report
+}  // namespace impinge::cli

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "impinge/io.hpp"
+#include "impinge/options.hpp"
+#include "impinge/result.hpp"
+
+/// Reviews of assemblies: which parts clash, what is new since an earlier review, and the files that say so (JSON, CSV,
+/// BCF, glTF and a page to look at). Link `impinge::report`.
+namespace impinge::report {
+
+/// How files become one scene.
+struct SceneOptions {
+  std::vector<std::string> files;
+  std::vector<std::pair<std::string, std::string>> ignored;  ///< names or patterns: such pairs are not tested
+  std::vector<std::pair<std::string, double>> scales;        ///< of files; each at most once
+  std::uint64_t max_file_bytes = 2'000'000'000;              ///< larger files are refused unread
+  int threads = 0;                                           ///< at most so many; 0: all there are
+  Progress* progress = nullptr;                              ///< counts steps of judging, or the frames of a motion
+  std::stop_token stop{};
+};
+
+/// How an assembly is drawn on a page.
+struct PageOptions {
+  std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
+  std::optional<bool> y_up;                  ///< or Z, for other outputs too; nothing: by the files' formats
+};
+
+/// Which pairs fail.
+struct FailOn {
+  bool contact = false;      ///< whatever is not apart
+  bool penetration = false;  ///< duplicate, penetrating and crossing
+  bool inside = false;
+  bool clearance = false;  ///< apart, and nearer than the clearance
+  bool fresh = false;      ///< and of all these only what is new since the previous report
+};
+
+/// How pairs are put together in tables and documents.
+enum class GroupBy : std::uint8_t { none, part, type, test };
+
+/// What a review looks for, and how its documents are written.
+struct ReportOptions : SceneOptions, PageOptions {
+  std::optional<double> tolerance;  ///< as `ClashOptions::tolerance`
+  double clearance = 0;             ///< as `ClashOptions::clearance`
+  bool depth = false;               ///< measure overlap depths
+  bool regions = false;             ///< find regions of contact
+  FailOn fail_on{.penetration = true, .inside = true};
+  bool within_products = false;          ///< test the parts of one IFC product against each other
+  std::optional<std::string> config;     ///< the file of a configuration with named tests (docs/triage.md)
+  std::optional<std::string> previous;   ///< the JSON of an earlier report, to compare with
+  std::optional<std::string> decisions;  ///< a file of what people decided about pairs (docs/triage.md)
+  GroupBy group_by = GroupBy::none;
+  std::optional<double> metres;               ///< that one of the files' units has; nothing: nobody said
+  std::string date = "1970-01-01T00:00:00Z";  ///< of the BCF's topics
+  std::uint64_t topics = 1'000;               ///< of the BCF, at most
+};
+
+/// When the parts of an animated file are looked at, and what counts as a clash.
+struct MotionOptions : SceneOptions, PageOptions {
+  std::uint32_t frames = 120;                           ///< steps of equal length, at least 1
+  std::optional<std::string> animation;                 ///< its name or number; nothing: the first
+  std::optional<double> tolerance;                      ///< as `ClashOptions::tolerance`
+  bool depth = false;                                   ///< measure overlap depths
+  FailOn fail_on{.penetration = true, .inside = true};  ///< which verdicts are a clash; `clearance` is none of them
+};
+
+/// The objects of all files, numbered over the files in their order.
+struct Assembly {
+  std::vector<std::string> files;
+  std::vector<io::Object> objects;
+  std::vector<io::Group> groups;       ///< those of all files, numbered over the files as well
+  std::vector<std::uint32_t> file_of;  ///< for each object
+  std::vector<std::string> labels;     ///< for each object, what a person is shown; printable
+  std::vector<std::string> warnings;
+  std::vector<std::string> missing;  ///< of the files, with their names: no answer is about it
+  std::uint64_t triangles = 0;
+};
+
+/// The objects of several files, as they were read.
+Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models);
+
+/// Reads `options.files`; `begin_file` is called with the number of each before it is read. Errors: those of
+/// `io::read`.
+Result<Assembly> read_assembly(
+    const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file = [](std::size_t) {});
+
+struct Review;  // internal
+
+/// Which parts of an assembly clash, which of these pairs fail, and what is new since an earlier report.
+class Report {
+ public:
+  explicit Report(std::unique_ptr<const Review> review) noexcept;  // internal
+  ~Report();
+  Report(Report&&) noexcept;
+  Report& operator=(Report&&) noexcept;
+
+  [[nodiscard]] const Assembly& assembly() const noexcept;
+  /// By (object, object), and each pair in the order of the named tests.
+  [[nodiscard]] const std::vector<Clash>& pairs() const noexcept;
+  /// The numbers of the pairs, the worst first.
+  [[nodiscard]] std::vector<std::size_t> worst_first() const;
+  /// A UUID that a pair keeps from one revision of the files to the next, as long as its parts keep their names.
+  [[nodiscard]] const std::string& id(std::size_t pair) const;
+  [[nodiscard]] bool fails(std::size_t pair) const;
+  /// Whether the earlier report did not list the pair, or it did not fail then and does now.
+  [[nodiscard]] bool is_new(std::size_t pair) const;
+  [[nodiscard]] std::uint64_t failing() const;
+  /// Sentences on what the files, the configuration and the earlier report leave in doubt.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+  [[nodiscard]] const Review& internal() const noexcept { return *review_; }
+
+ private:
+  std::unique_ptr<const Review> review_;
+};
+
+/// Reads the files that the options and their configuration name, and finds what clashes. Errors: those of reading
+/// them; `bad_file` and `bad_option` (a configuration or an earlier report that cannot be used); those of
+/// `find_clashes`.
+Result<Report> review(const ReportOptions& options);
+/// The same of an assembly at hand; files that the configuration names are not read.
+Result<Report> review(Assembly assembly, const ReportOptions& options);
+
+/// Write a report to a file, which appears whole or not at all; "-" is standard output. Overlap depths, regions and
+/// distances are written where the review's options asked for them. Errors: `bad_file`; `cancelled`, by the review's
+/// `stop`. The formats are described in docs/reports.md; the page needs its program (`./dev page`).
+Result<void> write_json(const Report& report, const std::string& file);
+Result<void> write_csv(const Report& report, const std::string& file);
+Result<void> write_bcf(const Report& report, const std::string& file);
+Result<void> write_gltf(const Report& report, const std::string& file);
+Result<void> write_page(const Report& report, const std::string& file);
+
+/// A time between two at which the parts were looked at: before it they were on one side, after it on the other.
+struct Moment {
+  double lo = 0, hi = 0;  ///< seconds
+};
+
+/// How long two parts clash without a break that was seen.
+struct ClashSpan {
+  std::array<std::uint32_t, 2> objects{};
+  std::optional<Moment> from, to;             ///< nothing: from the first frame, to the last
+  Verdict worst = Verdict::apart;             ///< of the frames
+  int inner = -1;                             ///< then, as `Clash::inner`
+  double worst_at = 0;                        ///< seconds: of the first such frame; the deepest if depths are measured
+  std::optional<OverlapDepth> overlap_depth;  ///< then
+  Note note = Note::none;                     ///< then; but that the tolerance was not applied, of any frame
+};
+
+struct Timeline {
+  std::vector<double> times;     ///< of the frames
+  std::vector<ClashSpan> spans;  ///< by (object, object, from)
+};
+
+/// When parts that move clash: looks at every frame for pairs that do, and halves the time between two frames of which
+/// one clashes and one does not, down to a millionth of a frame's step. A clash that begins and ends between two frames
+/// is not seen. The animation is one of the model's. Errors: `bad_file` (coordinates that are not finite, or a part
+/// that is flat at rest, with its name); `bad_option` (a pair to ignore that is none); those of `find_clashes`.
+Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation,
+                               const MotionOptions& options = {});
+
+}  // namespace impinge::report

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "report/make_review.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "report/named_tests/named_files.hpp"
+#include "report/scene.hpp"
+#include "report/text.hpp"
+
+namespace impinge::report {
+namespace {
+
+Error said_twice(const Configuration& configuration, std::string_view option) {
+  return {Code::bad_option, fmt::format("--{0} is given, and {1} has a \"{0}\" for all tests; leave one out", option,
+                                        printable(configuration.name))};
+}
+
+/// The clearance of the command line is for tests that keep one and do not say which.
+bool has_use_for_clearance(const Configuration& configuration) {
+  return std::any_of(configuration.tests.begin(), configuration.tests.end(), [&](const NamedTest& test) {
+    return configuration.mode_of(test) == Mode::clearance && !test.terms.clearance;
+  });
+}
+
+/// Reads the configuration that the options name, and changes them as it says.
+Result<void> configure(ReviewInput& input) {
+  Result<Configuration> read = read_configuration(*input.options.config);
+  if (!read) return read.error();
+  Configuration& configuration = input.configuration.emplace(*std::move(read));
+  ReportOptions& options = input.options;
+  if (options.tolerance && configuration.terms.tolerance) return said_twice(configuration, "tolerance");
+  if (options.clearance > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
+  if (options.tolerance) configuration.terms.tolerance = options.tolerance;
+  if (options.clearance > 0) configuration.terms.clearance = options.clearance;
+  if (options.clearance > 0 && !has_use_for_clearance(configuration))
+    configuration.warnings.push_back(fmt::format(
+        "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
+        options.clearance, printable(configuration.name)));
+  if (auto checked = check(configuration); !checked) return checked.error();
+  if (auto added = add_files(configuration, options); !added) return added.error();
+  if (options.files.empty())
+    return Error{Code::bad_option,
+                 fmt::format("no file to read is named, neither in {} nor after it", printable(configuration.name))};
+  // Distances are told where some test asks for them.
+  options.clearance = 0;
+  for (const NamedTest& test : configuration.tests)
+    if (configuration.mode_of(test) == Mode::clearance)
+      options.clearance = std::max(options.clearance, configuration.clearance_of(test));
+  return {};
+}
+
+/// Says of keys in the file of decisions that they match no pair.
+void warn_of_unmatched(const std::vector<std::string>& keys, Review& review) {
+  constexpr std::size_t kMostNamed = 10;
+  const std::string file = review.options.decisions.value_or("");
+  for (std::size_t i = 0; i < std::min(keys.size(), kMostNamed); ++i)
+    review.warnings.push_back(
+        fmt::format("{}: no pair of this run is '{}'; if that clash is solved, delete the key", file, keys[i]));
+  if (keys.size() > kMostNamed)
+    review.warnings.push_back(
+        fmt::format("{}: {} match no pair either", file, counted(keys.size() - kMostNamed, "other key")));
+}
+
+Result<Clashes> judge_all(const Review& review, const Scene& scene) {
+  ClashOptions options;
+  options.tolerance = review.options.tolerance;
+  options.clearance = review.options.clearance;
+  options.depth = review.options.depth;
+  options.regions = review.options.regions;
+  options.threads = review.options.threads;
+  if (!review.plan.tests().empty()) {
+    options.clearance = review.plan.reach();
+    options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
+      review.plan.terms(a, b, terms);
+    };
+  }
+  options.progress = review.options.progress;
+  options.stop = review.options.stop;
+  Result<Clashes> clashes = find_clashes(scene, options);
+  if (options.stop.stop_requested()) return interrupted();
+  return clashes;
+}
+
+}  // namespace
+
+Result<ReviewInput> read_input(const ReportOptions& options) {
+  ReviewInput input{options, {}, {}, {}};
+  if (options.config)
+    if (auto configured = configure(input); !configured) return configured.error();
+  if (options.previous) {
+    Result<Previous> previous = read_previous(*options.previous, options.max_file_bytes);
+    if (!previous) return previous.error();
+    input.previous = *std::move(previous);
+  }
+  if (options.decisions) {
+    Result<Decisions> decisions = read_decisions(*options.decisions);
+    if (!decisions) return decisions.error();
+    input.decisions = *std::move(decisions);
+  }
+  return input;
+}
+
+Result<Review> make_review(Assembly assembly, ReviewInput input) {
+  const auto start = std::chrono::steady_clock::now();
+  Review review;
+  review.options = std::move(input.options);
+  review.options.files = assembly.files;
+  review.assembly = std::move(assembly);
+  if (input.configuration) {
+    review.warnings = input.configuration->warnings;
+    Result<Plan> plan = Plan::make(*input.configuration, review.assembly);
+    if (!plan) return plan.error();
+    review.plan = *std::move(plan);
+  }
+  const std::vector<std::uint32_t> groups = groups_of(review.assembly, review.options);
+  review.split_products = count_shared(groups);
+  const Result<Scene> scene = scene_of(review.assembly, review.options, groups);
+  if (!scene) return scene.error();
+  Result<Clashes> clashes = judge_all(review, *scene);
+  if (!clashes) return clashes.error();
+  review.clashes = std::move(*clashes);
+  review.judge_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  review.parts.reserve(review.clashes.parts.size());
+  for (std::size_t i = 0; i < review.clashes.parts.size(); ++i) {
+    const io::Object& object = review.assembly.objects[i];
+    review.parts.push_back(describe(review.clashes.parts[i], object.mesh, object.pose));
+  }
+  review.clashes.parts.clear();
+  const Previous* const previous = input.previous ? &*input.previous : nullptr;
+  assign_ids(previous, review);
+  review.types = types_of(review.assembly);
+  compare_with_previous(previous, review);
+  if (review.options.previous)
+    for (std::string& warning : renaming_warnings(review.known_names, *review.options.previous))
+      review.warnings.push_back(std::move(warning));
+  warn_of_unmatched(decide(input.decisions, review), review);
+  review.options.progress = nullptr;  // the caller's, which need not live as long
+  return review;
+}
+
+}  // namespace impinge::report

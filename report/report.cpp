@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "impinge/report.hpp"
+
+#include <utility>
+
+#include "report/bcf/bcf.hpp"
+#include "report/clash_json.hpp"
+#include "report/csv.hpp"
+#include "report/gltf.hpp"
+#include "report/make_review.hpp"
+#include "report/page.hpp"
+#include "report/sink.hpp"
+
+namespace impinge::report {
+namespace {
+
+Result<Report> report_of(Result<Review> review) {
+  if (!review) return review.error();
+  return Report(std::make_unique<const Review>(*std::move(review)));
+}
+
+template <class Fill>
+Result<void> write_file(const std::string& file, const DocumentKind& kind, Fill&& fill) {
+  const Result<Target> target = Target::check(file, kind);
+  if (!target) return target.error();
+  Result<Written> written = target->write(std::forward<Fill>(fill));
+  if (!written) return written.error();
+  return written->put();
+}
+
+}  // namespace
+
+Report::Report(std::unique_ptr<const Review> review) noexcept : review_(std::move(review)) {}
+Report::~Report() = default;
+Report::Report(Report&&) noexcept = default;
+Report& Report::operator=(Report&&) noexcept = default;
+
+const Assembly& Report::assembly() const noexcept { return review_->assembly; }
+const std::vector<Clash>& Report::pairs() const noexcept { return review_->clashes.pairs; }
+std::vector<std::size_t> Report::worst_first() const { return ranked(pairs()); }
+const std::string& Report::id(std::size_t pair) const { return review_->ids[pair]; }
+bool Report::fails(std::size_t pair) const { return review_->standings[pair].fails; }
+bool Report::is_new(std::size_t pair) const { return review_->standings[pair].change == Change::fresh; }
+std::uint64_t Report::failing() const { return count_failing(*review_); }
+
+std::vector<std::string> Report::warnings() const {
+  std::vector<std::string> all = review_->assembly.missing;
+  for (const std::vector<std::string>* const more : {&review_->assembly.warnings, &review_->warnings})
+    all.insert(all.end(), more->begin(), more->end());
+  return all;
+}
+
+Result<Report> review(const ReportOptions& options) {
+  Result<ReviewInput> input = read_input(options);
+  if (!input) return input.error();
+  Result<Assembly> assembly = read_assembly(input->options);
+  if (!assembly) return assembly.error();
+  return report_of(make_review(*std::move(assembly), *std::move(input)));
+}
+
+Result<Report> review(Assembly assembly, const ReportOptions& options) {
+  ReportOptions of_assembly = options;
+  of_assembly.files = assembly.files;
+  Result<ReviewInput> input = read_input(of_assembly);
+  if (!input) return input.error();
+  return report_of(make_review(std::move(assembly), *std::move(input)));
+}
+
+Result<void> write_json(const Report& report, const std::string& file) {
+  const Review& review = report.internal();
+  return write_file(file, kJson,
+                    [&](Sink& sink) { return write_clash_json(sink, review, review.options, review.options.stop); });
+}
+
+Result<void> write_csv(const Report& report, const std::string& file) {
+  const Review& review = report.internal();
+  return write_file(file, kCsv,
+                    [&](Sink& sink) { return write_csv(sink, review, review.options, review.options.stop); });
+}
+
+Result<void> write_bcf(const Report& report, const std::string& file) {
+  const Review& review = report.internal();
+  return write_file(file, kBcf, [&](Sink& sink) {
+    const Topics topics = topics_of(review, review.options);
+    return write_bcf(
+        sink, review, review.options, topics, [] {}, review.options.stop);
+  });
+}
+
+Result<void> write_gltf(const Report& report, const std::string& file) {
+  const Review& review = report.internal();
+  return write_file(file, kGltf,
+                    [&](Sink& sink) { return write_gltf(sink, review, review.options, review.options.stop); });
+}
+
+Result<void> write_page(const Report& report, const std::string& file) {
+  const Review& review = report.internal();
+  const ReportOptions& options = review.options;
+  const Result<std::string> page = read_page_template();
+  if (!page) return page.error();
+  return write_file(file, kPage, [&](Sink& sink) -> Result<void> {
+    const Result<DrawnScene> scene = draw(review.assembly, options.page_triangles, options.stop);
+    if (!scene) return scene.error();
+    const auto write_block = [&](Sink& to) { return write_clash_json(to, review, options, options.stop); };
+    return write_page(sink, *page, head_of(options.files, options), *scene, write_block, options.stop);
+  });
+}
+
+}  // namespace impinge::report
