@@ -25,8 +25,9 @@ using nlohmann::json;
 class JsonScan final : public nlohmann::json_sax<json> {
  public:
   /// An empty pointer names no place: the whole text is read.
-  explicit JsonScan(const std::string& text, json::json_pointer wanted = json::json_pointer())
-      : text_(text), in_(text), wanted_(std::move(wanted)) {
+  explicit JsonScan(const std::string& text, json::json_pointer wanted = json::json_pointer(),
+                    std::size_t most_values = kMostJsonValues)
+      : text_(text), in_(text), wanted_(std::move(wanted)), most_values_(most_values) {
     stopped_ = !json::sax_parse(in_, this);
   }
 
@@ -92,7 +93,7 @@ class JsonScan final : public nlohmann::json_sax<json> {
     return false;
   }
   bool begin_value() {
-    if (++values_ > kMostJsonValues) return stop(fmt::format("there are more than {} values here", kMostJsonValues));
+    if (++values_ > most_values_) return stop(fmt::format("there are more than {} values here", most_values_));
     if (open_.empty() || !open_.back().is_array) return true;
     pointer_.push_back(std::to_string(open_.back().next++));
     return go_on();
@@ -117,6 +118,7 @@ class JsonScan final : public nlohmann::json_sax<json> {
   json::json_pointer wanted_, pointer_;
   std::vector<Open> open_;
   std::size_t values_ = 0;
+  std::size_t most_values_;
   std::ptrdiff_t at_ = 0;
   std::string mistake_;
   bool stopped_ = false;
@@ -184,8 +186,8 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
 }
 
 Result<json> parse_json(std::string_view name, const std::string& text,
-                        const std::function<bool(const std::string& key)>& keeps) {
-  const JsonScan scan(text);
+                        const std::function<bool(const std::string& key)>& keeps, std::size_t most_values) {
+  const JsonScan scan(text, json::json_pointer(), most_values);
   if (scan.stopped())
     return Error{Code::bad_file, fmt::format("{}:{}: column {}: {}{}", name, scan.line(), scan.column(),
                                              shown_pointer(scan.pointer().to_string()), scan.mistake())};

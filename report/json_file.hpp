@@ -25,7 +25,8 @@ Result<std::string> read_text_file(const std::string& name, std::uint64_t most_b
 /// is no JSON, or has a key twice in one object, is nested too deep, or holds too many values.
 /// Members of objects are left out if their keys are not among those that `keeps` wants.
 Result<nlohmann::json> parse_json(std::string_view name, const std::string& text,
-                                  const std::function<bool(const std::string& key)>& keeps = {});
+                                  const std::function<bool(const std::string& key)>& keeps = {},
+                                  std::size_t most_values = kMostJsonValues);
 
 /// `bad_file` for a mistake at a JSON pointer (RFC 6901) into a text that `parse_json` has read:
 /// "clash.json:12: /tests/0/mode: what is wrong". The text is searched for the line.

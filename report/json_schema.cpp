@@ -69,7 +69,7 @@ std::string mistake(const json& rule, const json& value, const std::string& foun
   if (rule.contains("errorMessage"))
     return fmt::format("{}, not {}", rule["errorMessage"].get<std::string>(), in_words(value));
   const json& type = rule.at("type");
-  return fmt::format("this is of type {}, not {}",
+  return fmt::format("this must be of type {}, not {}",
                      type.is_array() ? fmt::format("{}", fmt::join(type, " or ")) : type.get<std::string>(),
                      in_words(value));
 }

@@ -20,6 +20,8 @@ using nlohmann::json;
 
 // A configuration is written by people; what is larger is another file.
 constexpr std::uint64_t kMostBytes = 16'000'000;
+/// The validator keeps some 450 bytes for each value that breaks a rule.
+constexpr std::size_t kMostValues = 1'000'000;
 
 Word read_word(const JsonNode& node) { return {node.value.get<std::string>(), node.place.to_string()}; }
 
@@ -139,7 +141,7 @@ Result<Configuration> parse_configuration(std::string name, std::string text) {
   Configuration configuration;
   configuration.name = std::move(name);
   configuration.text = std::move(text);
-  const Result<json> value = parse_json(configuration.name, configuration.text);
+  const Result<json> value = parse_json(configuration.name, configuration.text, {}, kMostValues);
   if (!value) return value.error();
   const auto read = value->is_array() ? read_clash_sets : read_object;
   if (auto done = read({*value}, configuration); !done) return done.error();

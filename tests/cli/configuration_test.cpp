@@ -116,12 +116,12 @@ TEST(Configuration, SaysWhichRuleOfTheSchemaIsBroken) {
       "\"steel.glb\"}, or a list of at least one group, not ";
   const std::string words = "this is a text that is not empty, or a list of at least one, not ";
   for (const auto& [member, what] : std::vector<std::pair<std::string, std::string>>{
-           {R"("files":"a.off")", "/files: this is of type array, not \"a.off\""},
+           {R"("files":"a.off")", "/files: this must be of type array, not \"a.off\""},
            {R"("files":[""])",
             "/files/0: a file is its name, or an object such as {\"file\": \"steel.glb\", \"scale\": 0.001}, not \"\""},
            {R"("files":[{"scale":2}])", "/files/0: this has no \"file\""},
            {R"("files":[{"file":"a.off","scale":0}])", "/files/0/scale: a scale is a number above 0, not 0"},
-           {R"("groups":["a"])", "/groups: this is of type object, not a list of 1"},
+           {R"("groups":["a"])", "/groups: this must be of type object, not a list of 1"},
            {R"("groups":{"x/y":5})", "/groups/x~1y: " + group + "5"},
            {R"("groups":{"x":[]})", "/groups/x: " + group + "an empty list"},
            {R"("groups":{"x":{}})", "/groups/x: " + group + "{}"},
@@ -133,7 +133,7 @@ TEST(Configuration, SaysWhichRuleOfTheSchemaIsBroken) {
            {R"("groups":{"x":{"file":["a",""]}})", "/groups/x/file/1: this is a text that is not empty, not \"\""},
            {R"("tolerance":-0.5)", "/tolerance: a tolerance is \"auto\" or a length from 0 up, not -0.5"},
            {R"("clearance":0)", "/clearance: a clearance is a length above 0, not 0"},
-           {R"("ignore":{"same_file":1})", "/ignore/same_file: this is of type boolean, not 1"},
+           {R"("ignore":{"same_file":1})", "/ignore/same_file: this must be of type boolean, not 1"},
            {R"("ignore":{"pairs":[["a"]]})", "/ignore/pairs/0: a pair is a list of two groups, not a list of 1"},
            {R"("ignore":{"within":[null]})", "/ignore/within/0: " + group + "null"},
            {R"("may_touch":"all")", "/may_touch: this is true, false, or a list of pairs of groups, not \"all\""},
@@ -193,12 +193,13 @@ TEST(Configuration, ReadsClashSetsOfIfcClash) {
            {R"("name":"n","a":[{}])", "/0/a/0: this has no \"file\""},
            {R"("name":"n","a":[{"file":"f","mode":"x"}])",
             "/0/a/0/mode: the mode of a source is i (include), e (exclude) or a (all), not \"x\""},
-           {R"("name":"n","a":[{"file":"f","selector":1}])", "/0/a/0/selector: this is of type string or null, not 1"},
+           {R"("name":"n","a":[{"file":"f","selector":1}])",
+            "/0/a/0/selector: this must be of type string or null, not 1"},
            {R"("name":"n","a":[{"file":"f"}],"mode":"hit")",
             "/0/mode: the mode of a clash set is intersection, collision or clearance, not \"hit\""},
            {R"("name":"n","a":[{"file":"f"}],"tolerance":-1)", "/0/tolerance: a length is 0 or more, not -1"},
            {R"("name":"n","a":[{"file":"f"}],"allow_touching":"yes")",
-            "/0/allow_touching: this is of type boolean, not \"yes\""},
+            "/0/allow_touching: this must be of type boolean, not \"yes\""},
            {R"("name":"n","a":[{"file":"f"}],"mode":"clearance")",
             "/0: mode clearance needs a \"clearance\", the distance to keep"}})
     EXPECT_EQ(mistake("[{" + set + "}]"), "c.json:1: " + what);
