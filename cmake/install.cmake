@@ -11,6 +11,11 @@ if(TARGET impinge_io)
 endif()
 
 install(TARGETS ${impinge_exported} EXPORT impinge-targets)
+# In an export of its own: what it links is no dependency of those who do not write reports.
+if(TARGET impinge_report)
+  install(TARGETS impinge_report EXPORT impinge-report-targets)
+  install(EXPORT impinge-report-targets NAMESPACE impinge:: DESTINATION ${IMPINGE_PACKAGE_DIR})
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/impinge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp")
 

@@ -63,6 +63,10 @@ if(TOOLS AND NOT SHARED)
   file(WRITE ${SCRATCH}/tetrahedron.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
   run("reading a file" ${SCRATCH}/consumer/read_file ${SCRATCH}/tetrahedron.obj)
   expect("reading a file" "4 triangles\n")
+  file(COPY_FILE ${SCRATCH}/tetrahedron.obj ${SCRATCH}/duplicate.obj)
+  run("writing a report" ${SCRATCH}/consumer/write_report ${SCRATCH}/tetrahedron.obj ${SCRATCH}/duplicate.obj
+    ${SCRATCH}/report.json)
+  expect("writing a report" "1 of 1 pairs fail\n")
 
   # glTF goes through the importer: the installed command finds it by itself, a program elsewhere is told.
   set(box /usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb)
