@@ -35,7 +35,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return found;
 }
 
-/// The command as it is typed.
+/// The words that call a command, such as "impinge clash".
 std::string name_of(const CLI::App& command) {
   return command.get_parent() == nullptr ? "impinge" : "impinge " + command.get_name();
 }

@@ -34,7 +34,7 @@ Result<std::string> usual_date() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
   if (epoch == nullptr || *epoch == '\0') return text_of(0);
   constexpr std::uint64_t kYear10000 = 253402300800;
-  const std::optional<std::uint64_t> count = parse_whole(epoch);
+  const std::optional<std::uint64_t> count = parse_number<std::uint64_t>(epoch);
   if (!count || *count >= kYear10000)
     return Error{Code::bad_option,
                  fmt::format("the variable SOURCE_DATE_EPOCH is '{}', not a number of seconds since 1970", epoch)};

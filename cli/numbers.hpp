@@ -3,7 +3,6 @@
 #pragma once
 
 #include <charconv>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -18,7 +17,5 @@ std::optional<T> parse_number(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
-
-inline std::optional<std::uint64_t> parse_whole(std::string_view text) { return parse_number<std::uint64_t>(text); }
 
 }  // namespace impinge::cli

@@ -25,7 +25,8 @@ endif()
 
 # Shared libraries are found from wherever the tree was installed to, and so are those that scripts/bundle.sh lays into
 # it. The importer has its own beside it: what assimp needs must not come between a GPU's driver and its host's libraries.
-# DT_RPATH, the old tag, is asked for the needs of those libraries too, which carry no run path themselves.
+# DT_RPATH, the old tag, is asked for the needs of those libraries too, which carry no run path themselves: assimp's, and
+# libzip's. (A driver meets none by it that the command line has not loaded before.)
 if(BUILD_SHARED_LIBS)
   set_target_properties(${impinge_exported} PROPERTIES INSTALL_RPATH "$ORIGIN")
 endif()
@@ -36,8 +37,12 @@ foreach(program impinge_cli impinge-gpu-figures)
 endforeach()
 if(TARGET impinge-import)
   set_target_properties(impinge-import PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/../../${CMAKE_INSTALL_LIBDIR}")
-  target_link_options(impinge-import PRIVATE -Wl,--disable-new-dtags)
 endif()
+foreach(program impinge_cli impinge-import)
+  if(TARGET ${program})
+    target_link_options(${program} PRIVATE -Wl,--disable-new-dtags)
+  endif()
+endforeach()
 
 install(EXPORT impinge-targets NAMESPACE impinge:: DESTINATION ${IMPINGE_PACKAGE_DIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/impinge-config.cmake.in

@@ -11,22 +11,20 @@
 // prints: 1 of 2 pairs fails
 #include "impinge/report.hpp"
 
-#include <filesystem>
 #include <fstream>
 
 #include "shapes.hpp"
 
 namespace {
 
-/// A cube of side 1 as an OFF file, with its lowest corner at (x, 0, 0).
+/// Writes a cube of side 1, its lowest corner at (x, 0, 0), as an OFF file in the current folder; returns the name.
 std::string write_cube(const std::string& name, double x) {
-  const std::string file = (std::filesystem::temp_directory_path() / name).string();
-  std::ofstream out(file);
+  std::ofstream out(name);
   out << "OFF\n8 6 0\n";
   for (const double z : {0, 1})
     for (const double y : {0, 1}) out << x << ' ' << y << ' ' << z << '\n' << x + 1 << ' ' << y << ' ' << z << '\n';
   out << "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
-  return file;
+  return name;
 }
 
 }  // namespace
@@ -41,8 +39,9 @@ int main() {
     std::cout << report.assembly().labels[a] << ", " << report.assembly().labels[b] << ": "
               << impinge::name(report.pairs()[i].verdict) << (report.fails(i) ? ", fails\n" : "\n");
   }
-  const auto written =
-      impinge::report::write_json(report, (std::filesystem::temp_directory_path() / "report.json").string());
-  if (!written) std::cerr << written.error().message << '\n';
+  if (const auto written = impinge::report::write_json(report, "report.json"); !written) {
+    std::cerr << written.error().message << '\n';
+    return 1;
+  }
   std::cout << report.failing() << " of " << report.pairs().size() << " pairs fails\n";
 }

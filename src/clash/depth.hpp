@@ -15,8 +15,8 @@ namespace impinge::clash {
 struct DepthGoal {
   /// The width of the interval relative to the depth. A width of 2^-42 of the largest coordinate always suffices.
   double precision = 0.01;
-  /// How many points are examined, and four more for each pair of triangles that touch. Beyond that the interval stays
-  /// as wide as it is.
+  /// The search ends when so many points have been examined, and four more for each pair of triangles that touch; the
+  /// interval may then be wider than `precision`.
   std::uint64_t most_points = 1 << 17;
   std::stop_token stop{};
 };

@@ -8,8 +8,8 @@
 
 #include "pipeline/part.hpp"
 
-/// Groups candidate pairs whose meshes and poses are equal: one verdict serves the whole group. Assemblies have the
-/// same part in the same place more often than one would think: copies that were never moved.
+/// Groups candidate pairs whose meshes and poses are equal: one verdict serves the whole group. Assemblies
+/// often hold copies of a part that were never moved from its place.
 namespace impinge {
 
 /// For each object the index of the first object with an equal mesh and an equal pose.

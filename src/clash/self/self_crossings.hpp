@@ -15,7 +15,7 @@ bool is_defect(const Triangle& a, const Triangle& b, Kind kind, double tolerance
 
 /// The tolerance for is_defect: at most a quarter of a closed body's wall, since far from the origin the tolerance may
 /// exceed the width of a small part whose shells do cross. The wall is that of all shells together, each counted as
-/// material, as it is not yet known which of them are cavities.
+/// material: which shells are cavities is found out later.
 double defect_tolerance(const solid::Body& body, const solid::Topology& topology, double tolerance);
 
 }  // namespace impinge::clash

@@ -13,8 +13,8 @@
 #include "core/disjoint_sets.hpp"
 #include "core/shapes.hpp"
 
-/// Decides whether two surfaces cross by the half-planes around their common lines. The caller knows the geometry of the
-/// triangles, exactly or within a tolerance, and lists the half-planes around each piece of such a line in order.
+/// Decides whether two surfaces cross by the half-planes around their common lines. The caller knows the geometry of
+/// the triangles, exactly or within a tolerance, and lists the half-planes around each piece of such a line in order.
 namespace impinge::clash {
 
 /// The triangles of one part that meet triangles of the other part.

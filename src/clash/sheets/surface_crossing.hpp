@@ -11,8 +11,8 @@
 
 namespace impinge::clash {
 
-/// Whether two surfaces cross somewhere, so that both continue farther than the tolerance on all four sides of a piece of
-/// a line or of a common area that is longer than 16 tolerances (docs/verdicts.md). `contact_pairs` is as in
+/// Whether two surfaces cross somewhere, so that both continue farther than the tolerance on all four sides of a piece
+/// of a line or of a common area that is longer than 16 tolerances (docs/verdicts.md). `contact_pairs` is as in
 /// cells_within.
 bool surfaces_cross(const solid::Part& a, const solid::Part& b, double tolerance, const ContactPairs& contact_pairs,
                     const std::stop_token& stop);
