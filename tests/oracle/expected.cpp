@@ -235,10 +235,12 @@ Set by_oracle(const scenes::PlacedScene& scene) {
   if (!kHasOracle) {
     return held_to_kept(key, by_scene(scene, kPlainest));
   }
-  Set set = computed(kOracle, scene);
+  Set set = computed_set(scene);
   hold_to_kept(key, summary(set));
   return set;
 }
+
+Set computed_set(const scenes::PlacedScene& scene) { return computed(kOracle, scene); }
 
 Set by_rationals(const scenes::PlacedScene& scene) { return computed(kRational, scene); }
 
@@ -246,7 +248,7 @@ scenes::Judgement judgement(const scenes::SolidPair& pair) {
   const scenes::PlacedScene scene = scenes::pair_scene(pair.a, pair.b);
   const std::string key = name_of(scenes::scene_bytes(scene)) + kVerdictOracle.extension;
   if (kHasOracle) {
-    const scenes::Judgement judgement = judgement_by(kVerdictOracle, pair);
+    const scenes::Judgement judgement = computed_judgement(pair);
     hold_to_kept(key, std::to_string(static_cast<int>(judgement.verdict)) + ' ' + std::to_string(judgement.inner));
     return judgement;
   }
@@ -255,6 +257,8 @@ scenes::Judgement judgement(const scenes::SolidPair& pair) {
   EXPECT_TRUE(words >> verdict >> inner) << "No verdict on " << pair.name;
   return {static_cast<Verdict>(verdict), inner};
 }
+
+scenes::Judgement computed_judgement(const scenes::SolidPair& pair) { return judgement_by(kVerdictOracle, pair); }
 
 scenes::Judgement judgement_by_tetrahedra(const scenes::SolidPair& pair) { return judgement_by(kTetrahedra, pair); }
 

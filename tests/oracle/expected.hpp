@@ -37,8 +37,10 @@ scenes::Judgement judgement(const scenes::SolidPair& pair);
 /// What it finds in a model file that it loads itself; `scene`: the same by our reader.
 Set of_model(const std::filesystem::path& model, const Scene& scene);
 
-// Of builds with the oracle alone: what it finds by rationals alone, every triangle against every other, and its
-// verdict on the same solids put together in another way.
+// Of builds with the oracle alone, for its own tests, which keep nothing: the set and the verdict that it computes, the
+// set by rationals alone, every triangle against every other, and the verdict on solids put together in another way.
+Set computed_set(const scenes::PlacedScene& scene);
+scenes::Judgement computed_judgement(const scenes::SolidPair& pair);
 Set by_rationals(const scenes::PlacedScene& scene);
 scenes::Judgement judgement_by_tetrahedra(const scenes::SolidPair& pair);
 

@@ -80,16 +80,6 @@ TEST_P(FlushInMotion, AsPosesAndBaked) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FlushInMotion, testing::Range<std::uint64_t>(1, kMotions + 1));
 
-/// The oracle's program places objects by its own code; here it gets the numbers that the baked scene holds.
-TEST(Flush, BakedScenesHaveTheOraclesSetOfThePosedOnes) {
-  Random random(99);
-  for (const auto& [name, scene] : families()) {
-    SCOPED_TRACE(name);
-    const PlacedScene moved = scenes::moved(scene, scenes::random_motion(random, 10));
-    expected::expect_same(expected::by_oracle(moved), expected::by_oracle(scenes::baked(moved)));
-  }
-}
-
 TEST(Flush, SurfacesOnThemselvesKeepTheirCommonCornersInMotion) {
   // Whatever the rounding, triangles that share a vertex index share a point.
   Random random(5);

@@ -24,7 +24,7 @@ TEST_P(VerdictOracle, SaysWhatIsKnown) {
   for (const SolidPair& pair : GetParam().pairs) {
     SCOPED_TRACE(pair.name);
     if (pair.solids && pair.known) {
-      EXPECT_EQ(expected::judgement(pair), *pair.known);
+      EXPECT_EQ(expected::computed_judgement(pair), *pair.known);
     }
   }
 }
@@ -36,9 +36,10 @@ TEST_P(VerdictOracle, SaysItTheOtherWayRound) {
       continue;
     }
     SCOPED_TRACE(pair.name);
-    scenes::Judgement swapped = expected::judgement(pair);
+    scenes::Judgement swapped = expected::computed_judgement(pair);
     swapped.inner = swapped.inner < 0 ? -1 : 1 - swapped.inner;
-    EXPECT_EQ(expected::judgement({pair.name, scenes::inverted(pair.b), scenes::unshared(pair.a), {}}), swapped);
+    EXPECT_EQ(expected::computed_judgement({pair.name, scenes::inverted(pair.b), scenes::unshared(pair.a), {}}),
+              swapped);
   }
 }
 
@@ -48,7 +49,7 @@ TEST_P(VerdictOracle, SaysItOfTetrahedraToo) {
     // Dear for those of many triangles.
     if (pair.solids && pair.a.triangle_count() + pair.b.triangle_count() <= 64 && ++i % 5 == 0) {
       SCOPED_TRACE(pair.name);
-      EXPECT_EQ(expected::judgement_by_tetrahedra(pair), expected::judgement(pair));
+      EXPECT_EQ(expected::judgement_by_tetrahedra(pair), expected::computed_judgement(pair));
     }
   }
 }
