@@ -21,7 +21,7 @@ export async function startBrowser({ webgl = true } = {}) {
   /** Opens the page; `check` at the end fails on any error on the page and on any request but for the page itself. */
   async function open(
     html,
-    { width = 1280, height = 800, scheme = 'light', motion = 'reduce', hash = '', scale = 1, touch = false } = {},
+    { width = 1024, height = 640, scheme = 'light', motion = 'reduce', hash = '', scale = 1, touch = false } = {},
   ) {
     const file = join(folder, `${count++}.html`);
     writeFileSync(file, html);
@@ -42,7 +42,7 @@ export async function startBrowser({ webgl = true } = {}) {
     const url = pathToFileURL(file).href;
     await page.goto(url + hash);
     await page.evaluate(() => window.impinge?.ready);
-    await page.waitForTimeout(50);
+    await settled(page);
     const close = async ({ ignoring } = {}) => {
       const told = faults.filter((fault) => !ignoring?.test(fault) && !/GPU stall due to ReadPixels/.test(fault));
       assert.deepEqual(told, [], 'nothing is told on the console');
@@ -53,8 +53,30 @@ export async function startBrowser({ webgl = true } = {}) {
     return { page, close };
   }
 
+  /** Opens a page for several tests: `take` gives it back the choices and the stand of the camera that it began with. */
+  async function share(html, options) {
+    const { page, close } = await open(html, options);
+    await page.evaluate(() => {
+      const { store, stand } = window.impinge;
+      window.fresh = structuredClone({ state: store.state, stand: stand() });
+    });
+    const take = async () => {
+      await page.mouse.move(0, 0);
+      await page.evaluate(() => {
+        document.activeElement.blur();
+        const { state, stand } = structuredClone(window.fresh);
+        window.impinge.store.set(state);
+        Object.assign(window.impinge.stand(), stand);
+      });
+      await settled(page);
+      return page;
+    };
+    return { take, close };
+  }
+
   return {
     open,
+    share,
     stop: async () => {
       await browser.close();
       rmSync(folder, { recursive: true });
@@ -69,13 +91,15 @@ export function listed(page, selector = '.rank', list = '#clash-list') {
       const host = document.querySelector(list);
       const rows = new Map();
       const before = host.scrollTop;
+      const drawn = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       for (host.scrollTop = 0; ; host.scrollTop += host.clientHeight / 2) {
-        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        await drawn();
         for (const row of host.querySelectorAll('.row'))
           rows.set(Number(row.dataset.index), row.querySelector(selector)?.textContent ?? null);
         if (host.scrollTop + host.clientHeight >= host.scrollHeight - 1) break;
       }
       host.scrollTop = before;
+      await drawn();
       return [...rows].sort((x, y) => x[0] - y[0]).map(([, text]) => text);
     },
     [selector, list],
@@ -115,5 +139,5 @@ export async function picture(page, selector = '#canvas') {
 /** The frames that are asked for have been drawn. */
 export const settled = (page) =>
   page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))),
   );

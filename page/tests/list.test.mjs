@@ -73,7 +73,6 @@ describe('the list of clashes', () => {
   });
 
   test('says what fails: the words of the call, or the modes of the tests', async () => {
-    const { report, scene, geometry } = review();
     const tests = [{ name: 'bolts against plates', mode: 'contact' }];
     for (const [more, failOn, told] of [
       [{}, ['penetration', 'inside'], 'fails on penetration, inside'],
@@ -82,7 +81,7 @@ describe('the list of clashes', () => {
       [{ tests }, ['new'], 'fails by the mode of each test, only what is new'],
     ]) {
       const settings = { ...report.settings, fail_on: failOn };
-      const { page, close } = await browser.open(compose({ report: { ...report, ...more, settings }, scene, geometry }));
+      const { page, close } = await browser.open(compose({ report: { ...report, ...more, settings } }));
       const facts = await page.locator('#facts > span').allTextContents();
       assert.deepEqual(facts.filter((fact) => fact.startsWith('fails')), [told]); // prettier-ignore
       await close();
@@ -162,7 +161,7 @@ describe('the list of clashes', () => {
   });
 
   test('is filtered by figures as they are shown, and as they are', async () => {
-    const { report, scene, geometry } = review({ triage: false });
+    const { report } = review({ triage: false });
     const [first, second, third] = report.pairs.filter((pair) => pair.verdict === 'apart');
     [first.distance, second.distance, third.distance] = [0.0100002, 0.0099998, 0.01001];
     const deep = report.pairs.filter((pair) => pair.overlap_depth);
@@ -170,7 +169,7 @@ describe('the list of clashes', () => {
     // What lies free in another is as far as the clearance from its boundary, or farther.
     const free = report.pairs.find((pair) => pair.verdict === 'inside');
     free.touching = free.coplanar = free.crossing = 0;
-    const { page, close } = await browser.open(compose({ report, scene, geometry }));
+    const { page, close } = await browser.open(compose({ report }));
     const pairs = (field, value) => async () => {
       await page.fill(field, value);
       const ranks = await listed(page);

@@ -12,11 +12,21 @@ const { report, scene, geometry } = review();
 
 describe('the tree of parts', () => {
   let browser;
-  before(async () => (browser = await startBrowser()));
-  after(() => browser.stop());
+  let shared;
+  before(async () => {
+    browser = await startBrowser();
+    shared = await browser.share(reviewPage());
+  });
+  after(async () => {
+    try {
+      await shared.close();
+    } finally {
+      await browser.stop();
+    }
+  });
 
   test('lists files, groups and parts; search leaves what matches and the way to it', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const names = await listed(page, '.name', '#parts-tree');
     assert.equal(names.length, 12 + 2 + 4, 'parts, files and the groups frame, left, right, far');
     await page.fill('#parts-search', 'bolt FRAME');
@@ -34,7 +44,6 @@ describe('the tree of parts', () => {
     await page.keyboard.press('Home');
     await page.keyboard.press('ArrowLeft');
     assert.deepEqual((await listed(page, '.name', '#parts-tree')).slice(0, 2), ['left.stl', 'right.stl'], 'closed');
-    await close();
   });
 
   test('has the groups of the scene, whatever parts and groups are called', async () => {
@@ -93,7 +102,7 @@ describe('the tree of parts', () => {
       { ...objects[2], name: 'bolt (9)' }, // numbered otherwise, but alone with its path
       { ...objects[0], name: 'bolt (9)' }, // two have its path
     ].map(gone);
-    const { page, close } = await browser.open(compose({ report: { ...report, objects, resolved }, scene, geometry }));
+    const { page, close } = await browser.open(compose({ report: { ...report, objects, resolved } }));
     const found = await page.evaluate(() =>
       window.impinge.clashes.filter((one) => one.resolved).map((one) => one.first),
     );
@@ -104,9 +113,7 @@ describe('the tree of parts', () => {
   test('counts in red what fails, and nothing else', async () => {
     const nothing = report.pairs.map((pair) => ({ ...pair, fails: false }));
     for (const pairs of [report.pairs, nothing]) {
-      const { page, close } = await browser.open(compose({ report: { ...report, pairs }, scene, geometry }), {
-        height: 1600,
-      });
+      const { page, close } = await browser.open(compose({ report: { ...report, pairs } }), { height: 1600 });
       const red = await page.evaluate(() => {
         const bad = document.createElement('i');
         bad.style.color = 'var(--bad)';
@@ -128,7 +135,7 @@ describe('the tree of parts', () => {
   });
 
   test('hides, isolates and shows', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     await page.focus('#parts-tree');
     await page.keyboard.press('Home');
     await page.keyboard.press('h');
@@ -137,6 +144,5 @@ describe('the tree of parts', () => {
     assert.equal(await page.textContent('#parts-count'), '12, 6 hidden');
     await page.click('#show-all');
     assert.equal(await page.textContent('#parts-count'), '12');
-    await close();
   });
 });

@@ -13,22 +13,33 @@ const frames = (page) => page.evaluate(() => window.impinge.frames());
 
 describe('the 3D view', () => {
   let browser;
-  before(async () => (browser = await startBrowser()));
-  after(() => browser.stop());
+  let shared;
+  before(async () => {
+    browser = await startBrowser();
+    shared = await browser.share(reviewPage());
+  });
+  after(async () => {
+    try {
+      await shared.close();
+    } finally {
+      await browser.stop();
+    }
+  });
 
   test('is not blank, light and dark', async () => {
+    const page = await shared.take();
     for (const scheme of ['light', 'dark']) {
-      const { page, close } = await browser.open(reviewPage(), { scheme });
+      await page.emulateMedia({ colorScheme: scheme });
+      await settled(page);
       const { count, most } = await picture(page);
       assert.ok(count > 50 && most < 0.97, `${count} colours, ${most} of it is one`);
-      await close();
     }
+    await page.emulateMedia({ colorScheme: 'light' });
   });
 
   test('stands on what the scene says is down, whatever the files are called', async () => {
     for (const [up, file] of [
       ['y', 'house.ifc'],
-      ['z', 'house.obj'],
       ['z', 'house.glb'],
     ]) {
       const { report, scene, geometry } = review();
@@ -69,7 +80,7 @@ describe('the 3D view', () => {
   });
 
   test('a click in the list moves the camera, fills the details and marks the parts', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const before = [await stand(page), await picture(page)];
     await page.locator('#clash-list .row').nth(2).click();
     await settled(page);
@@ -85,37 +96,36 @@ describe('the 3D view', () => {
     after[0].target.forEach((c, k) => assert.ok(Math.abs(c - deepest[k]) < 1e-9));
     await page.keyboard.press('Escape');
     assert.ok(await page.locator('#legend').isHidden());
-    await close();
   });
 
   test('a flight ends where the jump ends', async () => {
-    const ends = [];
-    for (const motion of ['reduce', 'no-preference']) {
-      const { page, close } = await browser.open(reviewPage(), { motion });
-      await page.locator('#clash-list .row').nth(3).click();
-      await page.waitForFunction(
-        () => {
-          const now = JSON.stringify(window.impinge.stand());
-          const same = window.standBefore === now;
-          window.standBefore = now;
-          return same;
-        },
-        null,
-        { polling: 700 },
-      );
-      ends.push(await stand(page));
-      await close();
-    }
-    for (const key of ['yaw', 'pitch', 'distance']) assert.ok(Math.abs(ends[0][key] - ends[1][key]) < 1e-6, key);
+    const still = await shared.take();
+    await still.locator('#clash-list .row').nth(3).click();
+    const end = await stand(still);
+    const { page, close } = await browser.open(reviewPage(), { motion: 'no-preference' });
+    const start = await stand(page);
+    await page.locator('#clash-list .row').nth(3).click();
+    assert.ok((await stand(page)).distance > end.distance + 1e-6, 'it is on its way');
+    await page.waitForFunction(
+      ({ distance }) => Math.abs(window.impinge.stand().distance - distance) < 1e-6,
+      end,
+    );
+    const landed = await stand(page);
+    for (const key of ['yaw', 'pitch']) assert.ok(Math.abs(end[key] - landed[key]) < 1e-6, key);
+    assert.notEqual(landed.distance, start.distance);
+    await close();
   });
 
   test('a link opens its clash, by number and by id', async () => {
+    const { page, close } = await browser.open(reviewPage(), { hash: '#clash=3' });
     for (const hash of ['#clash=3', '#clash=0000-2']) {
-      const { page, close } = await browser.open(reviewPage(), { hash });
+      await page.evaluate((hash) => (location.hash = hash), hash);
+      await settled(page);
       assert.ok(page.url().endsWith('#clash=3'));
       assert.equal(await page.textContent('#legend'), 'Abolt (2)Bplate');
-      await close();
+      await page.keyboard.press('Escape');
     }
+    await close();
   });
 
   test('a click on a part selects it in the tree', async () => {
@@ -148,7 +158,7 @@ describe('the 3D view', () => {
   });
 
   test('hiding, isolating, colours and fading change what is seen', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const seen = [(await picture(page)).png];
     const change = async (act) => {
       await act();
@@ -166,11 +176,10 @@ describe('the 3D view', () => {
     await change(() => page.keyboard.press('x'));
     await change(() => page.keyboard.press('b'));
     await change(() => page.evaluate(() => window.impinge.store.set({ others: 'hide' })));
-    await close();
   });
 
   test('sections, explosion and views change what is seen, and can be undone', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const whole = (await picture(page)).png;
     let last = whole;
     const differs = async (what) => {
@@ -209,11 +218,14 @@ describe('the 3D view', () => {
     last = (await picture(page)).png;
     await page.click('[data-axis=clash]');
     await differs('through the clash');
-    await close();
+    await page.click('[data-axis=none]');
+    await page.keyboard.press('Escape');
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press('p');
   });
 
   test('what a section cuts away is not hit', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const hit = async (id) => {
       const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
       await page.evaluate(() => window.impinge.store.set({ part: -1 }));
@@ -228,11 +240,11 @@ describe('the 3D view', () => {
     assert.deepEqual([await hit(5), await hit(10)], [false, true]);
     await page.click('[data-axis=none]');
     assert.deepEqual([await hit(5), await hit(10)], [true, true]);
-    await close();
+    await page.keyboard.press('Escape');
   });
 
   test('is turned, moved and zoomed by mouse, wheel, keys and the cube', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     const box = await page.locator('#canvas').boundingBox();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 3];
     let last = await stand(page);
@@ -271,12 +283,12 @@ describe('the 3D view', () => {
     await moved(['distance'], 'plus');
     await page.getByRole('button', { name: /View from the top/ }).press('Enter');
     await moved(['yaw', 'pitch'], 'cube');
-    await close();
   });
 
   test('what hides a part of the chosen clash is seen through, and the control stays as it is', async () => {
+    const { page, close } = await browser.open(nestedPage());
     for (const scheme of ['light', 'dark']) {
-      const { page, close } = await browser.open(nestedPage(), { scheme });
+      await page.emulateMedia({ colorScheme: scheme });
       const shown = async (what) => {
         const index = ['inside', 'flush', 'poking', 'through', 'around'].indexOf(what);
         await page.evaluate((i) => {
@@ -302,15 +314,16 @@ describe('the 3D view', () => {
       const back = await shown('through');
       assert.ok(back.b < through.b / 2, `the user sees through both: ${back.a}, ${back.b} after ${through.a}, ${through.b}`);
       assert.equal(await page.isChecked('#glass'), true);
-      await close();
+      await page.keyboard.press('x');
     }
+    await close();
   });
 
   test('draws only when something changed', async () => {
-    const { page, close } = await browser.open(reviewPage());
+    const page = await shared.take();
     await settled(page);
     const count = await frames(page);
-    await page.waitForTimeout(400);
+    for (let i = 0; i < 5; ++i) await settled(page);
     assert.equal(await frames(page), count);
     await page.selectOption('#sort', 'name');
     await page.selectOption('#group', 'part');
@@ -322,7 +335,7 @@ describe('the 3D view', () => {
     await page.keyboard.press('1');
     await settled(page);
     assert.ok((await frames(page)) > count);
-    await close();
+    await page.click('#clear-filters');
   });
 
   test('is the same far from the origin', async () => {
@@ -366,11 +379,8 @@ describe('the 3D view', () => {
     await page.keyboard.press('f');
     await close();
   });
-});
 
-test('10,000 parts of a million triangles open, and a click selects', async () => {
-  const browser = await startBrowser();
-  try {
+  test('10,000 parts open, and a click selects', async () => {
     const { page, close } = await browser.open(plantPage(), { width: 1000, height: 640 });
     assert.equal(await page.getAttribute('#clash-list', 'aria-rowcount'), '15000');
     const { count } = await picture(page);
@@ -389,14 +399,9 @@ test('10,000 parts of a million triangles open, and a click selects', async () =
     await page.fill('#parts-search', 'part 9999');
     assert.deepEqual(await listed(page, '.name', '#parts-tree'), ['plant.stl', 'hall 9', 'row 99', 'part 9999']);
     await close();
-  } finally {
-    await browser.stop();
-  }
-});
+  });
 
-test('fingers turn, move and zoom', async () => {
-  const browser = await startBrowser();
-  try {
+  test('fingers turn, move and zoom', async () => {
     const { page, close } = await browser.open(reviewPage(), { width: 390, height: 800, touch: true });
     const box = await page.locator('#canvas').boundingBox();
     const session = await page.context().newCDPSession(page);
@@ -428,7 +433,5 @@ test('fingers turn, move and zoom', async () => {
     await page.touchscreen.tap(x, y);
     assert.ok((await page.evaluate(() => window.impinge.store.state.part)) >= -1);
     await close();
-  } finally {
-    await browser.stop();
-  }
+  });
 });
