@@ -13,9 +13,7 @@ import {
   DoubleSide,
   FloatType,
   LineSegments,
-  Matrix4,
   NearestFilter,
-  NormalBlending,
   RGBAFormat,
   ShaderMaterial,
   UnsignedByteType,
@@ -26,7 +24,7 @@ import type { Rgb } from './colours';
 import type { SceneBlock, Vec3 } from './data';
 import { Breather, type RawMesh } from './geometry';
 import { drawnMesh, type DrawnMesh } from './mesh';
-import type { Pose } from './pose';
+import { matrixOf, type Pose } from './pose';
 import type { Obstacle } from './sight';
 import { edgeFragment, edgeVertex, partFragment, partVertex, pickFragment } from './shaders';
 import { add, type Box, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unite } from './vector';
@@ -107,18 +105,15 @@ export class Assembly {
   }
 
   /** Makes all that is drawn, in steps between which the page stays responsive. */
-  static async create(scene: SceneBlock, raw: RawMesh[], onProgress: (triangles: number) => void): Promise<Assembly> {
+  static async create(scene: SceneBlock, raw: RawMesh[]): Promise<Assembly> {
     const uses = new Array<number>(raw.length).fill(0);
     for (const object of scene.objects) if (object.mesh >= 0) ++uses[object.mesh];
     const drawn = raw.reduce((sum, mesh, i) => sum + uses[i] * mesh.corners.length, 0) / 3;
     const withEdges = drawn < 4_000_000;
     const breather = new Breather();
     const meshes: (DrawnMesh | null)[] = [];
-    let done = 0;
     for (const [i, mesh] of raw.entries()) {
       meshes.push(uses[i] && mesh.corners.length ? drawnMesh(mesh, withEdges) : null);
-      done += mesh.corners.length / 3;
-      onProgress(done);
       await breather.breathe();
     }
     return new Assembly(scene, meshes);
@@ -142,7 +137,6 @@ export class Assembly {
         transparent: true,
         forceSinglePass: true,
         depthWrite: false,
-        blending: NormalBlending,
       }),
       pick: new ShaderMaterial({ ...common, fragmentShader: pickFragment }),
     };
@@ -283,16 +277,10 @@ export class Assembly {
 
   /** After parts have moved. */
   place(): void {
-    const matrix = new Matrix4();
     this.partOf.forEach((id, instance) => {
       const pose = this.poses[id];
-      const [tx, ty, tz] = add(sub([pose[3], pose[7], pose[11]], this.origin), this.shiftOf(id));
-      // prettier-ignore
-      matrix.set(
-        pose[0], pose[1], pose[2], tx,
-        pose[4], pose[5], pose[6], ty,
-        pose[8], pose[9], pose[10], tz,
-        0, 0, 0, 1,
+      const matrix = matrixOf(pose).setPosition(
+        ...add(sub([pose[3], pose[7], pose[11]], this.origin), this.shiftOf(id)),
       );
       for (let k = 0; k < 12; ++k) this.poseData[12 * instance + k] = matrix.elements[(k % 4) * 4 + (k >> 2)];
       this.parts.setMatrixAt(instance, matrix);

@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of clashes.
-import { changeOf, type Clash, filterClashes, type Group, groupClashes, isWorse, sortClashes, verbOf } from './clashes';
-import { kVerdicts } from './data';
+import {
+  changeOf,
+  type Clash,
+  countVerdicts,
+  filterClashes,
+  type Group,
+  groupClashes,
+  isWorse,
+  sortClashes,
+  verbOf,
+  verdictName,
+} from './clashes';
 import { byId, el, nameOf, numberOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
 import type { Store } from './store';
@@ -76,10 +86,7 @@ export class ClashList {
     const current = this.rowsShown[this.rows.current];
     // Under both of its parts a clash has two rows; the one that was chosen stays.
     if (clash && !(current && 'clash' in current && current.clash === clash)) {
-      this.rows.moveTo(
-        this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash),
-        false,
-      );
+      this.rows.moveTo(this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash));
     }
     this.rows.refresh();
   }
@@ -91,7 +98,7 @@ export class ClashList {
     for (i += by; i >= 0 && i < this.rowsShown.length; i += by) {
       const row = this.rowsShown[i];
       if (!('clash' in row)) continue;
-      this.rows.moveTo(i, false);
+      this.rows.moveTo(i);
       this.store.select(row.clash);
       return;
     }
@@ -130,7 +137,6 @@ export class ClashList {
   private fillGroup(row: HTMLElement, group: Group): void {
     const isOpen = !this.closed.has(group.key);
     row.className = 'row clash-group';
-    row.removeAttribute('aria-selected');
     row.setAttribute('aria-level', '1');
     row.setAttribute('aria-expanded', String(isOpen));
     const worst = group.clashes.reduce((best, clash) => (clash.rank < best.rank ? clash : best));
@@ -153,9 +159,7 @@ export class ClashList {
     row.className = `row clash verdict ${clash.verdict}`;
     row.classList.toggle('is-resolved', clash.resolved !== null);
     row.setAttribute('aria-selected', String(clash === this.store.state.clash));
-    row.removeAttribute('aria-expanded');
-    if (this.store.state.group === 'none') row.removeAttribute('aria-level');
-    else row.setAttribute('aria-level', '2');
+    if (this.store.state.group !== 'none') row.setAttribute('aria-level', '2');
     const verb = verbOf(clash);
     const second = el('span', { class: 'second' }, el('span', { class: 'verb' }, `${verb} `), nameOf(clash.names[1]));
     const tags = el('span', { class: 'tags' });
@@ -172,23 +176,19 @@ export class ClashList {
   }
 
   private mainFigure(clash: Clash): HTMLElement {
-    if (!Number.isNaN(clash.depth))
-      return el('span', { class: 'main' }, el('small', {}, 'depth '), numberOf(clash.depth));
-    if (!Number.isNaN(clash.distance))
-      return el('span', { class: 'main' }, el('small', {}, 'gap '), numberOf(clash.distance));
-    return el('span', { class: 'main' }, '');
+    const main = el('span', { class: 'main' });
+    if (!Number.isNaN(clash.depth)) main.append(el('small', {}, 'depth '), numberOf(clash.depth));
+    else if (!Number.isNaN(clash.distance)) main.append(el('small', {}, 'gap '), numberOf(clash.distance));
+    return main;
   }
 
   private sideFigure(clash: Clash, tags: HTMLElement): HTMLElement {
     if (tags.childNodes.length) return tags;
     const side = el('span', { class: 'side' });
     const span = clash.pair?.span;
-    if (span) {
-      side.append(el('small', {}, spanText(span)));
-      return side;
-    }
     const regions = clash.pair?.regions?.length ?? 0;
-    if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
+    if (span) side.append(el('small', {}, spanText(span)));
+    else if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
     return side;
   }
@@ -196,10 +196,8 @@ export class ClashList {
 
 /** How many of each verdict. */
 function verdictsOf(group: Group): string {
-  const counts = kVerdicts.map((verdict) => group.clashes.filter((clash) => clash.verdict === verdict).length);
-  return kVerdicts
-    .map((verdict, i) => `${counted(counts[i])} ${verdict === 'apart' ? 'too near' : verdict}`)
-    .filter((_, i) => counts[i])
+  return countVerdicts(group.clashes)
+    .map(([verdict, count]) => `${counted(count)} ${verdictName(verdict)}`)
     .join(', ');
 }
 

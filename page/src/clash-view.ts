@@ -4,12 +4,12 @@
 // How the choices of the user look in 3D: which parts are solid, faded or hidden, and what is drawn over them.
 import type { Assembly, Look } from './assembly';
 import type { Clash } from './clashes';
-import { calmColour, kPartColours, type Rgb, themeColour, verdictColour, worst } from './colours';
-import type { Pair, Report, SceneBlock, Vec3, Verdict } from './data';
+import { calmColour, type Rgb, themeColour, worst } from './colours';
+import { kVerdicts, type Pair, type Report, type SceneBlock, type Vec3, type Verdict } from './data';
 import type { Stroke } from './overlay';
 import { findSight, isHiddenBy, type Obstacle, samplesOf, type Sight } from './sight';
 import type { State } from './store';
-import { add, type Box, emptyBox, grow, length, middleOf, radiusOf, scale, sub, unite } from './vector';
+import { add, type Box, cornersOf, emptyBox, grow, isEmpty, length, middleOf, radiusOf, scale, sub, unite } from './vector';
 
 const kGhost = 0.06;
 const kGlass = 0.42;
@@ -51,11 +51,13 @@ export class ClashView {
     return true;
   }
 
-  private baseColour(id: number, by: State['colourBy'], plain: Rgb): Rgb {
-    if (by === 'file') return calmColour(this.files.indexOf(this.report.objects[id].file));
-    if (by === 'type') return calmColour(this.scene.objects[id].mesh);
-    const verdict = this.worstOf[id];
-    return verdict ? verdictColour(verdict) : plain;
+  /** The colours of parts that are not chosen. */
+  private baseColours(by: State['colourBy']): (id: number) => Rgb {
+    if (by === 'file') return (id) => calmColour(this.files.indexOf(this.report.objects[id].file));
+    if (by === 'type') return (id) => calmColour(this.scene.objects[id].mesh);
+    const plain = themeColour('--plain-part');
+    const colours = new Map(kVerdicts.map((verdict) => [verdict, themeColour(`--${verdict}`)]));
+    return (id) => (this.worstOf[id] && colours.get(this.worstOf[id])) ?? plain;
   }
 
   private largerOf(clash: Clash): [boolean, boolean] {
@@ -64,26 +66,13 @@ export class ClashView {
   }
 
   applyLooks(state: State): void {
-    const { clash, part, hidden, isolated, others, glass, colourBy } = state;
+    const { clash, part, hidden, others, glass, colourBy } = state;
     const ghost: Look = [...themeColour('--ghost'), kGhost];
     const gone: Look = [0, 0, 0, 0];
-    const [a, b] = [themeColour(kPartColours.a), themeColour(kPartColours.b)];
-    const picked = themeColour(kPartColours.picked);
-    const plain = themeColour('--plain-part');
+    const [a, b] = [themeColour('--part-a'), themeColour('--part-b')];
     const [hidesA, hidesB] = this.hiding;
     const alphaOf = (hides: boolean) => (hides ? kThinGlass : glass ? kGlass : 1);
-    const colours = new Map<number | string | null, Rgb>();
-    const base = (id: number): Rgb => {
-      const key =
-        colourBy === 'type'
-          ? this.scene.objects[id].mesh
-          : colourBy === 'file'
-            ? this.report.objects[id].file
-            : this.worstOf[id];
-      let colour = colours.get(key);
-      if (!colour) colours.set(key, (colour = this.baseColour(id, colourBy, plain)));
-      return colour;
-    };
+    const base = this.baseColours(colourBy);
     // Or duplicates would flicker.
     this.assembly.setRecessed(clash ? clash.second : -1);
     this.assembly.setLooks((id) => {
@@ -91,9 +80,9 @@ export class ClashView {
         if (id === clash.first) return [...a, alphaOf(hidesA)];
         if (id === clash.second) return [...b, alphaOf(hidesB)];
       }
-      if (hidden.has(id) || (isolated && !isolated.has(id))) return gone;
+      if (hidden.has(id)) return gone;
       if (clash && others !== 'show') return others === 'fade' ? ghost : gone;
-      return [...(id === part ? picked : base(id)), 1];
+      return [...(id === part ? a : base(id)), 1];
     });
   }
 
@@ -174,7 +163,7 @@ export class ClashView {
     if (clash.pair?.span) growCommon(box, this.assembly.boxes[clash.first], this.assembly.boxes[clash.second]);
     const whole = this.partsBox(clash);
     const contact = radiusOf(box);
-    if (!(box.min[0] <= box.max[0]))
+    if (isEmpty(box))
       return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
     const sizes = [clash.first, clash.second].filter((id) => id >= 0).map((id) => radiusOf(this.assembly.boxes[id]));
     const smaller = Math.min(...sizes.filter((size) => size > 0), radiusOf(whole) || Infinity);
@@ -195,10 +184,10 @@ function growCommon(box: Box, a: Box, b: Box): void {
 
 function boxStrokes([min, max]: [Vec3, Vec3]): Stroke[] {
   const colour = themeColour('--box');
-  const at = (i: number): Vec3 => [(i & 1 ? max : min)[0], (i & 2 ? max : min)[1], (i & 4 ? max : min)[2]];
+  const corners = cornersOf({ min, max });
   const strokes: Stroke[] = [];
   for (let i = 0; i < 8; ++i) {
-    for (const bit of [1, 2, 4]) if (!(i & bit)) strokes.push({ points: [at(i), at(i | bit)], colour, width: 0.75 });
+    for (const bit of [1, 2, 4]) if (!(i & bit)) strokes.push({ points: [corners[i], corners[i | bit]], colour, width: 0.75 });
   }
   return strokes;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The clashes of a report: ranked, filtered, sorted and grouped. Nothing here touches the page.
-import { kVerdicts, type Pair, type Report, type Resolved, type Vec3, type Verdict } from './data';
+import { kVerdicts, type Pair, type Place, type Report, type Resolved, type Vec3, type Verdict } from './data';
 import { shown } from './format';
 
 export interface Clash {
@@ -53,67 +53,46 @@ export const emptyFilter = (): Filter => ({
 });
 
 export const isFiltering = (filter: Filter): boolean =>
-  filter.verdicts.size > 0 ||
-  filter.resolved ||
-  filter.failing ||
-  filter.text !== '' ||
-  !Number.isNaN(filter.depthFrom) ||
-  !Number.isNaN(filter.distanceTo) ||
-  filter.parts !== null ||
-  filter.test !== '' ||
-  filter.status !== '' ||
-  filter.change !== '';
+  Object.values(filter).some((value) => (value instanceof Set ? value.size > 0 : value === 0 || Boolean(value)));
 
 export function depthOf(pair: Pair): number {
   const depths = [pair.overlap_depth?.a_in_b, pair.overlap_depth?.b_in_a].filter((d) => d != null);
   return depths.length ? Math.max(...depths.map((d) => d[1])) : NaN;
 }
 
+/** A clash of two parts of which no more is known than their names. */
+const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
+  rank: 0,
+  pair: null,
+  resolved: null,
+  verdict,
+  first: -1,
+  second: -1,
+  names: [a.name, b.name],
+  depth: NaN,
+  distance: NaN,
+  area: NaN,
+  text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
+});
+
 function ofPair(report: Report, pair: Pair): Clash {
-  const isTurned = pair.inner === pair.b;
-  const first = isTurned ? pair.b : pair.a;
-  const second = isTurned ? pair.a : pair.b;
-  const [a, b] = [report.objects[first], report.objects[second]];
+  const [first, second] = pair.inner === pair.b ? [pair.b, pair.a] : [pair.a, pair.b];
   return {
-    rank: 0,
+    ...clashOf(pair.verdict, report.objects[first], report.objects[second]),
     pair,
-    resolved: null,
-    verdict: pair.verdict,
     first,
     second,
-    names: [a.name, b.name],
     depth: depthOf(pair),
     distance: pair.distance ?? NaN,
     area: pair.regions ? pair.regions.reduce((sum, region) => sum + region.area, 0) : NaN,
-    text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
-  };
-}
-
-function ofResolved(resolved: Resolved, id: (place: Resolved['a']) => number): Clash {
-  const { a, b } = resolved;
-  return {
-    rank: 0,
-    pair: null,
-    resolved,
-    verdict: resolved.verdict,
-    first: id(a),
-    second: id(b),
-    names: [a.name, b.name],
-    depth: NaN,
-    distance: NaN,
-    area: NaN,
-    text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
   };
 }
 
 /** Finds the part that an earlier run named: by path and name, since many may have one path; or by a path of its own. */
-function partFinder(report: Report): (place: Resolved['a']) => number {
+function partFinder(report: Report): (place: Place) => number {
   const wholly = new Map<string, number>();
   const byPath = new Map<string, number>();
-  const keysOf = ({ file, path, name }: Resolved['a']) => [
-    JSON.stringify([file, path, name]),
-    JSON.stringify([file, path]),
-  ];
+  const keysOf = ({ file, path, name }: Place) => [JSON.stringify([file, path, name]), JSON.stringify([file, path])];
   report.objects.forEach((part, id) => {
     const [whole, path] = keysOf(part);
     wholly.set(whole, id);
@@ -131,6 +110,14 @@ function compare(x: number, y: number, sign: number): number {
   return sign * (x - y);
 }
 
+export const verdictName = (verdict: Verdict): string => (verdict === 'apart' ? 'too near' : verdict);
+
+/** The verdicts that occur, worst first, with the number of their clashes. */
+export const countVerdicts = (clashes: Clash[]): [Verdict, number][] =>
+  kVerdicts
+    .map((verdict): [Verdict, number] => [verdict, clashes.filter((one) => one.verdict === verdict).length])
+    .filter(([, count]) => count > 0);
+
 const verdictRank = (verdict: Verdict): number => kVerdicts.indexOf(verdict);
 
 /**
@@ -147,7 +134,10 @@ export function rankClashes(report: Report): Clash[] {
       compare(x.distance, y.distance, 1),
   );
   const find = partFinder(report);
-  for (const resolved of report.resolved ?? []) clashes.push(ofResolved(resolved, find));
+  for (const resolved of report.resolved ?? []) {
+    const { verdict, a, b } = resolved;
+    clashes.push({ ...clashOf(verdict, a, b), resolved, first: find(a), second: find(b) });
+  }
   clashes.forEach((clash, i) => (clash.rank = i + 1));
   return clashes;
 }
@@ -181,8 +171,11 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   return !filter.change || (clash.pair !== null && changeOf(clash.pair) === filter.change);
 }
 
+/** The words of a search; what is found has all of them. */
+export const wordsOf = (text: string): string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
+
 export function filterClashes(clashes: Clash[], filter: Filter): Clash[] {
-  const words = filter.text.toLowerCase().split(/\s+/).filter(Boolean);
+  const words = wordsOf(filter.text);
   return clashes.filter((clash) => passes(clash, filter, words));
 }
 

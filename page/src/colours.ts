@@ -7,7 +7,7 @@ import { kVerdicts, type Verdict } from './data';
 export type Rgb = [number, number, number];
 
 /** Björn Ottosson's OKLCH to sRGB, 0 to 1. */
-export function oklch(lightness: number, chroma: number, hue: number): Rgb {
+function oklch(lightness: number, chroma: number, hue: number): Rgb {
   const [a, b] = [chroma * Math.cos(hue), chroma * Math.sin(hue)];
   const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
@@ -28,7 +28,7 @@ export function calmColour(index: number): Rgb {
   return oklch(0.75 + 0.045 * ((index * 2) % 3), 0.045 + 0.02 * (index % 2), 4.1 + index * 2.39996);
 }
 
-export function hexColour(hex: string): Rgb {
+function hexColour(hex: string): Rgb {
   const n = parseInt(hex.trim().slice(1), 16);
   return [(n >> 16) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255];
 }
@@ -36,6 +36,4 @@ export function hexColour(hex: string): Rgb {
 const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name);
 export const themeColour = (name: string): Rgb => hexColour(style(name));
 
-export const kPartColours = { a: '--part-a', b: '--part-b', picked: '--part-picked' } as const;
-export const verdictColour = (verdict: Verdict): Rgb => themeColour(`--${verdict}`);
 export const worst = (x: Verdict, y: Verdict): Verdict => (kVerdicts.indexOf(x) <= kVerdicts.indexOf(y) ? x : y);

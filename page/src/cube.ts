@@ -4,13 +4,13 @@
 // The cube in the corner that shows how the model stands; each of its faces is a button that turns it to the front.
 import type { Camera } from './camera';
 import type { Vec3 } from './data';
-import { el } from './dom';
+import { button, el } from './dom';
 import { dot } from './vector';
 
 interface Face {
   name: string;
   key: string;
-  yaw: number | null;
+  yaw: number;
   pitch: number;
   /** CSS: how the face is turned out of the front's plane. */
   turn: string;
@@ -31,7 +31,7 @@ export const kFaces: Face[] = [
 ];
 
 export const faceTo = (camera: Camera, face: Face): void =>
-  camera.fly({ yaw: face.yaw ?? camera.stand.yaw, pitch: face.pitch });
+  camera.fly({ yaw: face.yaw, pitch: face.pitch });
 
 const axisName = (normal: Vec3, up: 'y' | 'z'): string => {
   const [x, y, z] = normal;
@@ -49,12 +49,12 @@ export class Cube {
     private readonly camera: Camera,
   ) {
     this.buttons = kFaces.map((face) => {
-      const button = el('button', { type: 'button' }, el('span', {}, face.name), el('small', {}));
-      button.style.transform = `${face.turn} translateZ(calc(var(--cube) / 2))`;
-      button.addEventListener('click', () => faceTo(camera, face));
-      this.body.append(button);
-      return button;
+      const side = button('', () => faceTo(camera, face));
+      side.append(el('span', {}, face.name), el('small', {}));
+      side.style.transform = `${face.turn} translateZ(calc(var(--cube) / 2))`;
+      return side;
     });
+    this.body.append(...this.buttons);
     host.append(this.body);
     this.update();
   }

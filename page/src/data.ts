@@ -71,7 +71,7 @@ export interface Pair {
   comment?: string | null;
 }
 
-interface Place {
+export interface Place {
   name: string;
   path: string;
   file: string;

@@ -4,7 +4,7 @@
 // The figures of the chosen clash or part.
 import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
-import { byId, button, countOf, el, nameOf, numberOf, remarkOf } from './dom';
+import { byId, button, countOf, el, letterOf, nameOf, numberOf, remarkOf } from './dom';
 import { counted, fileName } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -27,17 +27,14 @@ const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', n
 const interval = ([low, high]: Interval): Value =>
   low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)];
 
+const measured = (value: number | null | undefined): Value | null => (value == null ? null : [numberOf(value)]);
+
 function figures(rows: [string, Value | null][]): HTMLElement {
   const list = el('dl');
   for (const [term, value] of rows) {
     if (value) list.append(el('dt', {}, term), el('dd', {}, ...value));
   }
   return list;
-}
-
-export interface PartActions {
-  fit: (parts: number[]) => void;
-  toggleHidden: (parts: number[]) => void;
 }
 
 export class Details {
@@ -47,12 +44,12 @@ export class Details {
     private readonly report: Report,
     private readonly clashesOf: (part: number) => number,
     private readonly store: Store,
-    private readonly actions: PartActions,
+    private readonly fit: (parts: number[]) => void,
   ) {
     store.listen((_, changed) => {
       if (changed.has('clash') || changed.has('part')) this.show();
       else if (changed.has('region')) this.markRegion();
-      else if (changed.has('hidden') || changed.has('isolated')) this.show();
+      else if (changed.has('hidden')) this.show();
     });
     this.show();
   }
@@ -67,8 +64,6 @@ export class Details {
   }
 
   private hint(): string {
-    if (!this.report.settings && !this.report.pairs.length)
-      return 'Choose a part, in the view or in the tree, to see its figures.';
     return this.report.pairs.length
       ? 'Choose a clash in the list, or a part in the view, to see its figures. J and K go through the clashes.'
       : 'Choose a part, in the view or in the tree, to see its figures.';
@@ -95,15 +90,15 @@ export class Details {
       ]),
     );
     const span = clash.pair?.span;
-    if (span) nodes.push(this.measures(clash, clash.pair!), ...this.ofSpan(clash, span));
-    else if (clash.pair)
-      nodes.push(this.measures(clash, clash.pair), this.facts(clash, clash.pair), ...this.regions(clash.pair));
+    if (clash.pair) nodes.push(this.measures(clash, clash.pair));
+    if (span) nodes.push(this.ofSpan(clash, span));
+    else if (clash.pair) nodes.push(this.facts(clash, clash.pair), ...this.regions(clash.pair));
     return nodes;
   }
 
   private partLink(clash: Clash, side: 0 | 1): HTMLElement {
     const id = side === 0 ? clash.first : clash.second;
-    const letter = el('span', { class: `letter side-${'ab'[side]}` }, 'AB'[side]);
+    const letter = letterOf(side);
     const name = clash.names[side];
     if (id < 0) return el('span', { class: 'part-link' }, letter, nameOf(name, 2000));
     const link = button('', () => this.store.set({ clash: null, part: id }), {
@@ -122,9 +117,8 @@ export class Details {
 
   /** What was measured, large. `a` and `b` of the report are turned where the inner part stands first. */
   private measures(clash: Clash, pair: Pair): HTMLElement {
-    const isTurned = clash.first !== pair.a;
-    const depths = pair.overlap_depth;
-    const [first, second] = isTurned ? [depths?.b_in_a, depths?.a_in_b] : [depths?.a_in_b, depths?.b_in_a];
+    const { a_in_b: a, b_in_a: b } = pair.overlap_depth ?? {};
+    const [first, second] = clash.first === pair.a ? [a, b] : [b, a];
     const rows: [string, Value | null][] = [
       ['Depth of A in B', first ? interval(first) : null],
       ['Depth of B in A', second ? interval(second) : null],
@@ -137,7 +131,7 @@ export class Details {
   }
 
   /** When, with links that go there. */
-  private ofSpan(clash: Clash, span: PlacedSpan): Node[] {
+  private ofSpan(clash: Clash, span: PlacedSpan): HTMLElement {
     const go = (time: number, title: string): HTMLElement => {
       const link = button('', () => this.store.set({ time }), { class: 'link', title });
       link.append(numberOf(time), ' s');
@@ -145,7 +139,7 @@ export class Details {
     };
     const known = (bracket: Interval | null, time: number, title: string, otherwise: string): Value =>
       bracket ? [go(time, title), ', within ', numberOf(bracket[1] - bracket[0]), ' s'] : [otherwise];
-    const times = figures([
+    return figures([
       ['From', known(span.from, span.start, 'Go to its start', 'the first frame')],
       ['To', known(span.to, span.end, 'Go to its end', 'the last frame')],
       ['Lasts', [numberOf(span.end - span.start), ' s']],
@@ -153,35 +147,21 @@ export class Details {
       ['Worst verdict', [clash.verdict]],
       ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
     ]);
-    return [times];
   }
 
   private facts(clash: Clash, pair: Pair): HTMLElement {
     const solid = (id: number): string => (this.report.objects[id].solid ? 'a solid' : 'a surface');
-    const wall = (id: number): Value | null => {
-      const value = this.report.objects[id].wall;
-      return value == null ? null : [numberOf(value)];
-    };
+    const kinds = ['crossing', 'touching', 'coplanar'] as const;
     const nearest = pair.nearest && (clash.first === pair.a ? pair.nearest : [pair.nearest[1], pair.nearest[0]]);
     return figures([
       ['Verdict', [pair.verdict, pair.fails ? ', fails' : ', does not fail']],
-      [
-        'Triangle pairs',
-        [
-          countOf(pair.crossing),
-          ' crossing, ',
-          countOf(pair.touching),
-          ' touching, ',
-          countOf(pair.coplanar),
-          ' coplanar',
-        ],
-      ],
+      ['Triangle pairs', kinds.flatMap((kind, i) => [i ? ', ' : '', countOf(pair[kind]), ` ${kind}`])],
       ['Nearest point of A', nearest ? point(nearest[0]) : null],
       ['Nearest point of B', nearest ? point(nearest[1]) : null],
-      ['Tolerance applied', pair.tolerance == null ? null : [numberOf(pair.tolerance)]],
+      ['Tolerance applied', measured(pair.tolerance)],
       ['Kind', [`A is ${solid(clash.first)}, B is ${solid(clash.second)}`]],
-      ['Wall of A', wall(clash.first)],
-      ['Wall of B', wall(clash.second)],
+      ['Wall of A', measured(this.report.objects[clash.first].wall)],
+      ['Wall of B', measured(this.report.objects[clash.second].wall)],
       ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
       ['Id', pair.id ? [nameOf(pair.id)] : null],
     ]);
@@ -190,11 +170,8 @@ export class Details {
   private regions(pair: Pair): Node[] {
     const regions = pair.regions ?? [];
     if (!regions.length) return [];
-    const head = el(
-      'h3',
-      {},
-      regions.length === 1 ? 'One region of contact' : `${counted(regions.length)} regions of contact`,
-    );
+    const count = regions.length === 1 ? 'One region' : `${counted(regions.length)} regions`;
+    const head = el('h3', {}, `${count} of contact`);
     const list = el('div', { class: 'regions', role: 'group', 'aria-label': 'Regions of contact' });
     const add = (from: number, to: number) => {
       for (let i = from; i < Math.min(to, regions.length); ++i) list.append(this.region(regions[i], i));
@@ -241,15 +218,14 @@ export class Details {
   }
 
   private ofPart(part: Part): Node[] {
-    const { hidden, isolated } = this.store.state;
-    const isHidden = hidden.has(part.id) || (isolated !== null && !isolated.has(part.id));
+    const isHidden = this.store.state.hidden.has(part.id);
     const clashes = this.clashesOf(part.id);
     const actions = el(
       'div',
       { class: 'line actions' },
-      button('Fit', () => this.actions.fit([part.id])),
-      button(isHidden ? 'Show' : 'Hide', () => this.actions.toggleHidden([part.id])),
-      button('Isolate', () => this.store.set({ isolated: new Set([part.id]), hidden: new Set() })),
+      button('Fit', () => this.fit([part.id])),
+      button(isHidden ? 'Show' : 'Hide', () => this.store.toggleHidden([part.id])),
+      button('Isolate', () => this.store.isolate([part.id])),
     );
     if (clashes) actions.append(button('Only its clashes', () => this.store.filterBy({ parts: new Set([part.id]) })));
     const open = part.first_open_edge;
@@ -269,9 +245,9 @@ export class Details {
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],
         ['Self-crossings', part.self_crossings ? [countOf(part.self_crossings)] : null],
         ['First of them near', crossing ? point(crossing.near) : null],
-        ['Volume', part.volume == null ? null : [numberOf(part.volume)]],
-        ['Area', part.area == null ? null : [numberOf(part.area)]],
-        ['Wall', part.wall == null ? null : [numberOf(part.wall)]],
+        ['Volume', measured(part.volume)],
+        ['Area', measured(part.area)],
+        ['Wall', measured(part.wall)],
       ]),
     ];
   }

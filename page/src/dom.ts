@@ -38,6 +38,10 @@ export function nameOf(name: string, longest = 200): HTMLElement {
   return el('bdi', { class: 'name', title: nameText(name, 2000) }, nameText(name, longest));
 }
 
+/** Which of the two parts of a clash: A or B, in its colour. */
+export const letterOf = (side: number): HTMLElement =>
+  el('span', { class: `letter side-${'ab'[side]}` }, 'AB'[side]);
+
 /** What people wrote, line by line. */
 export const remarkOf = (remark: string): HTMLElement => el('span', { class: 'remark' }, remarkText(remark));
 
@@ -49,6 +53,36 @@ export function button(
   const element = el('button', { type: 'button', ...attributes }, text);
   element.addEventListener('click', onClick);
   return element;
+}
+
+/** A choice of one of several values, each with the text that says it. */
+export function chooser<T extends string>(
+  choices: readonly (readonly [value: T, text: string])[],
+  onChange: (value: T) => void,
+  attributes: Record<string, string>,
+): HTMLSelectElement {
+  const select = el('select', attributes);
+  for (const [value, text] of choices) select.append(el('option', { value }, text));
+  select.addEventListener('change', () => onChange(select.value as T));
+  return select;
+}
+
+/** A field that searches a list; the arrow down goes to the list. */
+export function searchField(
+  id: string,
+  placeholder: string,
+  label: string,
+  list: string,
+  onInput: () => void,
+): HTMLInputElement {
+  const field = el('input', { type: 'search', placeholder, 'aria-label': label, id });
+  field.addEventListener('input', onInput);
+  field.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowDown') return;
+    event.preventDefault();
+    byId(list).focus();
+  });
+  return field;
 }
 
 export function setPressed(element: Element, isPressed: boolean): void {

@@ -3,7 +3,7 @@
 //
 // Drawing the parts away from the assembly's middle, or from the chosen clash.
 import type { Vec3 } from './data';
-import { el } from './dom';
+import { chooser, el } from './dom';
 
 export class Explode {
   readonly panel: HTMLElement;
@@ -15,11 +15,13 @@ export class Explode {
     id: 'explode-by',
     'aria-label': 'How far the parts are drawn apart',
   });
-  private readonly about = el(
-    'select',
+  private readonly about = chooser(
+    [
+      ['middle', 'from the middle'],
+      ['clash', 'from the clash'],
+    ],
+    () => this.apply(),
     { id: 'explode-about', 'aria-label': 'Drawn apart from' },
-    el('option', { value: 'middle' }, 'from the middle'),
-    el('option', { value: 'clash' }, 'from the clash'),
   );
 
   constructor(
@@ -28,7 +30,6 @@ export class Explode {
     private readonly onChange: (factor: number, centre: Vec3) => void,
   ) {
     this.slider.addEventListener('input', () => this.apply());
-    this.about.addEventListener('change', () => this.apply());
     this.panel = el('div', { class: 'tool-panel', id: 'explode-panel' }, this.slider, this.about);
   }
 
@@ -41,7 +42,7 @@ export class Explode {
     if (this.factor > 0 && this.about.value === 'clash') this.apply();
   }
 
-  apply(): void {
+  private apply(): void {
     const centre = (this.about.value === 'clash' && this.clashPlace()) || this.middle();
     this.onChange(this.factor, centre);
   }

@@ -5,6 +5,7 @@
 import {
   changeOf,
   type Clash,
+  countVerdicts,
   emptyFilter,
   type Filter,
   type GroupKey,
@@ -13,20 +14,16 @@ import {
   kChanges,
   kWorse,
   type SortKey,
+  verdictName,
 } from './clashes';
-import { kVerdicts, type Report } from './data';
-import { byId, button, el, setPressed } from './dom';
+import type { Report } from './data';
+import { byId, button, chooser, el, searchField, setPressed } from './dom';
 import { counted, nameText } from './format';
 import type { Store } from './store';
 
 type Choice = [value: string, text: string];
 
-function chooser(label: string, choices: Choice[], onChange: (value: string) => void, id: string): HTMLSelectElement {
-  const select = el('select', { id, 'aria-label': label, title: label });
-  for (const [value, text] of choices) select.append(el('option', { value }, text));
-  select.addEventListener('change', () => onChange(select.value));
-  return select;
-}
+const named = (id: string, label: string) => ({ id, 'aria-label': label, title: label });
 
 function numberField(label: string, id: string, onChange: (value: number) => void): HTMLLabelElement {
   const input = el('input', { type: 'number', min: 0, step: 'any', id, inputmode: 'decimal' });
@@ -53,12 +50,9 @@ function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
 export class Filters {
   private readonly host = byId('filters');
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
-  private readonly search = el('input', {
-    type: 'search',
-    placeholder: 'Filter',
-    'aria-label': 'Filter by part names',
-    id: 'clash-search',
-  });
+  private readonly search = searchField('clash-search', 'Filter', 'Filter by part names', 'clash-list', () =>
+    this.store.filterBy({ text: this.search.value }),
+  );
   private readonly clear = button('Clear filters', () => this.reset(), { id: 'clear-filters', class: 'link' });
   private readonly partNote = el('span', { class: 'part-note' });
 
@@ -68,7 +62,8 @@ export class Filters {
     private readonly store: Store,
     private readonly partName: (id: number) => string,
   ) {
-    this.host.append(this.makeChips(), this.makeLine(), this.makeMore(), this.makeState());
+    const state = el('div', { class: 'line filter-state' }, this.partNote, this.clear);
+    this.host.append(this.makeChips(), this.makeLine(), this.makeMore(), state);
     store.listen((_, changed) => {
       if (changed.has('filter')) this.update();
     });
@@ -80,56 +75,44 @@ export class Filters {
     count: number,
     classes: string,
     isOn: (filter: Filter) => boolean,
-    toggle: () => void,
+    toggle: (filter: Filter) => Partial<Filter>,
   ): HTMLButtonElement {
-    const element = button('', toggle, { class: `chip ${classes}` });
+    const flip = () => this.store.filterBy(toggle(this.store.state.filter));
+    const element = button('', flip, { class: `chip ${classes}` });
     element.append(text, ' ', el('b', {}, counted(count)));
+    element.hidden = count === 0;
     this.chips.push({ element, isOn });
     return element;
   }
 
   private makeChips(): HTMLElement {
-    const chips = el('div', { class: 'chips', role: 'group', 'aria-label': 'Show only' });
-    const failing = this.clashes.filter((clash) => clash.pair?.fails).length;
-    if (failing) {
-      const toggle = () => this.store.filterBy({ failing: !this.store.state.filter.failing });
-      chips.append(this.chip('failing', failing, 'failing', (filter) => filter.failing, toggle));
-    }
-    for (const verdict of kVerdicts) {
-      const count = this.clashes.filter((clash) => clash.pair && clash.verdict === verdict).length;
-      if (!count) continue;
-      const toggle = () => {
-        const verdicts = new Set(this.store.state.filter.verdicts);
-        if (!verdicts.delete(verdict)) verdicts.add(verdict);
-        this.store.filterBy({ verdicts });
-      };
-      chips.append(
+    const found = this.clashes.filter((clash) => clash.pair);
+    const resolved = this.clashes.length - found.length;
+    const failing = found.filter((clash) => clash.pair!.fails).length;
+    return el(
+      'div',
+      { class: 'chips', role: 'group', 'aria-label': 'Show only' },
+      this.chip('failing', failing, 'failing', (filter) => filter.failing, ({ failing }) => ({ failing: !failing })),
+      ...countVerdicts(found).map(([verdict, count]) =>
         this.chip(
-          verdict === 'apart' ? 'too near' : verdict,
+          verdictName(verdict),
           count,
           `verdict ${verdict}`,
           (filter) => filter.verdicts.has(verdict),
-          toggle,
+          (filter) => {
+            const verdicts = new Set(filter.verdicts);
+            if (!verdicts.delete(verdict)) verdicts.add(verdict);
+            return { verdicts };
+          },
         ),
-      );
-    }
-    const resolved = this.report.resolved?.length ?? 0;
-    if (resolved) {
-      const toggle = () => this.store.filterBy({ resolved: !this.store.state.filter.resolved });
-      chips.append(this.chip('resolved', resolved, 'resolved', (filter) => filter.resolved, toggle));
-    }
-    return chips;
+      ),
+      this.chip('resolved', resolved, 'resolved', (filter) => filter.resolved, ({ resolved }) => ({ resolved: !resolved })),
+    );
   }
 
   private makeLine(): HTMLElement {
-    this.search.addEventListener('input', () => this.store.filterBy({ text: this.search.value }));
-    this.search.addEventListener('keydown', (event) => {
-      if (event.key !== 'ArrowDown') return;
-      event.preventDefault();
-      byId('clash-list').focus();
-    });
     const isMotion = this.report.pairs.some((pair) => pair.span);
-    const sorts: Choice[] = [
+    const sorts: [SortKey, string][] = [
       ['rank', isMotion ? 'by time' : 'by verdict'],
       ['depth', 'by depth'],
       ['distance', 'by distance'],
@@ -138,7 +121,7 @@ export class Filters {
     ];
     // A motion comes without distances and areas.
     if (isMotion) sorts.splice(2, 2);
-    const groups: Choice[] = [
+    const groups: [GroupKey, string][] = [
       ['none', 'no groups'],
       ['part', 'in parts'],
       ['types', 'in pairs of types'],
@@ -148,8 +131,8 @@ export class Filters {
       'div',
       { class: 'line' },
       this.search,
-      chooser('Sort by', sorts, (value) => this.store.set({ sort: value as SortKey }), 'sort'),
-      chooser('Group by', groups, (value) => this.store.set({ group: value as GroupKey }), 'group'),
+      chooser(sorts, (sort) => this.store.set({ sort }), named('sort', 'Sort by')),
+      chooser(groups, (group) => this.store.set({ group }), named('group', 'Group by')),
     );
   }
 
@@ -164,17 +147,11 @@ export class Filters {
       const values = valuesOf(this.report, key);
       if (!values.length) continue;
       const choices: Choice[] = [['', `any ${key}`], ...values];
-      fields.push(
-        chooser(`Only of ${key}`, choices, (value) => this.store.filterBy({ [key]: value }), `filter-${key}`),
-      );
+      const onChange = (value: string) => this.store.filterBy({ [key]: value });
+      fields.push(chooser(choices, onChange, named(`filter-${key}`, `Only of ${key}`)));
     }
     const line = el('div', { class: 'line' }, ...fields);
     line.hidden = !fields.length;
-    return line;
-  }
-
-  private makeState(): HTMLElement {
-    const line = el('div', { class: 'line filter-state' }, this.partNote, this.clear);
     return line;
   }
 
@@ -195,6 +172,6 @@ export class Filters {
       : parts.size === 1
         ? `only clashes of ${nameText(this.partName([...parts][0]), 60)}`
         : `only clashes of ${counted(parts.size)} parts`;
-    this.clear.parentElement!.hidden = this.clear.hidden && !parts;
+    this.clear.parentElement!.hidden = this.clear.hidden;
   }
 }

@@ -21,54 +21,40 @@ export class Breather {
 
 const kPiece = 1 << 18; // a multiple of four: base64 digits come in fours
 
-async function* bytesOf(text: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+function bytesOf(text: string): ReadableStream<Uint8Array<ArrayBuffer>> {
   const breather = new Breather();
-  for (let at = 0; at < text.length; at += kPiece) {
-    const piece = atob(text.slice(at, at + kPiece));
-    const bytes = new Uint8Array(piece.length);
-    for (let i = 0; i < piece.length; ++i) bytes[i] = piece.charCodeAt(i);
-    yield bytes;
-    await breather.breathe();
-  }
+  let at = 0;
+  return new ReadableStream({
+    async pull(controller) {
+      await breather.breathe();
+      const piece = atob(text.slice(at, (at += kPiece)));
+      if (piece) controller.enqueue(Uint8Array.from(piece, (digit) => digit.charCodeAt(0)));
+      if (at >= text.length) controller.close();
+    },
+  });
 }
 
-async function inflate(text: string, size: number): Promise<Uint8Array> {
-  const stream = new DecompressionStream('deflate');
-  const writer = stream.writable.getWriter();
-  const feed = (async () => {
-    for await (const bytes of bytesOf(text)) await writer.write(bytes);
-    await writer.close();
-  })();
-  feed.catch((error: unknown) => void writer.abort(error).catch(() => undefined));
-  const all = new Uint8Array(size);
-  const reader = stream.readable.getReader();
-  let at = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    if (at + value.length > size) throw new Error('too long');
-    all.set(value, at);
-    at += value.length;
-  }
-  await feed;
-  if (at !== size) throw new Error('too short');
+async function inflate(text: string, size: number): Promise<ArrayBuffer> {
+  const stream = bytesOf(text).pipeThrough(new DecompressionStream('deflate'));
+  const all = await new Response(stream).arrayBuffer();
+  if (all.byteLength !== size) throw new Error('not the announced size');
   return all;
 }
 
 /** The meshes of the scene in order; rejects with a BlockError if the text does not hold what the scene announces. */
 export async function readMeshes(text: string, scene: SceneBlock): Promise<RawMesh[]> {
   const size = scene.meshes.reduce((sum, mesh) => sum + 12 * (mesh.vertices + mesh.triangles), 0);
-  let bytes: Uint8Array;
+  let bytes: ArrayBuffer;
   try {
     bytes = await inflate(text.replace(/\s+/g, ''), size);
   } catch {
     throw new BlockError('The 3D geometry cannot be read: its block is damaged, or was cut short.');
   }
-  let at = bytes.byteOffset;
+  let at = 0;
   return scene.meshes.map((mesh, i) => {
-    const positions = new Float32Array(bytes.buffer, at, 3 * mesh.vertices);
+    const positions = new Float32Array(bytes, at, 3 * mesh.vertices);
     at += positions.byteLength;
-    const corners = new Uint32Array(bytes.buffer, at, 3 * mesh.triangles);
+    const corners = new Uint32Array(bytes, at, 3 * mesh.triangles);
     at += corners.byteLength;
     for (const corner of corners) {
       if (corner >= mesh.vertices) throw new BlockError(`The 3D geometry cannot be read: mesh ${i} names no vertex.`);

@@ -26,6 +26,15 @@ function tell(error: unknown): void {
   trouble.append(el('span', {}, text));
 }
 
+function readOrTell<T>(read: () => T): T | null {
+  try {
+    return read();
+  } catch (error) {
+    tell(error);
+    return null;
+  }
+}
+
 /** The part of a name that instances of one mesh share. */
 const stem = (name: string): string => name.replace(/ \(\d+\)$/, '');
 
@@ -42,7 +51,7 @@ function typesOf(report: Report, scene: SceneBlock | null): (id: number) => { ke
 }
 
 function makePage(report: Report, scene: SceneBlock | null, motion: Motion | null): void {
-  const store = new Store();
+  const store = new Store(report.objects.length);
   if (motion) {
     report.pairs = pairsOf(motion);
     store.set({ time: motion.times[0], colourBy: 'verdict' });
@@ -55,13 +64,10 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
 
   showSummary(report, motion, clashes, titleOf(report, scene), (clash) => store.select(clash));
   const stage = new Stage(report, store, motion, () => clashes.length > 0);
-  const tree = new PartsTree(report, scene, clashes, store, (parts) => stage.fitParts(parts));
+  new PartsTree(report, scene, clashes, store, (parts) => stage.fitParts(parts));
   const countOf = (part: number) =>
     clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
-  new Details(report, countOf, store, {
-    fit: (parts) => stage.fitParts(parts),
-    toggleHidden: (parts) => tree.toggleHidden(parts),
-  });
+  new Details(report, countOf, store, (parts) => stage.fitParts(parts));
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
@@ -85,8 +91,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
       else if (state.part >= 0) byId('live').textContent = `Part ${nameText(report.objects[state.part].name, 80)}`;
       if (changed.has('clash') && !motion) tellAddress(clash ? `#clash=${clash.rank}` : '');
     }
-    if (changed.has('hidden') || changed.has('isolated'))
-      byId('live').textContent = byId('parts-count').textContent + ' parts';
+    if (changed.has('hidden')) byId('live').textContent = `${byId('parts-count').textContent} parts`;
   });
 
   const panes = [...document.querySelectorAll<HTMLButtonElement>('#panes button')];
@@ -106,7 +111,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
     ...(pairs ? [{ keys: ['k'], text: 'previous clash', act: () => list.step(-1) }] : []),
     ...(timeline?.shortcuts() ?? []),
     { keys: ['Escape'], text: 'close a panel; leave the clash or the part', act: escape },
-    ...stage.shortcuts(tree),
+    ...stage.shortcuts(),
     {
       keys: ['/'],
       text: 'filter the clashes by name',
@@ -151,20 +156,13 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
 
 try {
   const report = readReport();
-  let scene: SceneBlock | null = null;
-  try {
-    scene = readScene(report.objects.length);
-  } catch (error) {
-    tell(error);
-    byId('stage-note').textContent = 'There is no 3D view of this report.';
-  }
-  let motion: Motion | null = null;
-  try {
-    motion = readMotion(report.objects.length);
-  } catch (error) {
-    tell(error);
-  }
-  makePage(report, scene, motion);
+  const scene = readOrTell(() => readScene(report.objects.length));
+  if (!scene) byId('stage-note').textContent = 'There is no 3D view of this report.';
+  makePage(
+    report,
+    scene,
+    readOrTell(() => readMotion(report.objects.length)),
+  );
 } catch (error) {
   document.body.classList.add('broken');
   listenToTheme(() => undefined);

@@ -21,34 +21,6 @@ export interface DrawnMesh {
 /** Vertices at which a great many triangles meet would make fans quadratic: there the face's own normal does. */
 const kWidestFan = 512;
 
-/** Lists of numbers that grow without being boxed. */
-class Growing<T extends Float32Array | Int8Array | Int32Array> {
-  length = 0;
-  constructor(private data: T) {}
-
-  push(x: number, y: number, z: number, w?: number): void {
-    const { length, data } = this;
-    if (length + 4 > data.length) {
-      const Made = data.constructor as new (size: number) => T;
-      this.data = new Made(2 * data.length + 16);
-      this.data.set(data);
-    }
-    this.data[length] = x;
-    this.data[length + 1] = y;
-    this.data[length + 2] = z;
-    if (w !== undefined) this.data[length + 3] = w;
-    this.length += w === undefined ? 3 : 4;
-  }
-
-  at(i: number): number {
-    return this.data[i];
-  }
-
-  taken(): T {
-    return this.data.slice(0, this.length) as T;
-  }
-}
-
 export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
   const { positions: p } = raw;
   const first = weld(p);
@@ -56,9 +28,10 @@ export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
   const { faces, sizes, volume } = all;
   const fan = fans(raw.corners, first);
   const edges = withEdges ? findEdges(raw, first, all, fan) : new Float32Array(0);
-  const positions = new Growing(new Float32Array(p.length + 16));
-  const normals = new Growing(new Int8Array(2 * p.length + 16));
   const corners = new Uint32Array(raw.corners.length);
+  // Room for a vertex at every corner; what is not needed is cut off in the end.
+  const positions = new Float32Array(3 * corners.length);
+  const normals = new Int8Array(4 * corners.length);
   // The vertices made so far of each welded one, as a list through `next`.
   const head = new Int32Array(first.length).fill(-1);
   const next = new Int32Array(corners.length);
@@ -89,22 +62,18 @@ export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
     y = Math.round(y * scale);
     z = Math.round(z * scale);
     let vertex = head[v];
-    while (
-      vertex >= 0 &&
-      !(normals.at(4 * vertex) === x && normals.at(4 * vertex + 1) === y && normals.at(4 * vertex + 2) === z)
-    ) {
-      vertex = next[vertex];
-    }
+    const isNormal = (i: number) => normals[4 * i] === x && normals[4 * i + 1] === y && normals[4 * i + 2] === z;
+    while (vertex >= 0 && !isNormal(vertex)) vertex = next[vertex];
     if (vertex < 0) {
       vertex = made++;
       next[vertex] = head[v];
       head[v] = vertex;
-      positions.push(p[3 * v], p[3 * v + 1], p[3 * v + 2]);
-      normals.push(x, y, z, 0);
+      positions.set([p[3 * v], p[3 * v + 1], p[3 * v + 2]], 3 * vertex);
+      normals.set([x, y, z], 4 * vertex);
     }
     // A closed mesh whose normals look inwards is turned, so that its inside shows as such where it is cut open.
     corners[turn > 0 ? k : t + 2 - (k - t)] = vertex;
   }
-  const placed = positions.taken();
-  return { positions: placed, normals: normals.taken(), corners, edges, ...bounds(placed) };
+  const placed = positions.slice(0, 3 * made);
+  return { positions: placed, normals: normals.slice(0, 4 * made), corners, edges, ...bounds(placed) };
 }

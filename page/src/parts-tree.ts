@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The tree of files, groups and parts.
-import type { Clash } from './clashes';
+import { type Clash, wordsOf } from './clashes';
 import type { Report, SceneBlock } from './data';
-import { byId, button, el, nameOf } from './dom';
+import { byId, button, el, nameOf, searchField } from './dom';
 import { counted, fileName, nameText, plural } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
@@ -38,14 +38,8 @@ export class PartsTree {
   private readonly fails: Uint8Array;
   private readonly open = new Set<number>();
   private shown: number[] = [];
-  private query = '';
   private readonly rows: VirtualRows;
-  private readonly search = el('input', {
-    type: 'search',
-    placeholder: 'Search parts',
-    'aria-label': 'Search parts',
-    id: 'parts-search',
-  });
+  private readonly search = searchField('parts-search', 'Search parts', 'Search parts', 'parts-tree', () => this.list());
 
   constructor(
     private readonly report: Report,
@@ -79,7 +73,7 @@ export class PartsTree {
     this.list();
     store.listen((state, changed) => {
       if (changed.has('part') && state.part >= 0) this.reveal(state.part);
-      else if (['part', 'clash', 'hidden', 'isolated', 'filter'].some((key) => changed.has(key as 'part')))
+      else if (['part', 'clash', 'hidden', 'filter'].some((key) => changed.has(key as 'part')))
         this.rows.refresh();
     });
   }
@@ -132,22 +126,12 @@ export class PartsTree {
   }
 
   private makeTools(): void {
-    this.search.addEventListener('input', () => {
-      this.query = this.search.value;
-      this.list();
-    });
-    this.search.addEventListener('keydown', (event) => {
-      if (event.key !== 'ArrowDown') return;
-      event.preventDefault();
-      byId('parts-tree').focus();
-    });
-    const showAll = button('Show all', () => this.store.set({ hidden: new Set(), isolated: null }), { id: 'show-all' });
+    const showAll = button('Show all', () => this.store.showAll(), { id: 'show-all' });
     const update = () => {
-      const { hidden, isolated } = this.store.state;
-      showAll.disabled = hidden.size === 0 && !isolated;
-      const total = this.report.objects.length;
-      const unseen = isolated ? total - isolated.size : hidden.size;
-      byId('parts-count').textContent = unseen ? `${counted(total)}, ${counted(unseen)} hidden` : counted(total);
+      const { size } = this.store.state.hidden;
+      showAll.disabled = size === 0;
+      const total = counted(this.report.objects.length);
+      byId('parts-count').textContent = size ? `${total}, ${counted(size)} hidden` : total;
     };
     this.store.listen(update);
     update();
@@ -156,7 +140,7 @@ export class PartsTree {
 
   /** Lists the nodes to show: those that are open, or, when something is searched, what matches and the way to it. */
   private list(): void {
-    const words = this.query.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = wordsOf(this.search.value);
     let wanted: Uint8Array | null = null;
     if (words.length) {
       wanted = new Uint8Array(this.nodes.length);
@@ -178,11 +162,10 @@ export class PartsTree {
 
   private fill(row: HTMLElement, index: number): void {
     const node = this.nodes[index];
-    const { hidden, isolated, part, clash } = this.store.state;
-    const isHidden = (id: number) => hidden.has(id) || (isolated !== null && !isolated.has(id));
+    const { hidden, part, clash } = this.store.state;
     const parts = node.part >= 0 ? [node.part] : this.partsUnder(index);
-    const isGone = parts.every(isHidden);
-    const isOpen = this.query !== '' || this.open.has(index);
+    const isGone = parts.every((id) => hidden.has(id));
+    const isOpen = this.search.value !== '' || this.open.has(index);
     const siblings = node.parent < 0 ? this.roots : this.nodes[node.parent].children;
     row.className = 'row part';
     row.classList.toggle('gone', isGone);
@@ -194,7 +177,6 @@ export class PartsTree {
     row.setAttribute('aria-setsize', String(siblings.length));
     row.setAttribute('aria-selected', String(node.part >= 0 && node.part === part));
     if (node.part < 0) row.setAttribute('aria-expanded', String(isOpen));
-    else row.removeAttribute('aria-expanded');
     const indent = el('span', { class: 'indent', 'aria-hidden': 'true' }, node.part < 0 ? (isOpen ? '▾' : '▸') : '');
     indent.style.marginInlineStart = `${Math.min(kDeepestIndent, node.level - 1) * 0.8}rem`;
     const clashes = parts.reduce((sum, id) => sum + this.clashesOf[id], 0);
@@ -211,7 +193,7 @@ export class PartsTree {
   private choose(index: number, event: Event): void {
     const node = this.nodes[index];
     if ((event.target as HTMLElement).dataset?.act === 'hide') {
-      this.toggleHidden(this.partsUnder(index));
+      this.store.toggleHidden(this.partsUnder(index));
     } else if (node.part >= 0) {
       this.store.set({
         part: node.part === this.store.state.part && event.type === 'click' ? -1 : node.part,
@@ -221,29 +203,6 @@ export class PartsTree {
     } else {
       this.toggleOpen(index);
     }
-  }
-
-  toggleHidden(parts: number[]): void {
-    const { isolated } = this.store.state;
-    const hidden = new Set(this.store.state.hidden);
-    if (isolated) {
-      // What is isolated stays so; hiding takes from it, and showing adds to it.
-      const next = new Set(isolated);
-      const areShown = parts.some((id) => next.has(id) && !hidden.has(id));
-      for (const id of parts) {
-        if (areShown) next.delete(id);
-        else next.add(id);
-        if (!areShown) hidden.delete(id);
-      }
-      this.store.set({ isolated: next, hidden });
-      return;
-    }
-    const areShown = parts.some((id) => !hidden.has(id));
-    for (const id of parts) {
-      if (areShown) hidden.add(id);
-      else hidden.delete(id);
-    }
-    this.store.set({ hidden });
   }
 
   private toggleOpen(index: number, wanted = !this.open.has(index)): void {
@@ -259,12 +218,12 @@ export class PartsTree {
       if (!this.open.has(index)) this.toggleOpen(index, true);
       else this.rows.moveTo(this.rows.current + 1);
     } else if (event.key === 'ArrowLeft') {
-      if (node.part < 0 && this.open.has(index) && !this.query) this.toggleOpen(index, false);
+      if (node.part < 0 && this.open.has(index) && !this.search.value) this.toggleOpen(index, false);
       else if (node.parent >= 0) this.rows.moveTo(this.shown.indexOf(node.parent));
     } else if (event.key === 'h') {
-      this.toggleHidden(parts);
+      this.store.toggleHidden(parts);
     } else if (event.key === 'i') {
-      this.store.set({ isolated: new Set(parts), hidden: new Set() });
+      this.store.isolate(parts);
       this.onFit(parts);
     } else if (event.key === 'c') {
       this.store.filterBy({ parts: new Set(parts) });
@@ -275,9 +234,9 @@ export class PartsTree {
   }
 
   private reveal(part: number): void {
-    if (this.query && !this.shown.includes(this.leafOf[part])) this.query = this.search.value = '';
+    if (!this.shown.includes(this.leafOf[part])) this.search.value = '';
     for (let i = this.nodes[this.leafOf[part]].parent; i >= 0; i = this.nodes[i].parent) this.open.add(i);
     this.list();
-    this.rows.moveTo(this.shown.indexOf(this.leafOf[part]), false);
+    this.rows.moveTo(this.shown.indexOf(this.leafOf[part]));
   }
 }

@@ -3,10 +3,10 @@
 //
 // The sectioning plane: along an axis, or through the chosen clash and facing the viewer.
 import type { Vec3 } from './data';
-import { el, setPressed } from './dom';
+import { button, el, setPressed } from './dom';
 import { type Box, cornersOf, dot, isEmpty, scale } from './vector';
 
-export type Axis = 'none' | 'x' | 'y' | 'z' | 'clash';
+type Axis = 'none' | 'x' | 'y' | 'z' | 'clash';
 
 const kAxes: Record<'x' | 'y' | 'z', Vec3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const kSteps = 1000;
@@ -32,7 +32,7 @@ export class Section {
     id: 'section-place',
     'aria-label': 'Place of the section',
   });
-  private readonly flip = el('button', { type: 'button', id: 'section-flip', 'aria-pressed': 'false' }, 'Flip');
+  private readonly flip = button('Flip', () => this.turnOver(), { id: 'section-flip' });
   private readonly axes = new Map<Axis, HTMLButtonElement>();
 
   constructor(
@@ -48,25 +48,25 @@ export class Section {
     ];
     const group = el('div', { class: 'segments', role: 'group', 'aria-label': 'Section' });
     for (const [axis, text, title] of names) {
-      const button = el('button', { type: 'button', title, 'data-axis': axis }, text);
-      button.addEventListener('click', () => this.setAxis(axis));
-      this.axes.set(axis, button);
-      group.append(button);
+      const choice = button(text, () => this.setAxis(axis), { title, 'data-axis': axis });
+      this.axes.set(axis, choice);
+      group.append(choice);
     }
     this.slider.addEventListener('input', () => this.apply());
-    this.flip.addEventListener('click', () => {
-      this.isFlipped = !this.isFlipped;
-      this.apply();
-    });
     this.panel = el('div', { class: 'tool-panel', id: 'section-panel' }, group, this.slider, this.flip);
     this.update();
   }
 
-  get isOn(): boolean {
+  private get isOn(): boolean {
     return this.axis !== 'none';
   }
 
-  setAxis(axis: Axis): void {
+  private turnOver(): void {
+    this.isFlipped = !this.isFlipped;
+    this.apply();
+  }
+
+  private setAxis(axis: Axis): void {
     this.axis = axis;
     this.isFlipped = false;
     if (axis === 'clash') this.normal = this.world.back();
@@ -113,7 +113,7 @@ export class Section {
   }
 
   private update(): void {
-    for (const [axis, button] of this.axes) setPressed(button, axis === this.axis);
+    for (const [axis, choice] of this.axes) setPressed(choice, axis === this.axis);
     this.axes.get('clash')!.disabled = !this.world.clashPlace() && this.axis !== 'clash';
     this.slider.disabled = this.flip.disabled = !this.isOn;
     setPressed(this.flip, this.isFlipped);

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 //
 // From where a contact can be seen: rays from points of it towards the viewer, against the triangles of its two parts.
+import { Ray, Vector3 } from 'three';
 import type { Vec3 } from './data';
-import { add, cross, dot, length, scale, sub } from './vector';
+import { matrixOf, type Pose } from './pose';
+import { add, dot, length, scale } from './vector';
 
 export interface Obstacle {
   positions: Float32Array;
   corners: Uint32Array;
-  /** Row-major 3 x 4, to the world. */
-  pose: number[];
+  /** To the world. */
+  pose: Pose;
 }
 
 /** So many ray and triangle tests are done while nobody notices. */
@@ -23,45 +25,14 @@ export function samplesOf(lines: Vec3[][]): Vec3[] {
   return points.filter((_, i) => i % step === 0).slice(0, kPoints);
 }
 
-function toLocal(pose: number[]): { point: (p: Vec3) => Vec3; way: (d: Vec3) => Vec3 } | null {
-  const [x, y, z]: Vec3[] = [0, 1, 2].map((k) => [pose[k], pose[4 + k], pose[8 + k]]);
-  const det = dot(x, cross(y, z));
-  if (!(Math.abs(det) > 0)) return null;
-  const rows = [cross(y, z), cross(z, x), cross(x, y)].map((row) => scale(row, 1 / det));
-  const way = (d: Vec3): Vec3 => [dot(rows[0], d), dot(rows[1], d), dot(rows[2], d)];
-  return { way, point: (p) => way(sub(p, [pose[3], pose[7], pose[11]])) };
-}
+const [kA, kB, kC, kHit] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
 
-/** Möller and Trumbore's test, from a little way along the ray. */
-function isBlocked({ positions: p, corners }: Obstacle, from: Vec3, d: Vec3): boolean {
-  const [dx, dy, dz] = d;
-  const [ox, oy, oz] = from;
+function isBlocked({ positions, corners }: Obstacle, ray: Ray): boolean {
   for (let t = 0; t < corners.length; t += 3) {
-    const a = 3 * corners[t];
-    const b = 3 * corners[t + 1];
-    const c = 3 * corners[t + 2];
-    const ux = p[b] - p[a];
-    const uy = p[b + 1] - p[a + 1];
-    const uz = p[b + 2] - p[a + 2];
-    const vx = p[c] - p[a];
-    const vy = p[c + 1] - p[a + 1];
-    const vz = p[c + 2] - p[a + 2];
-    const px = dy * vz - dz * vy;
-    const py = dz * vx - dx * vz;
-    const pz = dx * vy - dy * vx;
-    const det = ux * px + uy * py + uz * pz;
-    if (det === 0) continue;
-    const sx = ox - p[a];
-    const sy = oy - p[a + 1];
-    const sz = oz - p[a + 2];
-    const u = (sx * px + sy * py + sz * pz) / det;
-    if (!(u >= 0 && u <= 1)) continue;
-    const qx = sy * uz - sz * uy;
-    const qy = sz * ux - sx * uz;
-    const qz = sx * uy - sy * ux;
-    const v = (dx * qx + dy * qy + dz * qz) / det;
-    if (!(v >= 0 && u + v <= 1)) continue;
-    if ((vx * qx + vy * qy + vz * qz) / det > 0) return true;
+    kA.fromArray(positions, 3 * corners[t]);
+    kB.fromArray(positions, 3 * corners[t + 1]);
+    kC.fromArray(positions, 3 * corners[t + 2]);
+    if (ray.intersectTriangle(kA, kB, kC, false, kHit)) return true;
   }
   return false;
 }
@@ -71,27 +42,28 @@ const kVertices = 24;
 /** Corners of the triangles of a part, evenly taken, in the world. */
 function verticesOf({ positions: p, corners, pose }: Obstacle): Vec3[] {
   const step = Math.max(1, Math.floor(corners.length / kVertices));
+  const toWorld = matrixOf(pose);
   const points: Vec3[] = [];
   for (let i = 0; i < corners.length && points.length < kVertices; i += step) {
-    const [x, y, z] = [0, 1, 2].map((k) => p[3 * corners[i] + k]);
-    points.push(
-      [0, 4, 8].map((row) => pose[row] * x + pose[row + 1] * y + pose[row + 2] * z + pose[row + 3]) as Vec3,
-    );
+    points.push(new Vector3().fromArray(p, 3 * corners[i]).applyMatrix4(toWorld).toArray());
   }
   return points;
 }
 
 /** The share of the points that nothing hides from a far viewer in a direction. `gap`: what lies so near hides nothing. */
 function seenShare(obstacles: Obstacle[], points: Vec3[], direction: Vec3, gap: number): number {
-  let seen = 0;
-  for (const point of points) {
-    const from = add(point, scale(direction, gap));
-    const hidden = obstacles.some((obstacle) => {
-      const local = toLocal(obstacle.pose);
-      return local !== null && isBlocked(obstacle, local.point(from), local.way(direction));
-    });
-    if (!hidden) ++seen;
-  }
+  // A flat pose has no way back, and what it places hides next to nothing.
+  const solids = obstacles
+    .map((obstacle) => ({ obstacle, toWorld: matrixOf(obstacle.pose) }))
+    .filter(({ toWorld }) => toWorld.determinant() !== 0)
+    .map(({ obstacle, toWorld }) => ({ obstacle, toLocal: toWorld.invert() }));
+  const isHidden = (point: Vec3) => {
+    const from = new Vector3(...add(point, scale(direction, gap)));
+    return solids.some(({ obstacle, toLocal }) =>
+      isBlocked(obstacle, new Ray(from.clone(), new Vector3(...direction)).applyMatrix4(toLocal)),
+    );
+  };
+  const seen = points.filter((point) => !isHidden(point)).length;
   return seen / points.length;
 }
 

@@ -9,13 +9,12 @@ import { ClashView } from './clash-view';
 import { Controls } from './controls';
 import { Cube, faceTo, kFaces } from './cube';
 import { BlockError, readGeometryText, type Report, type SceneBlock, type Vec3 } from './data';
-import { byId, el, nameOf } from './dom';
+import { byId, el, letterOf, nameOf } from './dom';
 import { Explode } from './explode';
 import { counted, nameText } from './format';
 import { readMeshes } from './geometry';
 import type { Shortcut } from './keys';
 import { type Motion, posesAt } from './motion';
-import type { PartsTree } from './parts-tree';
 import { Section } from './section';
 import type { State, Store } from './store';
 import { Tools } from './tools';
@@ -61,7 +60,7 @@ export class Stage {
     this.note.textContent = `Reading ${counted(total)} triangles …`;
     try {
       const meshes = await readMeshes(readGeometryText(), scene);
-      const assembly = await Assembly.create(scene, meshes, () => undefined);
+      const assembly = await Assembly.create(scene, meshes);
       this.look = new ClashView(this.report, scene, assembly);
       if (this.motion) assembly.setSweep(this.motion.objects);
       view.show(assembly);
@@ -160,7 +159,7 @@ export class Stage {
     const doOthersClash = changed.has('time') && this.moveParts(state.time);
     const isElsewhere = changed.has('clash') || changed.has('region');
     const from = isElsewhere ? look.lookFrom(state, view.camera.goalBack()) : null;
-    const looks: (keyof State)[] = ['clash', 'region', 'part', 'hidden', 'isolated', 'others', 'glass', 'colourBy'];
+    const looks: (keyof State)[] = ['clash', 'region', 'part', 'hidden', 'others', 'glass', 'colourBy'];
     if (doOthersClash || looks.some((key) => changed.has(key))) look.applyLooks(state);
     if (changed.has('clash') || changed.has('region') || changed.has('boxes')) view.setStrokes(look.strokes(state));
     if (from) {
@@ -180,14 +179,8 @@ export class Stage {
     const { clash } = state;
     legend.hidden = !clash;
     if (!clash) return;
-    const entry = (side: 0 | 1) =>
-      el(
-        'span',
-        { class: 'entry' },
-        el('span', { class: `letter side-${'ab'[side]}`, 'aria-hidden': 'true' }, 'AB'[side]),
-        nameOf(clash.names[side], 60),
-      );
-    legend.replaceChildren(entry(0), entry(1));
+    const entries = clash.names.map((name, side) => el('span', { class: 'entry' }, letterOf(side), nameOf(name, 60)));
+    legend.replaceChildren(...entries);
   }
 
   takeTheme(): void {
@@ -201,14 +194,15 @@ export class Stage {
   fitAll(): void {
     const { view } = this;
     if (!view?.assembly) return;
-    const { hidden, isolated } = this.store.state;
-    if (this.motion && !hidden.size && !isolated) return view.fit(view.assembly.bounds);
-    const seen = view.assembly.boxes.filter((_, id) => !hidden.has(id) && (!isolated || isolated.has(id)));
+    const { hidden } = this.store.state;
+    if (this.motion && !hidden.size) return view.fit(view.assembly.bounds);
+    const seen = view.assembly.boxes.filter((_, id) => !hidden.has(id));
     view.fit(unite(seen.length ? seen : view.assembly.boxes));
   }
 
   fitParts(parts: number[]): void {
-    if (this.view?.assembly) this.view.fit(unite(parts.map((id) => this.view!.assembly!.boxes[id])));
+    const { view } = this;
+    if (view?.assembly) view.fit(unite(parts.map((id) => view.assembly!.boxes[id])));
   }
 
   /** Where on the page the middle of a part is, for tests. */
@@ -232,13 +226,11 @@ export class Stage {
     else this.fitAll();
   }
 
-  shortcuts(tree: PartsTree): Shortcut[] {
+  shortcuts(): Shortcut[] {
     const { store } = this;
-    const chosen = (): number[] => (store.state.part >= 0 ? [store.state.part] : []);
-    const withParts = (act: (parts: number[]) => void) => () => {
-      if (chosen().length) act(chosen());
+    const withPart = (act: (parts: number[]) => void) => () => {
+      if (store.state.part >= 0) act([store.state.part]);
     };
-    const isolate = (parts: number[]) => store.set({ isolated: new Set(parts), hidden: new Set() });
     return [
       { keys: ['f'], text: 'fit what is chosen, or all', act: () => this.frame() },
       {
@@ -246,9 +238,9 @@ export class Stage {
         text: 'front, back, left, right, top, bottom',
         act: (key) => this.face(key),
       },
-      { keys: ['h'], text: 'hide the chosen part, or show it', act: withParts((parts) => tree.toggleHidden(parts)) },
-      { keys: ['i'], text: 'isolate the chosen part', act: withParts(isolate) },
-      { keys: ['a'], text: 'show all parts', act: () => store.set({ hidden: new Set(), isolated: null }) },
+      { keys: ['h'], text: 'hide the chosen part, or show it', act: withPart((parts) => store.toggleHidden(parts)) },
+      { keys: ['i'], text: 'isolate the chosen part', act: withPart((parts) => store.isolate(parts)) },
+      { keys: ['a'], text: 'show all parts', act: () => store.showAll() },
       { keys: ['s'], text: 'section', act: () => this.tools?.toggle('section') },
       { keys: ['e'], text: 'explode', act: () => this.tools?.toggle('explode') },
       ...(this.hasClashes()

@@ -12,8 +12,6 @@ export interface State {
   /** Of the motion, in seconds. */
   time: number;
   hidden: Set<number>;
-  /** All others are hidden; null: none is. */
-  isolated: Set<number> | null;
   others: 'fade' | 'hide' | 'show';
   glass: boolean;
   boxes: boolean;
@@ -32,7 +30,6 @@ export class Store {
     part: -1,
     time: 0,
     hidden: new Set(),
-    isolated: null,
     others: 'fade',
     glass: false,
     boxes: false,
@@ -42,6 +39,8 @@ export class Store {
     group: 'none',
   };
   private readonly listeners: Listener[] = [];
+
+  constructor(private readonly parts: number) {}
 
   listen(listener: Listener): void {
     this.listeners.push(listener);
@@ -59,6 +58,28 @@ export class Store {
 
   filterBy(patch: Partial<Filter>): void {
     this.set({ filter: { ...this.state.filter, ...patch } });
+  }
+
+  /** Hides all parts but these. */
+  isolate(parts: number[]): void {
+    const hidden = new Set(Array(this.parts).keys());
+    for (const id of parts) hidden.delete(id);
+    this.set({ hidden });
+  }
+
+  /** Hides the parts, or shows them if none of them is seen. */
+  toggleHidden(parts: number[]): void {
+    const hidden = new Set(this.state.hidden);
+    const areShown = parts.some((id) => !hidden.has(id));
+    for (const id of parts) {
+      if (areShown) hidden.add(id);
+      else hidden.delete(id);
+    }
+    this.set({ hidden });
+  }
+
+  showAll(): void {
+    this.set({ hidden: new Set() });
   }
 
   select(clash: Clash | null): void {

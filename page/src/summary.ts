@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The top of the page: what came out, in plain words.
-import { changeOf, type Clash, isWorse } from './clashes';
+import { changeOf, type Clash, countVerdicts, isWorse, verdictName } from './clashes';
 import { kVerdicts, type Report, type SceneBlock, type Verdict } from './data';
 import { byId, button, countOf, el, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText, plural } from './format';
@@ -10,13 +10,11 @@ import type { Motion } from './motion';
 
 type Fact = (Node | string)[];
 
+const countedOf = (n: number, one: string, many = `${one}s`): Fact => [countOf(n), ` ${n === 1 ? one : many}`];
+
 function partFacts(report: Report, motion: Motion | null): Fact {
   const files = new Set(report.objects.map((part) => part.file)).size;
-  const facts: Fact = [
-    countOf(report.objects.length),
-    report.objects.length === 1 ? ' part' : ' parts',
-    ` in ${plural(files, 'file')}`,
-  ];
+  const facts: Fact = [...countedOf(report.objects.length, 'part'), ` in ${plural(files, 'file')}`];
   if (motion) facts.push(`, ${counted(motion.objects.length)} of them moving`);
   if (report.objects.some((part) => part.solid != null)) {
     const solids = report.objects.filter((part) => part.solid).length;
@@ -84,8 +82,8 @@ function failsFact({ settings, tests }: Report): Fact | null {
 function stepsFact({ animation }: Motion): Fact {
   return [
     'looked at ',
-    countOf(animation.frames),
-    animation.frames === 1 ? ' step of ' : ' steps of ',
+    ...countedOf(animation.frames, 'step'),
+    ' of ',
     numberOf(animation.step),
     ' s: what is over within one step may be missed',
   ];
@@ -104,19 +102,16 @@ function leftOutFacts(what: string, list: string[]): Fact[] {
 
 function motionLine({ animation }: Motion, clashes: Clash[]): Node[] {
   const line = el('strong', { class: clashes.length ? 'bad' : 'good' });
-  if (clashes.length) line.append(countOf(clashes.length), clashes.length === 1 ? ' clash' : ' clashes');
+  if (clashes.length) line.append(...countedOf(clashes.length, 'clash', 'clashes'));
   else line.append('No clash seen');
   line.append(' in ', numberOf(animation.seconds), ' s of motion');
-  return [line, verdictList((verdict) => clashes.filter((clash) => clash.verdict === verdict).length)];
+  return [line, verdictList(countVerdicts(clashes))];
 }
 
-function verdictList(countIn: (verdict: Verdict) => number): HTMLElement {
+function verdictList(counts: [Verdict, number][]): HTMLElement {
   const list = el('span', { class: 'verdicts' });
-  for (const verdict of kVerdicts) {
-    const count = countIn(verdict);
-    const name = verdict === 'apart' ? 'too near' : verdict;
-    if (count) list.append(el('span', { class: `verdict ${verdict}` }, countOf(count), ` ${name}`));
-  }
+  for (const [verdict, count] of counts)
+    if (count) list.append(el('span', { class: `verdict ${verdict}` }, countOf(count), ` ${verdictName(verdict)}`));
   return list;
 }
 
@@ -124,10 +119,10 @@ function verdictLine(report: Report): Node[] {
   const { counts, settings } = report;
   if (!settings || !counts) return [];
   const failing = el('strong', { class: counts.fail ? 'bad' : 'good' });
-  if (counts.fail) failing.append(countOf(counts.fail), counts.fail === 1 ? ' clash fails' : ' clashes fail');
+  if (counts.fail) failing.append(...countedOf(counts.fail, 'clash fails', 'clashes fail'));
   else failing.append('Nothing fails');
   const parts: Node[] = [failing];
-  const list = verdictList((verdict) => counts[verdict]);
+  const list = verdictList(kVerdicts.map((verdict) => [verdict, counts[verdict]]));
   parts.push(list.childNodes.length ? list : el('span', { class: 'verdicts' }, 'no two parts touch'));
   return parts;
 }
@@ -155,7 +150,7 @@ export function showSummary(
   if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
   facts.push(failsFact(report));
   const rules = report.settings?.ignore?.length ?? 0;
-  if (rules) facts.push([countOf(rules), rules === 1 ? ' rule leaves pairs out' : ' rules leave pairs out']);
+  if (rules) facts.push(countedOf(rules, 'rule leaves pairs out', 'rules leave pairs out'));
   byId('facts').replaceChildren();
   for (const fact of facts) if (fact) byId('facts').append(el('span', {}, ...fact));
 }
@@ -164,17 +159,8 @@ export function showSummary(
 export function tellSimplified(scene: SceneBlock): void {
   if (scene.shown >= scene.triangles) return;
   const why = scene.shown > (scene.asked ?? Infinity) ? ', as with fewer parts would lose their shape' : '';
-  byId('facts').append(
-    el(
-      'span',
-      {},
-      '3D simplified to ',
-      countOf(scene.shown),
-      ' of ',
-      countOf(scene.triangles),
-      ` triangles${why}; figures are of the full model`,
-    ),
-  );
+  const counts = ['3D simplified to ', countOf(scene.shown), ' of ', countOf(scene.triangles)];
+  byId('facts').append(el('span', {}, ...counts, ` triangles${why}; figures are of the full model`));
 }
 
 export const titleOf = (report: Report, scene: SceneBlock | null): string =>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A mesh as a surface: which vertices are one, which triangles are around them, which way these face.
-import type { Vec3 } from './data';
+import { Box3 } from 'three';
 import type { RawMesh } from './geometry';
 import type { Box } from './vector';
 
@@ -103,14 +103,7 @@ export function isSmooth(faces: Float32Array, s: number, t: number): boolean {
   return faces[s] * faces[t] + faces[s + 1] * faces[t + 1] + faces[s + 2] * faces[t + 2] >= kCrease;
 }
 
-export function bounds(p: Float32Array): Box {
-  const min: Vec3 = [Infinity, Infinity, Infinity];
-  const max: Vec3 = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < p.length; i += 3) {
-    for (let k = 0; k < 3; ++k) {
-      if (p[i + k] < min[k]) min[k] = p[i + k];
-      if (p[i + k] > max[k]) max[k] = p[i + k];
-    }
-  }
-  return { min, max };
+export function bounds(positions: Float32Array): Box {
+  const { min, max } = new Box3().setFromArray(positions);
+  return { min: min.toArray(), max: max.toArray() };
 }

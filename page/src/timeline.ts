@@ -4,7 +4,7 @@
 // The timeline: plays the motion, goes to any time of it, and shows when which parts clash.
 import { tellAddress } from './address';
 import type { Clash } from './clashes';
-import { byId, button, el } from './dom';
+import { byId, button, chooser, el } from './dom';
 import { counted, plural, rounded } from './format';
 import type { Shortcut } from './keys';
 import { frameAt, type Motion } from './motion';
@@ -75,10 +75,12 @@ export class Timeline {
   }
 
   private makeBar(): HTMLElement {
-    const speeds = el('select', { id: 'speed', 'aria-label': 'Speed', title: 'Speed' });
-    for (const speed of kSpeeds) speeds.append(el('option', { value: speed }, `${speed} ×`));
+    const speeds = chooser(
+      kSpeeds.map((speed) => [String(speed), `${speed} ×`]),
+      (speed) => (this.speed = Number(speed)),
+      { id: 'speed', 'aria-label': 'Speed', title: 'Speed' },
+    );
     speeds.value = '1';
-    speeds.addEventListener('change', () => (this.speed = Number(speeds.value)));
     const step = (by: 1 | -1, text: string, title: string, key: string) =>
       button(text, () => this.step(by), { 'aria-label': title, title: `${title} (${key})`, class: 'frame-step' });
     return el(
@@ -135,19 +137,11 @@ export class Timeline {
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const acts: Record<string, () => void> = {
-      ArrowLeft: () => this.step(-1),
-      ArrowDown: () => this.step(-1),
-      ArrowRight: () => this.step(1),
-      ArrowUp: () => this.step(1),
-      PageDown: () => this.step(-10),
-      PageUp: () => this.step(10),
-      Home: () => this.jump(this.first),
-      End: () => this.jump(this.last),
-      ' ': () => this.toggle(),
-    };
-    if (!acts[event.key]) return;
-    acts[event.key]();
+    const by = { ArrowDown: -1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[event.key];
+    const shortcut = this.shortcuts().find(({ keys }) => keys.includes(event.key));
+    if (by) this.step(by);
+    else if (shortcut) shortcut.act(event.key);
+    else return;
     event.preventDefault();
     event.stopPropagation();
   }

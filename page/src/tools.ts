@@ -3,24 +3,13 @@
 //
 // The bar under the 3D view.
 import type { Camera } from './camera';
-import { byId, button, el, setPressed } from './dom';
+import { byId, button, chooser, el, setPressed } from './dom';
 import type { Explode } from './explode';
 import type { Section } from './section';
-import type { State, Store } from './store';
+import type { Store } from './store';
 
-function choices<T extends string>(
-  label: string,
-  id: string,
-  options: [T, string][],
-  value: T,
-  onChange: (value: T) => void,
-): HTMLElement {
-  const select = el('select', { id });
-  for (const [key, text] of options) select.append(el('option', { value: key }, text));
-  select.value = value;
-  select.addEventListener('change', () => onChange(select.value as T));
-  return el('label', { class: 'field' }, el('span', {}, label), select);
-}
+const labelled = (label: string, select: HTMLSelectElement): HTMLElement =>
+  el('label', { class: 'field' }, el('span', {}, label), select);
 
 export interface ToolActions {
   fit: () => void;
@@ -77,48 +66,38 @@ export class Tools {
 
   private lookPanel(boxes: HTMLInputElement): HTMLElement {
     const { camera } = this.actions;
-    const set =
-      <K extends keyof State>(key: K) =>
-      (value: State[K]) =>
-        this.store.set({ [key]: value } as Pick<State, K>);
+    const colours = chooser(
+      [
+        ['type', 'by type'],
+        ['file', 'by file'],
+        ['verdict', this.isMotion ? 'by what clashes now' : 'by worst verdict'],
+      ],
+      (colourBy) => this.store.set({ colourBy }),
+      { id: 'colour-by' },
+    );
+    colours.value = this.store.state.colourBy;
+    const others = chooser(
+      (['fade', 'hide', 'show'] as const).map((one) => [one, one]),
+      (others) => this.store.set({ others }),
+      { id: 'others' },
+    );
+    const upwards = chooser(
+      [
+        ['y', 'Y'],
+        ['z', 'Z'],
+      ],
+      (up) => {
+        camera.up = up;
+        this.actions.redraw();
+      },
+      { id: 'up-axis' },
+    );
     return el(
       'div',
       { class: 'tool-panel column', id: 'look-panel' },
-      choices(
-        'Colours',
-        'colour-by',
-        [
-          ['type', 'by type'],
-          ['file', 'by file'],
-          ['verdict', this.isMotion ? 'by what clashes now' : 'by worst verdict'],
-        ],
-        this.store.state.colourBy,
-        set('colourBy'),
-      ),
-      choices(
-        'Other parts',
-        'others',
-        [
-          ['fade', 'fade'],
-          ['hide', 'hide'],
-          ['show', 'show'],
-        ],
-        'fade',
-        set('others'),
-      ),
-      choices(
-        'Upwards',
-        'up-axis',
-        [
-          ['y', 'Y'],
-          ['z', 'Z'],
-        ],
-        camera.up,
-        (value) => {
-          camera.up = value;
-          this.actions.redraw();
-        },
-      ),
+      labelled('Colours', colours),
+      labelled('Other parts', others),
+      labelled('Upwards', upwards),
       this.glass.parentElement,
       boxes.parentElement,
       this.parallel.parentElement,

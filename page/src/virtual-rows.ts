@@ -10,21 +10,18 @@ const kTallest = 16_000_000;
 
 export interface RowSource {
   count: number;
-  /** Fills an element, which may have shown another row before. */
+  /** Fills a new element. */
   fill: (row: HTMLElement, index: number) => void;
   /** Enter, space or a click. */
   onChoose: (index: number, event: Event) => void;
   /** Any other key; true if it was used. */
   onKey?: (index: number, event: KeyboardEvent) => boolean;
-  /** The keyboard moved to another row. */
-  onMove?: (index: number) => void;
 }
 
 export class VirtualRows {
   current = -1;
   private readonly space = el('div', { class: 'rows-space', role: 'presentation' });
   private rows = new Map<number, HTMLElement>();
-  private spare: HTMLElement[] = [];
   private height = 1;
   private count = 0;
   private made = 0;
@@ -41,7 +38,14 @@ export class VirtualRows {
     list.addEventListener('focus', () => {
       // The first in sight: a click on a row must find it where it was.
       if (this.current < 0 && this.count)
-        this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)), false);
+        this.moveTo(Math.min(this.count - 1, Math.ceil(list.scrollTop / this.height)));
+    });
+    this.space.addEventListener('click', (event) => {
+      const row = (event.target as HTMLElement).closest<HTMLElement>('.row');
+      if (!row) return;
+      const index = Number(row.dataset.index);
+      this.moveTo(index);
+      this.source.onChoose(index, event);
     });
     new ResizeObserver(() => this.resized()).observe(list);
   }
@@ -53,7 +57,7 @@ export class VirtualRows {
     const wasSeen = this.current >= 0 && top >= scrollTop && top + this.height <= scrollTop + this.room;
     this.room = clientHeight;
     this.refresh();
-    if (wasSeen) this.moveTo(this.current, false);
+    if (wasSeen) this.moveTo(this.current);
   }
 
   /** Everything may have changed. */
@@ -63,14 +67,9 @@ export class VirtualRows {
     this.count = Math.min(this.source.count, Math.floor(kTallest / this.height));
     this.current = Math.min(this.current, this.count - 1);
     this.space.style.height = `${this.count * this.height}px`;
-    for (const row of this.rows.values()) this.release(row);
+    this.space.replaceChildren();
     this.rows.clear();
     this.draw();
-  }
-
-  private release(row: HTMLElement): void {
-    row.remove();
-    this.spare.push(row);
   }
 
   private draw(): void {
@@ -78,7 +77,7 @@ export class VirtualRows {
     const end = Math.min(this.count, Math.ceil((this.list.scrollTop + this.list.clientHeight) / this.height) + 4);
     for (const [i, row] of this.rows) {
       if (i >= top && i < end) continue;
-      this.release(row);
+      row.remove();
       this.rows.delete(i);
     }
     for (let i = Math.max(0, top); i < end; ++i) if (!this.rows.has(i)) this.put(i);
@@ -86,9 +85,8 @@ export class VirtualRows {
   }
 
   private put(index: number): void {
-    const row = this.spare.pop() ?? this.makeRow();
+    const row = el('div', { role: this.role, class: 'row', id: `${this.list.id}-row-${this.made++}`, 'data-index': index });
     row.style.transform = `translateY(${index * this.height}px)`;
-    row.dataset.index = String(index);
     this.source.fill(row, index);
     row.classList.toggle('current', index === this.current);
     // In the document's order, which is the one that is read out.
@@ -98,23 +96,13 @@ export class VirtualRows {
     this.rows.set(index, row);
   }
 
-  private makeRow(): HTMLElement {
-    const row = el('div', { role: this.role, class: 'row', id: `${this.list.id}-row-${this.made++}` });
-    row.addEventListener('click', (event) => {
-      const index = Number(row.dataset.index);
-      this.moveTo(index, false);
-      this.source.onChoose(index, event);
-    });
-    return row;
-  }
-
   private tellCurrent(): void {
     const row = this.rows.get(this.current);
     if (row) this.list.setAttribute('aria-activedescendant', row.id);
     else this.list.removeAttribute('aria-activedescendant');
   }
 
-  moveTo(index: number, tell = true): void {
+  moveTo(index: number): void {
     if (index < 0 || index >= this.count) return;
     this.rows.get(this.current)?.classList.remove('current');
     this.current = index;
@@ -127,7 +115,6 @@ export class VirtualRows {
     else if (below > 0) this.list.scrollTop = scrollTop + below;
     this.draw();
     this.rows.get(index)?.classList.add('current');
-    if (tell) this.source.onMove?.(index);
   }
 
   private key(event: KeyboardEvent): void {

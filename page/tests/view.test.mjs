@@ -168,7 +168,7 @@ describe('the 3D view', () => {
       seen.push(png);
     };
     await change(() => page.evaluate(() => window.impinge.store.set({ hidden: new Set([3, 4]) })));
-    await change(() => page.evaluate(() => window.impinge.store.set({ isolated: new Set([0, 5]), hidden: new Set() })));
+    await change(() => page.evaluate(() => window.impinge.store.isolate([0, 5])));
     await change(() => page.keyboard.press('a'));
     await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'verdict' })));
     await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'file' })));
