@@ -32,6 +32,12 @@ import { add, type Box, dot, emptyBox, grow, isEmpty, middleOf, scale, sub, unit
 /** How a part looks: alpha 1 is solid, between 0 and 1 it fades, 0 hides it. */
 export type Look = [...Rgb, number];
 
+/** In world coordinates; what lies beyond it is cut away. Without a direction it cuts nothing. */
+export interface Plane {
+  normal: Vec3;
+  offset: number;
+}
+
 const kMostEdgeEnds = 6_000_000;
 
 function texture(count: number, data: Float32Array | Uint8Array, width: number): DataTexture {
@@ -64,6 +70,7 @@ export class Assembly {
   private readonly poseTexture: DataTexture;
   private readonly lookTexture: DataTexture;
   private readonly materials: { solid: ShaderMaterial; ghost: ShaderMaterial; pick: ShaderMaterial };
+  private section: Plane = { normal: [0, 0, 0], offset: 0 };
   explosion = { factor: 0, centre: [0, 0, 0] as Vec3 };
 
   private constructor(
@@ -227,13 +234,10 @@ export class Assembly {
     this.uniforms.recessed.value = this.instanceOf[id] ?? -1;
   }
 
-  /** What lies beyond the plane (normal, offset; in world coordinates) is cut away. */
-  setSection(plane: { normal: Vec3; offset: number } | null): void {
-    if (!plane) this.uniforms.section.value.set(0, 0, 0, 0);
-    else {
-      const [x, y, z] = plane.normal;
-      this.uniforms.section.value.set(x, y, z, plane.offset - dot(plane.normal, this.origin));
-    }
+  setSection(plane: Plane | null): void {
+    this.section = plane ?? { normal: [0, 0, 0], offset: 0 };
+    const { normal, offset } = this.section;
+    this.uniforms.section.value.set(...normal, offset - dot(normal, this.origin));
   }
 
   setExplosion(factor: number, centre: Vec3): void {
@@ -266,6 +270,7 @@ export class Assembly {
 
   setOrigin(origin: Vec3): void {
     this.origin = origin;
+    this.setSection(this.section);
     this.place();
   }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A camera that turns about a target as on a turntable, and flies. All of it in doubles.
-import { PerspectiveCamera } from 'three';
+import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 import type { Vec3 } from './data';
 import { add, type Box, cornersOf, cross, dot, middleOf, mix, scale, sub } from './vector';
 
@@ -50,7 +50,7 @@ export class Camera {
   /** The angles from which one looks when the viewer is in a direction. */
   anglesTo(direction: Vec3): { yaw: number; pitch: number } {
     const [x, y, z] = this.up === 'z' ? direction : [direction[0], -direction[2], direction[1]];
-    const pitch = Math.asin(Math.max(-1, Math.min(1, z)));
+    const pitch = Math.asin(MathUtils.clamp(z, -1, 1));
     return { yaw: Math.hypot(x, y) > 1e-9 ? Math.atan2(x, -y) : this.stand.yaw, pitch };
   }
 
@@ -113,7 +113,7 @@ export class Camera {
   turn(yaw: number, pitch: number): void {
     this.flight = null;
     this.stand.yaw += yaw;
-    this.stand.pitch = Math.max(-kQuarter, Math.min(kQuarter, this.stand.pitch + pitch));
+    this.stand.pitch = MathUtils.clamp(this.stand.pitch + pitch, -kQuarter, kQuarter);
     this.onMove();
   }
 
@@ -145,14 +145,8 @@ export class Camera {
   update(origin: Vec3, middle: Vec3, radius: number): void {
     const { right, up, back } = this.axes();
     const { target, distance } = this.stand;
-    const place = add(sub(target, origin), scale(back, distance));
-    // prettier-ignore
-    this.eye.matrixWorld.set(
-      right[0], up[0], back[0], place[0],
-      right[1], up[1], back[1], place[1],
-      right[2], up[2], back[2], place[2],
-      0, 0, 0, 1,
-    );
+    const [x, y, z] = [right, up, back].map((axis) => new Vector3(...axis));
+    this.eye.matrixWorld.makeBasis(x, y, z).setPosition(...add(sub(target, origin), scale(back, distance)));
     this.eye.matrixWorldInverse.copy(this.eye.matrixWorld).invert();
     this.eye.matrixWorldAutoUpdate = false;
     const depth = dot(sub(target, middle), back) + distance;
@@ -171,8 +165,6 @@ export class Camera {
   }
 }
 
-function turnBetween(from: number, to: number): number {
-  const whole = 2 * Math.PI;
-  const turn = (((to - from) % whole) + whole) % whole;
-  return turn > Math.PI ? turn - whole : turn;
-}
+/** The shorter way round, in radians. */
+const turnBetween = (from: number, to: number): number =>
+  MathUtils.euclideanModulo(to - from + Math.PI, 2 * Math.PI) - Math.PI;

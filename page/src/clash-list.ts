@@ -149,7 +149,7 @@ export class ClashList {
       ),
       el(
         'span',
-        { role: 'gridcell', class: 'badge quiet', title: plural(group.clashes.length, 'clash', 'clashes') },
+        { role: 'gridcell', class: 'badge', title: plural(group.clashes.length, 'clash', 'clashes') },
         counted(group.clashes.length),
       ),
     );

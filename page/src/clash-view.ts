@@ -94,8 +94,7 @@ export class ClashView {
     const regions = clash.pair?.regions ?? [];
     const lines = (region >= 0 ? [regions[region]] : regions).flatMap((one) => one.lines);
     if (!lines.length && clash.pair?.nearest) lines.push(clash.pair.nearest);
-    const parts = [clash.first, clash.second].filter((id) => id >= 0);
-    const obstacles = parts.map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
+    const obstacles = partsOf(clash).map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
     const gap = radiusOf(this.partsBox(clash)) * 2e-3;
     const sight = findSight(obstacles, samplesOf(lines), present, gap);
     this.hiding = this.whatHides(clash, obstacles, sight, gap);
@@ -147,8 +146,8 @@ export class ClashView {
     return { points: [point, point], colour: themeColour(colour), width: 3.5 };
   }
 
-  partsBox(clash: Clash): Box {
-    return unite([clash.first, clash.second].filter((id) => id >= 0).map((id) => this.assembly.boxes[id]));
+  private partsBox(clash: Clash): Box {
+    return unite(partsOf(clash).map((id) => this.assembly.boxes[id]));
   }
 
   /** What the camera flies to: the contact with so much of the smaller part around it that one sees what it belongs to. */
@@ -165,7 +164,7 @@ export class ClashView {
     const contact = radiusOf(box);
     if (isEmpty(box))
       return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
-    const sizes = [clash.first, clash.second].filter((id) => id >= 0).map((id) => radiusOf(this.assembly.boxes[id]));
+    const sizes = partsOf(clash).map((id) => radiusOf(this.assembly.boxes[id]));
     const smaller = Math.min(...sizes.filter((size) => size > 0), radiusOf(whole) || Infinity);
     const around = state.region >= 0 ? 0.18 : 0.75;
     return {
@@ -174,6 +173,9 @@ export class ClashView {
     };
   }
 }
+
+/** Those of its two parts that are there still. */
+const partsOf = ({ first, second }: Clash): number[] => [first, second].filter((id) => id >= 0);
 
 /** Where two boxes meet is about where their parts do. */
 function growCommon(box: Box, a: Box, b: Box): void {

@@ -19,7 +19,6 @@ export interface Part {
   product: string;
   file: string;
   triangles: number;
-  closed?: boolean;
   open_edges?: number;
   solid?: boolean;
   first_open_edge?: [Vec3, Vec3] | null;
@@ -38,9 +37,6 @@ export interface Region {
   centroid: Vec3;
   normal: Vec3;
   lines: Vec3[][];
-  triangles_a?: number[];
-  triangles_b?: number[];
-  id?: string;
   change?: string | null;
 }
 
@@ -92,7 +88,6 @@ export interface Settings {
   regions: boolean;
   fail_on: string[];
   ignore?: unknown[];
-  within_products?: boolean;
   /** The report of an earlier run. */
   previous?: string | null;
 }
@@ -106,7 +101,7 @@ export interface Report {
   missing?: string[];
   counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
   resolved?: Resolved[];
-  tests?: { name: string; mode?: string; tolerance?: number | string; clearance?: number }[];
+  tests?: unknown[];
 }
 
 export interface SceneBlock {

@@ -18,9 +18,6 @@ interface Node {
   part: number;
   /** Place among siblings, from 1. */
   place: number;
-  /** Parts beneath, as a range of `order`. */
-  start: number;
-  end: number;
 }
 
 const kOpenAll = 400;
@@ -30,8 +27,6 @@ const kMostLevels = 40;
 export class PartsTree {
   private readonly nodes: Node[] = [];
   private readonly roots: number[] = [];
-  /** Parts in the order of the tree. */
-  private readonly order: number[] = [];
   private readonly leafOf: Int32Array;
   private readonly texts: string[];
   private readonly clashesOf: Int32Array;
@@ -98,31 +93,19 @@ export class PartsTree {
     this.report.objects.forEach((part, i) => {
       this.leafOf[part.id] = this.addNode(part.name, nodeOf(part.file, scene?.objects[i].group), part.id);
     });
-    this.numberParts();
   }
 
   private addNode(label: string, parent: number, part: number): number {
     const siblings = parent < 0 ? this.roots : this.nodes[parent].children;
     const level = parent < 0 ? 1 : this.nodes[parent].level + 1;
     siblings.push(this.nodes.length);
-    this.nodes.push({ label, level, parent, children: [], part, place: siblings.length, start: 0, end: 0 });
+    this.nodes.push({ label, level, parent, children: [], part, place: siblings.length });
     return this.nodes.length - 1;
   }
 
-  private numberParts(): void {
-    const enter = (index: number) => {
-      const node = this.nodes[index];
-      node.start = this.order.length;
-      if (node.part >= 0) this.order.push(node.part);
-      node.children.forEach(enter);
-      node.end = this.order.length;
-    };
-    this.roots.forEach(enter);
-  }
-
   private partsUnder(index: number): number[] {
-    const { start, end } = this.nodes[index];
-    return this.order.slice(start, end);
+    const { part, children } = this.nodes[index];
+    return part >= 0 ? [part] : children.flatMap((child) => this.partsUnder(child));
   }
 
   private makeTools(): void {
@@ -144,8 +127,8 @@ export class PartsTree {
     let wanted: Uint8Array | null = null;
     if (words.length) {
       wanted = new Uint8Array(this.nodes.length);
-      for (const part of this.order) {
-        if (!words.every((word) => this.texts[part].includes(word))) continue;
+      for (const [part, text] of this.texts.entries()) {
+        if (!words.every((word) => text.includes(word))) continue;
         for (let i = this.leafOf[part]; i >= 0 && !wanted[i]; i = this.nodes[i].parent) wanted[i] = 1;
       }
     }
@@ -163,7 +146,7 @@ export class PartsTree {
   private fill(row: HTMLElement, index: number): void {
     const node = this.nodes[index];
     const { hidden, part, clash } = this.store.state;
-    const parts = node.part >= 0 ? [node.part] : this.partsUnder(index);
+    const parts = this.partsUnder(index);
     const isGone = parts.every((id) => hidden.has(id));
     const isOpen = this.search.value !== '' || this.open.has(index);
     const siblings = node.parent < 0 ? this.roots : this.nodes[node.parent].children;
@@ -183,7 +166,7 @@ export class PartsTree {
     const count = node.part < 0 ? `${counted(parts.length)}` : clashes ? counted(clashes) : '';
     const words = node.part < 0 ? plural(parts.length, 'part') : plural(clashes, 'clash', 'clashes');
     row.setAttribute('aria-label', `${nameText(node.label, 120)}, ${words}${isGone ? ', hidden' : ''}`);
-    const badge = el('span', { class: 'badge quiet', title: words }, count);
+    const badge = el('span', { class: 'badge', title: words }, count);
     badge.classList.toggle('failing', node.part >= 0 && this.fails[node.part] === 1);
     if (!count) badge.hidden = true;
     const eye = el('span', { class: 'eye', title: isGone ? 'Show (H)' : 'Hide (H)', 'data-act': 'hide' });

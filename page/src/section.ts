@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The sectioning plane: along an axis, or through the chosen clash and facing the viewer.
+import type { Plane } from './assembly';
 import type { Vec3 } from './data';
 import { button, el, setPressed } from './dom';
 import { type Box, cornersOf, dot, isEmpty, scale } from './vector';
@@ -16,7 +17,7 @@ export interface SectionWorld {
   /** Towards the viewer. */
   back: () => Vec3;
   clashPlace: () => Vec3 | null;
-  cut: (plane: { normal: Vec3; offset: number } | null) => void;
+  cut: (plane: Plane | null) => void;
 }
 
 export class Section {

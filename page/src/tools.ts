@@ -11,6 +11,11 @@ import type { Store } from './store';
 const labelled = (label: string, select: HTMLSelectElement): HTMLElement =>
   el('label', { class: 'field' }, el('span', {}, label), select);
 
+function checkbox(text: string, input: HTMLInputElement, key: string, onChange: (isOn: boolean) => void): HTMLElement {
+  input.addEventListener('change', () => onChange(input.checked));
+  return el('label', { class: 'check' }, input, ` ${text} `, el('kbd', { 'aria-hidden': 'true' }, key));
+}
+
 export interface ToolActions {
   fit: () => void;
   redraw: () => void;
@@ -19,8 +24,7 @@ export interface ToolActions {
 
 export class Tools {
   private readonly panels = new Map<string, { panel: HTMLElement; button: HTMLButtonElement }>();
-  private readonly parallel: HTMLInputElement;
-  private readonly glass: HTMLInputElement;
+  private readonly parallel = el('input', { type: 'checkbox', id: 'parallel' });
   private readonly host = byId('tools');
 
   constructor(
@@ -30,12 +34,9 @@ export class Tools {
     explode: Explode,
     private readonly actions: ToolActions,
   ) {
-    this.parallel = this.check('Parallel view', 'parallel', 'P', () => this.setParallel(this.parallel.checked));
-    this.glass = this.check('See through A and B', 'glass', 'X', () => store.set({ glass: this.glass.checked }));
-    const boxes = this.check('Boxes of the regions', 'boxes', 'B', () => store.set({ boxes: boxes.checked }));
     const bar = el('div', { class: 'bar' });
     bar.append(button('Fit', actions.fit, { title: 'Fit (F)', id: 'fit' }));
-    const look = this.lookPanel(boxes);
+    const look = this.lookPanel();
     for (const [name, title, panel] of [
       ['section', 'Section', section.panel],
       ['explode', 'Explode', explode.panel],
@@ -51,20 +52,15 @@ export class Tools {
       bar.append(opener);
     }
     this.host.append(section.panel, explode.panel, look, bar);
-    store.listen((state, changed) => {
-      if (changed.has('glass')) this.glass.checked = state.glass;
-      if (changed.has('boxes')) boxes.checked = state.boxes;
-    });
   }
 
-  private check(text: string, id: string, key: string, onChange: () => void): HTMLInputElement {
+  private storedCheck(text: string, id: 'glass' | 'boxes', key: string): HTMLElement {
     const input = el('input', { type: 'checkbox', id });
-    input.addEventListener('change', onChange);
-    el('label', { class: 'check' }, input, ` ${text} `, el('kbd', { 'aria-hidden': 'true' }, key));
-    return input;
+    this.store.listen((state) => (input.checked = state[id]));
+    return checkbox(text, input, key, (isOn) => this.store.set({ [id]: isOn }));
   }
 
-  private lookPanel(boxes: HTMLInputElement): HTMLElement {
+  private lookPanel(): HTMLElement {
     const { camera } = this.actions;
     const colours = chooser(
       [
@@ -98,9 +94,9 @@ export class Tools {
       labelled('Colours', colours),
       labelled('Other parts', others),
       labelled('Upwards', upwards),
-      this.glass.parentElement,
-      boxes.parentElement,
-      this.parallel.parentElement,
+      this.storedCheck('See through A and B', 'glass', 'X'),
+      this.storedCheck('Boxes of the regions', 'boxes', 'B'),
+      checkbox('Parallel view', this.parallel, 'P', (isParallel) => this.setParallel(isParallel)),
     );
   }
 

@@ -3,7 +3,7 @@
 //
 // The 3D view: draws when something changed, and only then.
 import { Color, Scene, SRGBColorSpace, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
-import type { Assembly } from './assembly';
+import type { Assembly, Plane } from './assembly';
 import { Camera } from './camera';
 import { themeColour } from './colours';
 import type { Vec3 } from './data';
@@ -25,7 +25,6 @@ export class View {
   private readonly scene = new Scene();
   private readonly overlayScene = new Scene();
   private readonly pickTarget = new WebGLRenderTarget(1, 1);
-  private section: { normal: Vec3; offset: number } | null = null;
   private readonly clearColour = new Color();
   private isAsked = false;
 
@@ -73,9 +72,8 @@ export class View {
     this.invalidate();
   }
 
-  setSection(section: { normal: Vec3; offset: number } | null): void {
-    this.section = section;
-    this.assembly?.setSection(section);
+  setSection(plane: Plane | null): void {
+    this.assembly?.setSection(plane);
     this.invalidate();
   }
 
@@ -104,7 +102,6 @@ export class View {
     const { target, distance } = this.camera.stand;
     if (length(sub(target, assembly.origin)) * kNearest > distance) {
       assembly.setOrigin(target);
-      assembly.setSection(this.section);
       this.overlay.rebuild(target);
     }
     // What explodes leaves the bounds.

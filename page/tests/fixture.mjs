@@ -78,6 +78,30 @@ export const kMarkup = '<img src=x onerror="window.broken=1"></script><b>bold</b
 export const kSteering = 'left\u202eright\nnext\u0000line';
 export const kLong = 'long/'.repeat(2048);
 
+const kSettings = {
+  tolerance: 'auto',
+  clearance: 0.5,
+  depth: true,
+  regions: true,
+  fail_on: ['penetration', 'inside'],
+  ignore: [],
+  within_products: false,
+  scale: [],
+};
+const kCounts = { duplicate: 0, inside: 0, penetrating: 0, crossing: 0, touching: 0, apart: 0, fail: 0, candidates: 0 };
+/** A pair of which nothing was found but what is given. */
+const pairOf = (given) => ({
+  crossing: 0,
+  touching: 0,
+  coplanar: 0,
+  inner: null,
+  note: null,
+  tolerance: 1e-6,
+  fails: true,
+  overlap_depth: null,
+  ...given,
+});
+
 /** A frame of twelve boxes; the numbers of its pairs are made up, so that every order of the list is a different one. */
 export function review({ offset = [0, 0, 0], triage = true } = {}) {
   const meshes = [box(1, 1, 1, 2), box(4, 0.25, 4), box(0.5, 2, 0.5)];
@@ -121,16 +145,13 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
   const pairs = [];
   const put = (a, b, verdict, { depth, distance, areas = [], ...more } = {}) => {
     const centre = middle(a, b);
-    pairs.push({
+    const given = {
       a,
       b,
       crossing: depth ? 12 : 0,
       touching: 3,
       coplanar: 1,
       verdict,
-      inner: null,
-      note: null,
-      tolerance: 1e-6,
       fails: ['duplicate', 'inside', 'penetrating', 'crossing'].includes(verdict),
       overlap_depth: depth ? { a_in_b: [depth * 0.99, depth], b_in_a: [depth * 0.9, depth * 0.95] } : null,
       distance: distance ?? null,
@@ -148,7 +169,8 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         triangles_b: [1],
       })),
       ...more,
-    });
+    };
+    pairs.push(pairOf(given));
   };
   put(0, 3, 'penetrating', { depth: 0.51234567, areas: [2, 0.5] });
   put(0, 1, 'touching', { areas: [1.5], note: 'they overlap by no more than the tolerance' });
@@ -164,16 +186,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
   put(0, 10, 'touching', { areas: [5] });
   const report = {
     version: 1,
-    settings: {
-      tolerance: 'auto',
-      clearance: 0.5,
-      depth: true,
-      regions: true,
-      fail_on: ['penetration', 'inside'],
-      ignore: [],
-      within_products: false,
-      scale: [],
-    },
+    settings: kSettings,
     objects,
     pairs,
     counts: { duplicate: 1, inside: 1, penetrating: 3, crossing: 1, touching: 3, apart: 3, fail: 6, candidates: 17 },
@@ -198,13 +211,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         test: null,
         centroid: places[0],
       },
-      {
-        a: objects[0],
-        b: objects[1],
-        verdict: 'touching',
-        test: null,
-        centroid: null,
-      },
+      { a: objects[0], b: objects[1], verdict: 'touching', test: null, centroid: null },
     ];
   }
   return { report, scene, geometry: geometryText(meshes) };
@@ -242,21 +249,7 @@ export function nestedPage() {
     normal: [0, 0, 1],
     lines: [[[x - s, -s, z], [x + s, -s, z], [x + s, s, z], [x - s, s, z], [x - s, -s, z]]],
   });
-  const pair = (a, b, verdict, inner, regions) => ({
-    id: `pair ${a / 2}`,
-    a,
-    b,
-    crossing: 0,
-    touching: 0,
-    coplanar: 0,
-    verdict,
-    inner,
-    note: null,
-    tolerance: 1e-6,
-    fails: true,
-    overlap_depth: null,
-    regions,
-  });
+  const pair = (a, b, verdict, inner, regions) => pairOf({ id: `pair ${a / 2}`, a, b, verdict, inner, regions });
   const pairs = [
     pair(0, 1, 'inside', 0, []),
     pair(2, 3, 'inside', 3, [square(100, 5, 1), square(100, -5, 1)]),
@@ -303,45 +296,17 @@ export function plantPage() {
   for (let i = 0; pairs.length < 15000; ++i) {
     const a = i % (n * n - n);
     const b = i < n * n - n ? a + 1 : a + n;
-    pairs.push({
-      a,
-      b,
-      crossing: 1,
-      touching: 0,
-      coplanar: 0,
-      verdict: i % 5 ? 'touching' : 'penetrating',
-      inner: null,
-      note: null,
-      tolerance: 1e-6,
-      fails: i % 5 === 0,
-      overlap_depth: i % 5 ? null : { a_in_b: [0.001 * i, 0.001 * i], b_in_a: [0.0005 * i, 0.0005 * i] },
-    });
+    const depth = { a_in_b: [0.001 * i, 0.001 * i], b_in_a: [0.0005 * i, 0.0005 * i] };
+    if (i % 5) pairs.push(pairOf({ a, b, crossing: 1, verdict: 'touching', fails: false }));
+    else pairs.push(pairOf({ a, b, crossing: 1, verdict: 'penetrating', overlap_depth: depth }));
   }
   const penetrating = pairs.filter((pair) => pair.fails).length;
   const report = {
     version: 1,
-    settings: {
-      tolerance: 1e-6,
-      clearance: 0,
-      depth: true,
-      regions: false,
-      fail_on: ['penetration'],
-      ignore: [],
-      within_products: false,
-      scale: [],
-    },
+    settings: { ...kSettings, tolerance: 1e-6, clearance: 0, regions: false, fail_on: ['penetration'] },
     objects,
     pairs,
-    counts: {
-      duplicate: 0,
-      inside: 0,
-      penetrating,
-      crossing: 0,
-      touching: 15000 - penetrating,
-      apart: 0,
-      fail: penetrating,
-      candidates: 20000,
-    },
+    counts: { ...kCounts, penetrating, touching: 15000 - penetrating, fail: penetrating, candidates: 20000 },
   };
   const { numbers, groups } = groupsOf(ways);
   poses.forEach((pose, i) => (pose.group = numbers[i]));

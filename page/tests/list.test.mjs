@@ -50,6 +50,12 @@ describe('the list of clashes', () => {
     if (await page.locator('#clear-filters').isVisible()) await page.click('#clear-filters');
   };
 
+  const lists = async (keep, what) => assert.deepEqual(await listed(page), ranksOf(keep), what);
+  const choose = async (rank) => {
+    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rank);
+    await settled(page);
+  };
+
   test('holds every pair of the report, in the order of the table', async () => {
     assert.deepEqual(await listed(page), ranked.map(rankOf));
     assert.equal(await page.textContent('#clashes-count'), String(report.pairs.length));
@@ -110,36 +116,21 @@ describe('the list of clashes', () => {
 
   test('is filtered by verdicts', async () => {
     await page.click('.chip.apart');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => pair.verdict === 'apart'),
-    );
+    await lists((pair) => pair.verdict === 'apart');
     await page.click('.chip.duplicate');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => ['apart', 'duplicate'].includes(pair.verdict)),
-    );
+    await lists((pair) => ['apart', 'duplicate'].includes(pair.verdict));
     assert.equal(await page.getAttribute('.chip.duplicate', 'aria-pressed'), 'true');
     assert.equal(await page.textContent('#clashes-count'), '4 of 12');
     await clear();
     await page.click('.chip.failing');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => pair.fails),
-    );
+    await lists((pair) => pair.fails);
     await clear();
     assert.deepEqual(await listed(page), ranked.map(rankOf));
   });
 
   test('is filtered by words', async () => {
     await page.fill('#clash-search', 'PLATE bolt');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => {
-        const names = `${nameOf(pair.a)} ${nameOf(pair.b)}`;
-        return names.includes('plate') && names.includes('bolt');
-      }),
-    );
+    await lists((pair) => ['plate', 'bolt'].every((word) => `${nameOf(pair.a)} ${nameOf(pair.b)}`.includes(word)));
     await page.fill('#clash-search', 'no such part');
     assert.deepEqual(await listed(page), []);
     await clear();
@@ -147,16 +138,10 @@ describe('the list of clashes', () => {
 
   test('is filtered by depth and by distance', async () => {
     await page.fill('#depth-from', '0.6');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => depth(pair) >= 0.6),
-    );
+    await lists((pair) => depth(pair) >= 0.6);
     await clear();
     await page.fill('#distance-to', '0.25');
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => pair.verdict !== 'apart' || pair.distance <= 0.25),
-    );
+    await lists((pair) => pair.verdict !== 'apart' || pair.distance <= 0.25);
     await clear();
   });
 
@@ -228,7 +213,7 @@ describe('the list of clashes', () => {
       await clear();
     }
     await page.selectOption('#filter-change', 'worse');
-    assert.deepEqual(await listed(page), ranksOf(isWorse));
+    await lists(isWorse);
     await clear();
     await page.click('.chip.resolved');
     assert.deepEqual(await listed(page), [ranked.length + 1, ranked.length + 2].map(String));
@@ -239,10 +224,7 @@ describe('the list of clashes', () => {
     const row = page.locator('#parts-tree .row', { hasText: 'far bolt' });
     await row.click();
     await page.getByRole('button', { name: 'Only its clashes' }).click();
-    assert.deepEqual(
-      await listed(page),
-      ranksOf((pair) => pair.a === 10 || pair.b === 10),
-    );
+    await lists((pair) => pair.a === 10 || pair.b === 10);
     await clear();
     await page.keyboard.press('Escape');
   });
@@ -277,8 +259,7 @@ describe('the list of clashes', () => {
 
   test('shows all figures of a clash', async () => {
     const pair = report.pairs[0];
-    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(pair));
-    await settled(page);
+    await choose(rankOf(pair));
     const text = await page.textContent('#details-body');
     for (const figure of [
       '0.5072 to 0.5123',
@@ -295,16 +276,14 @@ describe('the list of clashes', () => {
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
     assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123$/);
-    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(report.pairs[1]));
-    await settled(page);
+    await choose(rankOf(report.pairs[1]));
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
     await page.keyboard.press('Escape');
     assert.ok(!page.url().includes('#'));
   });
 
   test('shows a decision in its lines', async () => {
-    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(report.pairs[0]));
-    await settled(page);
+    await choose(rankOf(report.pairs[0]));
     const lines = ['seen by <b>two</b>', 'not by\\u202e three', 'or four'];
     const comment = page.locator('#details-body .remark');
     assert.equal(await comment.innerText(), lines.join('\n'));
@@ -317,8 +296,7 @@ describe('the list of clashes', () => {
   });
 
   test('tells what is resolved', async () => {
-    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), ranked.length + 1);
-    await settled(page);
+    await choose(ranked.length + 1);
     assert.match(await page.textContent('#details-body'), /Changeresolved/);
     await page.keyboard.press('Escape');
     await page.click('.chip.resolved');
@@ -344,8 +322,7 @@ describe('the list of clashes', () => {
       ranked.filter((_, i) => rows[i]?.includes('new region')),
       marked,
     );
-    await page.evaluate((rank) => (location.hash = `#clash=${rank}`), rankOf(marked[0]));
-    await settled(page);
+    await choose(rankOf(marked[0]));
     assert.match(await page.textContent('#details-body'), /Changepersisting, with a new region(?!,)/);
     await page.keyboard.press('Escape');
   });
