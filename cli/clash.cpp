@@ -3,24 +3,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <optional>
+#include <atomic>
 #include <utility>
 #include <vector>
 
 #include "clash_table.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
-#include "exports.hpp"
 #include "progress.hpp"
-#include "report/clash_json.hpp"
 #include "report/make_review.hpp"
 #include "report/page.hpp"
 #include "report/review.hpp"
 #include "report/text.hpp"
+#include "report/writers.hpp"
 #include "scene_command.hpp"
 #include "terminal.hpp"
-#include "triage_table.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -41,6 +38,32 @@ Result<Review> read_and_review(ReviewInput input, bool quiet, const std::stop_to
   line.end();  // it looks at `progress`
   if (review) review->read_seconds = read_seconds;
   return review;
+}
+
+Result<void> write_topics(Sink& sink, const Review& review, const Topics& topics, bool quiet) {
+  ProgressLine line(STDERR_FILENO, !quiet);
+  std::atomic<std::size_t> done = 0;
+  const auto total = static_cast<double>(topics.pairs.size());
+  line.phase(
+      fmt::format("drawing {}", counted(topics.pairs.size(), "topic")),
+      [&, total] {
+        return Work{static_cast<double>(done), total};
+      },
+      "topics");
+  Result<void> written = write_bcf(sink, review, topics, [&] { ++done; });
+  line.end();  // it looks at `done`
+  return written;
+}
+
+/// Writes the BCF, if it was ordered.
+Result<void> write_topics(Documents& documents, const Review& review, bool quiet) {
+  const Topics topics = topics_of(review);
+  const auto bcf = [&](Sink& sink) { return write_topics(sink, review, topics, quiet); };
+  if (auto written = documents.write(kBcf, bcf); !written) return written;
+  if (topics.left_out > 0 && !quiet)
+    complain(fmt::format("the BCF has the {} worst of {} that fail, by --bcf-topics", grouped(topics.pairs.size()),
+                         counted(topics.pairs.size() + topics.left_out, "pair")));
+  return {};
 }
 
 Result<void> print_on_standard_output(const Review& review, const ClashArguments& arguments,
@@ -65,7 +88,9 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   Documents documents(inputs, arguments.force);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
-  if (auto ordered = order_exports(documents, arguments); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kCsv, arguments.csv); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kBcf, arguments.bcf); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kGltf, arguments.gltf); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
   const Result<Review> review = read_and_review(*std::move(input), arguments.quiet, stop);
@@ -75,7 +100,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     mention_warnings(review->assembly);
     for (const std::string& warning : review->warnings) complain(warning);
   }
-  const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review, arguments, stop); };
+  const auto write_json = [&](Sink& sink) { return write_clash_json(sink, *review); };
   if (auto written = documents.write(kJson, write_json); !written) return written.error();
   const auto write_html = [&](Sink& sink) -> Result<void> {
     const Result<DrawnScene> scene = draw(review->assembly, arguments.page_triangles, stop);
@@ -84,7 +109,12 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     return write_page(sink, *page, head_of(arguments.files, arguments), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
-  if (auto written = write_exports(documents, *review, arguments, stop); !written) return written.error();
+  const auto csv = [&](Sink& sink) { return write_csv(sink, *review); };
+  if (auto written = documents.write(kCsv, csv); !written) return written.error();
+  const auto gltf = [&](Sink& sink) { return write_gltf(sink, *review); };
+  if (auto written = documents.write(kGltf, gltf); !written) return written.error();
+  if (arguments.bcf)
+    if (auto written = write_topics(documents, *review, arguments.quiet); !written) return written.error();
   if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     if (auto printed = print_on_standard_output(*review, arguments, stop); !printed) return printed.error();

@@ -12,7 +12,7 @@
 #include "motion_table.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
-#include "report/clash_json.hpp"
+#include "report/writers.hpp"
 #include "report/motion/motion_report.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"

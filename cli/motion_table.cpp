@@ -58,8 +58,7 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
   add("at", number, [step](const ClashSpan& span) { return time_text(span.worst_at, step); });
   if (arguments.depth)
     add("depth", number, [](const ClashSpan& span) {
-      const auto& depth = span.overlap_depth;
-      return depth ? fmt::format("{:.4g}", std::max(depth->a_in_b.hi, depth->b_in_a.hi)) : "-";
+      return span.overlap_depth ? fmt::format("{:.4g}", depth_of(span.overlap_depth)) : "-";
     });
   if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))
     add("note", text, [](const ClashSpan& span) { return note_text(span.note); });

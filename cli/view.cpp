@@ -7,7 +7,7 @@
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"
-#include "report/clash_json.hpp"
+#include "report/writers.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
 #include "scene_command.hpp"

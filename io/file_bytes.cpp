@@ -67,11 +67,11 @@ Result<void> check_file(const std::filesystem::path& file, std::uint64_t max_byt
   return {};
 }
 
-Result<FileBytes> read_file(const std::filesystem::path& file, std::uint64_t max_bytes, const Source& source) {
+Result<std::string> read_file(const std::filesystem::path& file, std::uint64_t max_bytes, const Source& source) {
   const Descriptor descriptor(open_file(file));
   const Result<std::uint64_t> size = open_and_measure(descriptor, max_bytes, source);
   if (!size) return size.error();
-  FileBytes bytes(*size);
+  std::string bytes(*size, '\0');
   std::size_t done = 0;
   while (done < *size) {
     const ssize_t count = ::read(descriptor.number(), bytes.data() + done, *size - done);
@@ -80,7 +80,7 @@ Result<FileBytes> read_file(const std::filesystem::path& file, std::uint64_t max
     if (count == 0) break;  // the file has become shorter meanwhile
     done += static_cast<std::size_t>(count);
   }
-  bytes.set_size(done);
+  bytes.resize(done);
   return bytes;
 }
 

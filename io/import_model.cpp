@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "io/import_model.hpp"
-
+#include "io/import_process.hpp"
 #include "io/model.hpp"
 #include "io/precision.hpp"
 #include "scene/validate_pose.hpp"

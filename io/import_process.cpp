@@ -11,8 +11,6 @@
 #include <cstring>
 
 #include "io/child_process.hpp"
-#include "io/import_model.hpp"
-#include "io/import_stream.hpp"
 
 namespace impinge::io {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <type_traits>
 
 namespace impinge::io {
 namespace {
@@ -28,10 +29,10 @@ class Decoder {
     rest_.remove_prefix(kMagic.size());
     for (;;) {
       char letter = 0;
-      if (!number(letter)) return incomplete();
+      if (!read(letter)) return incomplete();
       if (letter == 'Z' && rest_.empty()) return std::move(out_);
       if (letter == 'E') {
-        if (!text(out_.error)) return incomplete();
+        if (!read(out_.error)) return incomplete();
         return std::move(out_);
       }
       if (!record(letter)) return incomplete();
@@ -56,9 +57,9 @@ class Decoder {
       case 'U':
         return unfollowed();
       case 'W':
-        return text(out_.warnings.emplace_back());
+        return read(out_.warnings.emplace_back());
       case 'X':
-        return text(out_.missing.emplace_back());
+        return read(out_.missing.emplace_back());
       default:
         return false;
     }
@@ -66,8 +67,14 @@ class Decoder {
 
   static Error incomplete() { return {Code::bad_file, "what it wrote is incomplete"}; }
 
+  /// Reads fields in their order, as long as there are bytes.
+  template <class... Fields>
+  bool read(Fields&... fields) {
+    return (field(fields) && ...);
+  }
   template <class T>
-  bool number(T& value) {
+  bool field(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
     if (rest_.size() < sizeof value) return false;
     std::memcpy(&value, rest_.data(), sizeof value);
     rest_.remove_prefix(sizeof value);
@@ -80,17 +87,20 @@ class Decoder {
     rest_.remove_prefix(count * sizeof(T));
     return true;
   }
-  bool text(std::string& value) {
+  bool field(std::string& value) {
     std::uint32_t length = 0;
-    if (!number(length) || length > rest_.size()) return false;
+    if (!field(length) || length > rest_.size()) return false;
     value = rest_.substr(0, length);
     rest_.remove_prefix(length);
     return true;
   }
 
+  /// Whether a number is that of one of a list's items, or of none.
+  static bool is_known(std::uint32_t number, const auto& list) { return number == kNoNode || number < list.size(); }
+
   bool mesh() {
     std::uint64_t vertices = 0, triangles = 0;
-    if (!number(vertices) || !number(triangles)) return false;
+    if (!read(vertices, triangles)) return false;
     constexpr std::uint64_t kVertexBytes = 3 * sizeof(double), kTriangleBytes = 3 * sizeof(std::uint32_t);
     if (vertices > rest_.size() / kVertexBytes) return false;
     if (triangles > (rest_.size() - vertices * kVertexBytes) / kTriangleBytes) return false;
@@ -100,31 +110,28 @@ class Decoder {
 
   bool group() {
     ImportedGroup group{};
-    if (!text(group.name) || !number(group.parent)) return false;
-    if (group.parent != kNoNode && group.parent >= out_.groups.size()) return false;
+    if (!read(group.name, group.parent) || !is_known(group.parent, out_.groups)) return false;
     out_.groups.push_back(std::move(group));
     return true;
   }
 
   bool object() {
     ImportedObject& object = out_.objects.emplace_back();
-    if (!text(object.name) || !text(object.path) || !text(object.product) || !number(object.mesh)) return false;
-    if (!number(object.node) || !number(object.group) || !number(object.world)) return false;
-    return object.mesh < out_.meshes.size() && (object.node == kNoNode || object.node < out_.nodes.size()) &&
-           (object.group == kNoNode || object.group < out_.groups.size());
+    return read(object.name, object.path, object.product, object.mesh, object.node, object.group, object.world) &&
+           object.mesh < out_.meshes.size() && is_known(object.node, out_.nodes) && is_known(object.group, out_.groups);
   }
 
   bool node() {
     ImportedNode node{};
-    if (!number(node.parent) || !number(node.local) || !number(node.scale) || !number(node.rotation)) return false;
-    if (!number(node.translation) || (node.parent != kNoNode && node.parent >= out_.nodes.size())) return false;
+    if (!read(node.parent, node.local, node.scale, node.rotation, node.translation)) return false;
+    if (!is_known(node.parent, out_.nodes)) return false;
     out_.nodes.push_back(node);
     return true;
   }
 
   bool animation() {
     Animation& animation = out_.animations.emplace_back();
-    return text(animation.name) && number(animation.seconds);
+    return read(animation.name, animation.seconds);
   }
 
   bool track() {
@@ -132,7 +139,7 @@ class Decoder {
     Track& track = out_.animations.back().tracks.emplace_back();
     std::uint32_t property = 0, between = 0;
     std::uint64_t keys = 0;
-    if (!number(track.node) || !number(property) || !number(between) || !number(keys)) return false;
+    if (!read(track.node, property, between, keys)) return false;
     if (track.node >= out_.nodes.size() || property > 2 || between > 2) return false;
     track.property = static_cast<Track::Property>(property);
     track.between = static_cast<Track::Between>(between);
@@ -145,10 +152,10 @@ class Decoder {
     if (out_.animations.empty()) return false;
     Unfollowed& lost = out_.animations.back().unfollowed.emplace_back();
     std::uint32_t node = 0, what = 0;
-    if (!number(node) || !number(what) || what > 1 || !text(lost.sentence)) return false;
+    if (!read(node, what, lost.sentence) || what > 1 || !is_known(node, out_.nodes)) return false;
     lost.what = static_cast<Unfollowed::What>(what);
     if (node != kNoNode) lost.node = node;
-    return node == kNoNode || node < out_.nodes.size();
+    return true;
   }
 
   std::string_view rest_;
@@ -182,90 +189,57 @@ void ImportWriter::bytes(const void* data, std::size_t count) {
   }
 }
 
-template <class T>
-void ImportWriter::number(T value) {
-  bytes(&value, sizeof value);
-}
-
-void ImportWriter::text(std::string_view text) {
-  number(static_cast<std::uint32_t>(text.size()));
+void ImportWriter::field(std::string_view text) {
+  field(static_cast<std::uint32_t>(text.size()));
   bytes(text.data(), text.size());
 }
 
+template <class... Fields>
+void ImportWriter::record(char letter, const Fields&... fields) {
+  bytes(&letter, 1);
+  (field(fields), ...);
+}
+
 void ImportWriter::mesh(std::span<const double> xyz, std::span<const std::uint32_t> triangles) {
-  number('M');
-  number(std::uint64_t{xyz.size() / 3});
-  number(std::uint64_t{triangles.size() / 3});
+  record('M', std::uint64_t{xyz.size() / 3}, std::uint64_t{triangles.size() / 3});
   bytes(xyz.data(), xyz.size_bytes());
   bytes(triangles.data(), triangles.size_bytes());
 }
 
-void ImportWriter::group(std::string_view name, std::uint32_t parent) {
-  number('G');
-  text(name);
-  number(parent);
-}
+void ImportWriter::group(std::string_view name, std::uint32_t parent) { record('G', name, parent); }
 
 void ImportWriter::object(std::string_view name, std::string_view path, std::string_view product, std::uint32_t mesh,
                           std::uint32_t node, std::uint32_t group, const std::array<double, 16>& world) {
-  number('O');
-  text(name);
-  text(path);
-  text(product);
-  number(mesh);
-  number(node);
-  number(group);
-  number(world);
+  record('O', name, path, product, mesh, node, group, world);
 }
 
 void ImportWriter::node(const ImportedNode& node) {
-  number('N');
-  number(node.parent);
-  number(node.local);
-  number(node.scale);
-  number(node.rotation);
-  number(node.translation);
+  record('N', node.parent, node.local, node.scale, node.rotation, node.translation);
 }
 
 void ImportWriter::animation(const Animation& animation) {
-  number('A');
-  text(animation.name);
-  number(animation.seconds);
+  const auto number = [](auto value) { return static_cast<std::uint32_t>(value); };
+  record('A', animation.name, animation.seconds);
   for (const Track& track : animation.tracks) {
-    number('T');
-    number(track.node);
-    number(std::uint32_t{static_cast<std::uint8_t>(track.property)});
-    number(std::uint32_t{static_cast<std::uint8_t>(track.between)});
-    number(std::uint64_t{track.times.size()});
+    record('T', track.node, number(track.property), number(track.between), std::uint64_t{track.times.size()});
     bytes(track.times.data(), track.times.size() * sizeof(double));
     bytes(track.values.data(), track.values.size() * sizeof(double));
   }
-  for (const Unfollowed& lost : animation.unfollowed) {
-    number('U');
-    number(lost.node.value_or(kNoNode));
-    number(std::uint32_t{static_cast<std::uint8_t>(lost.what)});
-    text(lost.sentence);
-  }
+  for (const Unfollowed& lost : animation.unfollowed)
+    record('U', lost.node.value_or(kNoNode), number(lost.what), lost.sentence);
 }
 
-void ImportWriter::warning(std::string_view message) {
-  number('W');
-  text(message);
-}
+void ImportWriter::warning(std::string_view message) { record('W', message); }
 
-void ImportWriter::missing(std::string_view message) {
-  number('X');
-  text(message);
-}
+void ImportWriter::missing(std::string_view message) { record('X', message); }
 
 void ImportWriter::error(std::string_view message) {
-  number('E');
-  text(message);
+  record('E', message);
   flush();
 }
 
 bool ImportWriter::end() {
-  number('Z');
+  record('Z');
   flush();
   return !failed_;
 }

@@ -83,9 +83,12 @@ class ImportWriter {
 
  private:
   void bytes(const void* data, std::size_t count);
+  void field(std::string_view text);
   template <class T>
-  void number(T value);
-  void text(std::string_view text);
+  requires std::is_trivially_copyable_v<T>
+  void field(const T& value) { bytes(&value, sizeof value); }
+  template <class... Fields>
+  void record(char letter, const Fields&... fields);
   void flush();
 
   int descriptor_;

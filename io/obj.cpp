@@ -11,26 +11,7 @@
 namespace impinge::io {
 namespace {
 
-/// The parts as `o` splits the file and as `g` does, until the end tells which of the two holds.
-class ObjectNames {
- public:
-  /// Each `o` starts an object of its own, even under a name seen before.
-  std::size_t start(std::vector<Part>& parts, std::string_view name) {
-    parts.push_back({std::string(name), {}, {}});
-    return parts.size() - 1;
-  }
-  /// A group that comes again goes on.
-  std::size_t resume(std::vector<Part>& parts, std::string_view name) {
-    const auto [place, is_new] = groups_.try_emplace(std::string(name), parts.size());
-    if (is_new) parts.push_back({std::string(name), {}, {}});
-    return place->second;
-  }
-
- private:
-  std::unordered_map<std::string, std::size_t> groups_;
-};
-
-class ObjReader {
+class ObjReader : FailingReader {
  public:
   ObjReader(std::string_view bytes, const Source& source)
       : source_(source), lines_(bytes), has_objects_(contains_object(bytes)) {}
@@ -83,11 +64,12 @@ class ObjReader {
     const std::string_view keyword = words.word();
     if (keyword == "v") return read_vertex(words);
     if (keyword == "f") return read_face(words);
-    if (keyword == "o") {
-      part_ = names_.start(out_.parts, trimmed(words.rest_of_line()));
-    } else if (keyword == "g" && !has_objects_) {
-      part_ = names_.resume(out_.parts, trimmed(words.rest_of_line()));
-    }
+    if (keyword != "o" && (keyword != "g" || has_objects_)) return true;
+    // Each `o` starts an object of its own, even under a name seen before; a group that comes again goes on.
+    const std::string name(trimmed(words.rest_of_line()));
+    const std::size_t next = out_.parts.size();
+    part_ = keyword == "o" ? next : groups_.try_emplace(name, next).first->second;
+    if (part_ == next) out_.parts.push_back({name, {}, {}});
     return true;
   }
 
@@ -95,14 +77,8 @@ class ObjReader {
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = words.word();
       double value = 0;
-      if (word.empty()) {
-        problem_ = "a vertex needs three coordinates; the line is cut short";
-        return false;
-      }
-      if (!parse_real(word, value, problem_)) {
-        problem_ += "; a vertex needs three finite coordinates";
-        return false;
-      }
+      if (word.empty()) return fail("a vertex needs three coordinates; the line is cut short");
+      if (!parse_real(word, value, problem_)) return fail(problem_ + "; a vertex needs three finite coordinates");
       out_.xyz.push_back(value);
     }
     return true;
@@ -127,14 +103,12 @@ class ObjReader {
     std::int64_t index = 0;
     if (!parse_integer(word.substr(0, slash), index, problem_) ||
         word.find_first_not_of("0123456789+-/", std::min(slash, word.size())) != word.npos) {
-      problem_ = sentence("the face's corner ", in_quotes(word), " is not of the form v, v/vt, v//vn or v/vt/vn");
-      return false;
+      return fail(sentence("the face's corner ", in_quotes(word), " is not of the form v, v/vt, v//vn or v/vt/vn"));
     }
     const auto count = static_cast<std::int64_t>(vertex_count());
     if (index == 0 || index < -count || index >= kMostVertices) {
-      problem_ =
-          sentence("the face names vertex ", index, ", but indices run from 1 and, backwards, from -1 to -", count);
-      return false;
+      return fail(
+          sentence("the face names vertex ", index, ", but indices run from 1 and, backwards, from -1 to -", count));
     }
     corner = static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
     if (highest_line_ == 0 || corner > highest_corner_) {
@@ -151,11 +125,11 @@ class ObjReader {
   Scanner lines_;
   bool has_objects_;
   Parts out_;
-  ObjectNames names_;
+  std::unordered_map<std::string, std::size_t> groups_;  ///< the part of each name that `g` gives
   std::size_t part_ = 0;
   std::uint64_t line_ = 0;
   std::uint64_t highest_corner_ = 0, highest_line_ = 0;
-  std::string joined_, problem_;
+  std::string joined_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace impinge::io {
 namespace {
 
-class OffReader {
+class OffReader : FailingReader {
  public:
   OffReader(std::string_view bytes, const Source& source) : source_(source), words_(bytes, '#') {}
 
@@ -21,11 +21,6 @@ class OffReader {
   }
 
  private:
-  bool fail(std::string problem) {
-    problem_ = std::move(problem);
-    return false;
-  }
-
   bool read_header() {
     std::string_view word = words_.word();
     if (word.ends_with("OFF")) {
@@ -112,7 +107,6 @@ class OffReader {
   Scanner words_;
   Parts out_;
   std::uint64_t vertices_ = 0, faces_ = 0;
-  std::string problem_;
 };
 
 }  // namespace

@@ -134,7 +134,7 @@ class BinaryBody {
 };
 
 template <class Body>
-class PlyReader {
+class PlyReader : FailingReader {
  public:
   PlyReader(std::string_view bytes, const PlyHeader& header, const Source& source)
       : source_(source), header_(header), body_(bytes, header) {}
@@ -152,11 +152,6 @@ class PlyReader {
   }
 
  private:
-  bool fail(std::string problem) {
-    problem_ = std::move(problem);
-    return false;
-  }
-
   /// Which property is which coordinate; and how many vertices there are, for faces may stand before them.
   bool find_vertices() {
     const PlyElement* vertices = nullptr;
@@ -270,7 +265,6 @@ class PlyReader {
   std::uint64_t vertex_count_ = 0, row_ = 0;
   std::vector<int> axis_of_;
   int found_axes_ = 0;
-  std::string problem_;
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ std::optional<PlyType> type_named(std::string_view name) {
   return std::nullopt;
 }
 
-class HeaderReader {
+class HeaderReader : FailingReader {
  public:
   HeaderReader(std::string_view bytes, const Source& source) : bytes_(bytes), source_(source), line_end_("\n") {
     const std::size_t end = bytes.find_first_of("\r\n");
@@ -70,11 +70,6 @@ class HeaderReader {
     next_ = end == bytes_.npos ? bytes_.size() : end + line_end_.size();
     ++line_;
     return true;
-  }
-
-  bool fail(std::string problem) {
-    problem_ = std::move(problem);
-    return false;
   }
 
   bool read_line(std::string_view keyword, Scanner& words) {
@@ -141,7 +136,6 @@ class HeaderReader {
   std::uint64_t line_ = 0;
   bool has_format_ = false;
   PlyHeader header_{};
-  std::string problem_;
 };
 
 }  // namespace

@@ -57,9 +57,9 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
   if (options.stop.stop_requested()) return Error{Code::cancelled, sentence(label, ": reading was cancelled")};
   Result<Model> model = Error{Code::bad_file, {}};
   if (const Reader reader = own_reader(file)) {
-    Result<FileBytes> bytes = read_file(file, options.max_file_bytes, source);
+    Result<std::string> bytes = read_file(file, options.max_file_bytes, source);
     if (!bytes) return bytes.error();
-    model = reader(bytes->view(), source);
+    model = reader(*bytes, source);
   } else {
     model = import_file(file, source, options);
   }

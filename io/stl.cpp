@@ -99,7 +99,7 @@ Result<Model> read_binary(std::string_view bytes, const Source& source) {
   return make_model(source, std::move(out));
 }
 
-class TextReader {
+class TextReader : FailingReader {
  public:
   TextReader(std::string_view bytes, const Source& source) : source_(source), words_(bytes) {}
 
@@ -111,10 +111,6 @@ class TextReader {
   }
 
  private:
-  bool fail(std::string problem) {
-    problem_ = std::move(problem);
-    return false;
-  }
   bool expect(std::string_view keyword) {
     const std::string_view word = words_.word();
     if (lower_case(word) == keyword) return true;
@@ -163,7 +159,6 @@ class TextReader {
   Scanner words_;
   Parts out_;
   VertexMerger merger_{out_.xyz};
-  std::string problem_;
 };
 
 /// Text begins with "solid", but so do the headers of some binary files: those are told by their size.

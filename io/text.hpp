@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "impinge/result.hpp"
 
@@ -51,6 +52,16 @@ Result<void> check_text(std::string_view bytes, const Source& source);
 /// outside the range of a double leave a sentence part in `problem`; numbers that underflow are rounded like others.
 bool parse_real(std::string_view word, double& value, std::string& problem);
 bool parse_integer(std::string_view word, std::int64_t& value, std::string& problem);
+
+/// A reader whose functions return false where something is wrong with the file.
+class FailingReader {
+ protected:
+  bool fail(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+  std::string problem_;  ///< part of a sentence
+};
 
 /// Walks over a text word by word or line by line. Lines end with LF, CR LF or CR.
 class Scanner {

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/clash_json.hpp"
-
+#include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
 
 #include "report/json_writer.hpp"
-#include "report/triage_json.hpp"
+#include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
@@ -48,7 +46,7 @@ Json json_region(const Region& region, const RegionStanding& standing) {
   Json lines = Json::array();
   for (const std::vector<Point>& line : region.lines) lines.push_back(json_points(line));
   return {{"id", standing.id},
-          {"change", json_change(standing.change)},
+          {"change", or_null(name(standing.change))},
           {"pairs", region.pairs},
           {"box", json_points(region.box)},
           {"area", region.area},
@@ -60,7 +58,8 @@ Json json_region(const Region& region, const RegionStanding& standing) {
           {"triangles_b", region.triangles_b}};
 }
 
-Json json_pair(const Review& review, std::size_t number, const ReportOptions& options) {
+Json json_pair(const Review& review, std::size_t number) {
+  const ReportOptions& options = review.options;
   const Clash& pair = review.clashes.pairs[number];
   const Standing& standing = review.standings[number];
   const bool has_inner = pair.verdict == Verdict::inside && pair.inner >= 0;
@@ -95,13 +94,83 @@ Json json_counts(const Review& review) {
   return json;
 }
 
+Json json_old_part(const OldPart& part) { return {{"name", part.name}, {"path", part.path}, {"file", part.file}}; }
+
+Json json_resolved(const Resolved& resolved) {
+  return {{"id", resolved.id},
+          {"region", or_null(resolved.region)},
+          {"a", json_old_part(resolved.a)},
+          {"b", json_old_part(resolved.b)},
+          {"test", or_null(resolved.test)},
+          {"verdict", name(resolved.verdict)},
+          {"centroid", resolved.centroid ? json_point(*resolved.centroid) : Json()}};
+}
+
+std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>& pairs) {
+  return static_cast<std::uint64_t>(
+      std::count_if(pairs.begin(), pairs.end(), [&](std::size_t i) { return review.standings[i].fails; }));
+}
+
+void write_tests(JsonDocument& document, const Review& review) {
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  std::vector<std::uint64_t> counts(tests.size()), failing(tests.size());
+  for (std::size_t i = 0; !tests.empty() && i < review.clashes.pairs.size(); ++i) {
+    ++counts[review.clashes.pairs[i].test];
+    failing[review.clashes.pairs[i].test] += review.standings[i].fails ? 1 : 0;
+  }
+  document.list("tests", tests.size(), [&](std::size_t i) {
+    const PlannedTest& test = tests[i];
+    return Json{{"name", test.name},
+                {"mode", name(test.mode)},
+                {"tolerance", json_tolerance(test.tolerance)},
+                {"clearance", test.clearance > 0 ? Json(test.clearance) : Json()},
+                {"a", test.a},
+                {"b", or_null(test.b)},
+                {"parts_a", test.parts_a},
+                {"parts_b", test.parts_b},
+                {"count", counts[i]},
+                {"fail", failing[i]}};
+  });
+}
+
+void write_types(JsonDocument& document, const Review& review) {
+  const auto& types = review.types.types;
+  document.list("types", types.size(), [&](std::size_t i) {
+    return Json{{"name", types[i].name}, {"parts", types[i].parts}};
+  });
+}
+
+void write_resolved(JsonDocument& document, const Review& review) {
+  document.list("resolved", review.resolved.size(), [&](std::size_t i) { return json_resolved(review.resolved[i]); });
+}
+
+void write_groups(JsonDocument& document, const Review& review) {
+  constexpr std::array<const char*, 4> kWords{"none", "part", "type", "test"};
+  const GroupBy by = review.options.group_by;
+  if (by == GroupBy::none) return document.member("groups", nullptr);
+  Json list = Json::array();
+  for (const PairGroup& group : groups_of(by, review.clashes.pairs, ranked(review.clashes.pairs), review.types))
+    list.push_back(Json{
+        {"a", group.a}, {"b", or_null(group.b)}, {"fail", count_failing(review, group.pairs)}, {"pairs", group.pairs}});
+  document.member("groups", Json{{"by", kWords[static_cast<std::size_t>(by)]}, {"list", std::move(list)}});
+}
+
 }  // namespace
 
-Result<void> write_clash_json(Sink& sink, const Review& review, const ReportOptions& options,
-                              const std::stop_token& stop) {
-  JsonDocument document(sink, stop);
+Json json_triage(const Review& review, std::size_t pair) {
+  const Standing& standing = review.standings[pair];
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  return {{"test", tests.empty() ? Json() : Json(tests[review.clashes.pairs[pair].test].name)},
+          {"change", or_null(name(standing.change))},
+          {"status", or_null(standing.decision.status)},
+          {"comment", or_null(standing.decision.comment)},
+          {"was", standing.was ? Json(name(*standing.was)) : Json()}};
+}
+
+Result<void> write_clash_json(Sink& sink, const Review& review) {
+  JsonDocument document(sink, review.options.stop);
   document.member("version", 1);
-  document.member("settings", json_settings(options));
+  document.member("settings", json_settings(review.options));
   write_tests(document, review);
   write_types(document, review);
   document.list("files", review.file_names.size(), [&](std::size_t i) {
@@ -111,9 +180,9 @@ Result<void> write_clash_json(Sink& sink, const Review& review, const ReportOpti
   });
   document.list("objects", review.parts.size(), [&](std::size_t i) { return json_part(review, i); });
   write_missing(document, review.assembly);
-  document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i, options); });
+  document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i); });
   write_resolved(document, review);
-  write_groups(document, review, options.group_by);
+  write_groups(document, review);
   document.member("counts", json_counts(review));
   return document.end();
 }

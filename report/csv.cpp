@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/csv.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "report/conventions.hpp"
 #include "report/place.hpp"
 #include "report/text.hpp"
+#include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
@@ -80,10 +79,6 @@ std::string test(const Row& row) {
   const std::vector<PlannedTest>& tests = row.review.plan.tests();
   return tests.empty() ? "" : csv_cell(tests[row.pair.test].name);
 }
-std::string change(const Row& row) {
-  if (row.standing.change == Change::unknown) return "";
-  return row.standing.change == Change::fresh ? "new" : "persisting";
-}
 std::string new_regions(const Row& row) {
   if (row.standing.change == Change::unknown) return "";
   const auto& regions = row.standing.regions;
@@ -152,7 +147,8 @@ constexpr std::array kColumns{
     Column{"tolerance", [](const Row& row) { return number(row.pair.tolerance); }},
     Column{"note", [](const Row& row) { return csv_cell(sentence(row.pair.note)); }},
     Column{"test", test, [](const GoneRow& row) { return csv_cell(row.what.test); }},
-    Column{"change", change, [](const GoneRow&) { return std::string("resolved"); }},
+    Column{"change", [](const Row& row) { return name(row.standing.change); },
+           [](const GoneRow&) { return std::string("resolved"); }},
     Column{"was", [](const Row& row) { return std::string(row.standing.was ? name(*row.standing.was) : ""); }},
     Column{"new_regions", new_regions},
     Column{"region", [](const Row&) { return std::string(); },
@@ -194,19 +190,19 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-Result<void> write_csv(Sink& sink, const Review& review, const ReportOptions& options, const std::stop_token& stop) {
-  const Conventions conventions = conventions_of(options);
+Result<void> write_csv(Sink& sink, const Review& review) {
+  const Conventions conventions = conventions_of(review.options);
   sink.write(line([](const Column& column) { return column.name; }));
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {
-    if (stop.stop_requested()) return interrupted();
+    if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
     const Row row{review, conventions,   review.clashes.pairs[i], review.standings[i],
                   ++rank, review.ids[i], place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
   for (const Resolved& gone : review.resolved) {
-    if (stop.stop_requested()) return interrupted();
+    if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
     const GoneRow row{conventions, gone};
     sink.write(line([&](const Column& column) { return column.gone == nullptr ? "" : column.gone(row); }));

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "report/json_file.hpp"
+#include "report/schemas.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -20,6 +21,7 @@ using nlohmann::json;
 
 // People write this file; what is larger is another one.
 constexpr std::uint64_t kMostBytesOfDecisions = 16'000'000;
+constexpr std::size_t kMostValuesOfDecisions = 1'000'000;
 constexpr std::string_view kBetweenNames = " | ";
 
 bool is_pair_id(std::string_view key) {
@@ -27,44 +29,27 @@ bool is_pair_id(std::string_view key) {
   return key.size() == kLengthOfUuid && key.find_first_not_of("0123456789abcdef-") == std::string_view::npos;
 }
 
-Result<Decision> read_decision(const std::string& name, const std::string& text, const json::json_pointer& place,
-                               const nlohmann::ordered_json& entry) {
-  if (!entry.is_object())
-    return json_error(name, text, place.to_string(), R"(a decision should stand here, such as {"status": "approved"})");
-  Decision decision;
-  for (const auto& [key, value] : entry.items()) {
-    const std::string at = (place / key).to_string();
-    if (key != "status" && key != "comment")
-      return json_error(name, text, at, R"(there is no such key; a decision has a "status" and a "comment")");
-    if (!value.is_string()) return json_error(name, text, at, "a text in quotes should stand here");
-    (key == "status" ? decision.status : decision.comment) = value.get<std::string>();
-  }
-  return decision;
-}
-
 }  // namespace
 
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text) {
-  if (const auto sound = parse_json(name, text); !sound) return sound.error();
+  static const json schema = json::parse(kDecisionsSchema);
+  const Result<json> value = parse_json(name, text, {}, kMostValuesOfDecisions);
+  if (!value) return value.error();
+  if (auto valid = check_against(schema, name, text, *value); !valid) return valid.error();
   const auto document = nlohmann::ordered_json::parse(text);  // patterns count in the order of the file
-  if (!document.is_object())
-    return json_error(name, text, "",
-                      R"(this is no list of decisions, such as {"pipe* | support*": {"status": "ok"}})");
   Decisions decisions;
   for (const auto& [key, entry] : document.items()) {
-    const json::json_pointer place = json::json_pointer() / key;
     if (key == "$schema") continue;
     const std::size_t bar = key.find(kBetweenNames);
     if (bar == std::string::npos && !is_pair_id(key))
-      return json_error(name, text, place.to_string(),
+      return json_error(name, text, (json::json_pointer() / key).to_string(),
                         "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
                         "between them");
-    const Result<Decision> decision = read_decision(name, text, place, entry);
-    if (!decision) return decision.error();
+    const Decision decision{entry.value("status", ""), entry.value("comment", "")};
     if (bar == std::string::npos)
-      decisions.by_id.emplace(key, *decision);
+      decisions.by_id.emplace(key, decision);
     else
-      decisions.by_names.push_back({key, key.substr(0, bar), key.substr(bar + kBetweenNames.size()), *decision});
+      decisions.by_names.push_back({key, key.substr(0, bar), key.substr(bar + kBetweenNames.size()), decision});
   }
   return decisions;
 }

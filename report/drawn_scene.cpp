@@ -6,22 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
+
+#include "report/vector.hpp"
 
 namespace impinge::report {
 namespace {
 
 /// The middle of the mesh's box, where single precision is finest.
 Point middle_of(const Mesh& mesh) {
-  Point middle{};
-  for (double Point::*const axis : {&Point::x, &Point::y, &Point::z}) {
-    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
-    for (const Point& vertex : mesh.vertices()) lo = std::min(lo, vertex.*axis), hi = std::max(hi, vertex.*axis);
-    // Halved before they are added: neither overflows.
-    middle.*axis = lo / 2 + hi / 2;
-  }
-  return middle;
+  Bounds box;
+  for (const Point& vertex : mesh.vertices()) box.add(vertex);
+  return middle(box.lo, box.hi);
 }
 
 /// A coordinate that single precision can hold; nothing so far away can be looked at.

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/gltf.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +13,8 @@
 
 #include "report/conventions.hpp"
 #include "report/json_writer.hpp"
-#include "report/triage_json.hpp"
 #include "report/vector.hpp"
+#include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
@@ -162,7 +160,7 @@ std::size_t node_of(Document& document, const Region& region, const RegionStandi
   const Point origin = middle(region.box[0], region.box[1]);
   const std::size_t mesh = document.mesh(points, ends, std::array{region.centroid}, origin, verdict);
   Json extras{{"id", standing.id},
-              {"change", json_change(standing.change)},
+              {"change", or_null(name(standing.change))},
               {"pairs", region.pairs},
               {"area", region.area},
               {"length", region.length},
@@ -217,15 +215,15 @@ std::size_t node_of(Document& document, const Review& review, std::size_t pair, 
 
 }  // namespace
 
-Result<void> write_gltf(Sink& sink, const Review& review, const ReportOptions& options, const std::stop_token& stop) {
+Result<void> write_gltf(Sink& sink, const Review& review) {
   Document document;
   std::vector<std::size_t> clashes;
   std::size_t rank = 0;
   for (const std::size_t pair : ranked(review.clashes.pairs)) {
-    if (stop.stop_requested()) return interrupted();
+    if (review.options.stop.stop_requested()) return interrupted();
     clashes.push_back(node_of(document, review, pair, ++rank));
   }
-  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(options))}};
+  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(review.options))}};
   if (!clashes.empty()) root["children"] = clashes;
   return document.write(sink, document.node(std::move(root)));
 }

@@ -32,6 +32,13 @@ Result<nlohmann::json> parse_json(std::string_view name, const std::string& text
 /// "clash.json:12: /tests/0/mode: what is wrong". The text is searched for the line.
 Error json_error(std::string_view name, const std::string& text, const std::string& pointer, std::string_view what);
 
+/// Whether the value of a JSON file is what a JSON schema says. Of two schemas that could hold for a value, "anyOf" may
+/// choose only where neither looks into the value: rules are found by the place of the mistake alone. Errors:
+/// `bad_file`, with the place and the rule: unknown and missing keys by name, else what the rule says as its
+/// "errorMessage".
+Result<void> check_against(const nlohmann::json& schema, std::string_view name, const std::string& text,
+                           const nlohmann::json& value);
+
 /// A value of a JSON file and its place there.
 struct JsonNode {
   const nlohmann::json& value;

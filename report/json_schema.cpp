@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/json_schema.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -47,10 +44,8 @@ std::string in_words(const json& value) {
 std::string unknown_key(const std::string& key, const json& properties) {
   std::vector<std::string> known;
   for (const auto& [name, rule] : properties.items()) known.push_back(name);
-  const auto distance = [&](const std::string& name) { return edit_distance(key, name); };
-  const std::string& nearest = *std::ranges::min_element(known, {}, distance);
   return fmt::format("there is no '{}' here; did you mean '{}'? The keys are {}",
-                     fit(printable(key.substr(0, 320)), 80), nearest, fmt::join(known, ", "));
+                     fit(printable(key.substr(0, 320)), 80), nearest_text(key, known), fmt::join(known, ", "));
 }
 
 /// What a value does wrong, for which valijson has `found` its own words; an unknown key is added to `place`.

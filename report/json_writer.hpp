@@ -87,6 +87,9 @@ Json json_identity(const Assembly& assembly, std::size_t object);
 /// The facts of a part: "solid" to "wall", all null where there is no part; not "closed" and "open_edges".
 Json json_facts(const std::optional<Part>& part);
 
+/// Members of a pair: "test", "change", "status", "comment" and "was".
+Json json_triage(const Review& review, std::size_t pair);
+
 /// A list of what is missing of the files, where something is.
 void write_missing(JsonDocument& document, const Assembly& assembly);
 

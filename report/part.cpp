@@ -8,29 +8,20 @@
 #include <cmath>
 
 #include "report/text.hpp"
+#include "report/vector.hpp"
 
 namespace impinge::report {
 namespace {
 
 /// A point where two triangles that meet can be looked for: the middle of what their boxes share. That is not empty.
 Point near_both(const Mesh& mesh, const Pose& pose, const TrianglePair& pair) {
-  const auto bounds = [&](std::uint32_t triangle, double Point::*axis) {
-    double lo = 0, hi = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double value = world_vertex(pose, mesh.vertices()[mesh.triangles()[triangle][i]]).*axis;
-      lo = i == 0 ? value : std::min(lo, value);
-      hi = i == 0 ? value : std::max(hi, value);
-    }
-    return std::pair(lo, hi);
+  const auto bounds = [&](std::uint32_t triangle) {
+    Bounds box;
+    for (const std::uint32_t corner : mesh.triangles()[triangle]) box.add(world_vertex(pose, mesh.vertices()[corner]));
+    return box;
   };
-  Point middle{};
-  for (double Point::*const axis : {&Point::x, &Point::y, &Point::z}) {
-    const auto [lo_a, hi_a] = bounds(pair.a, axis);
-    const auto [lo_b, hi_b] = bounds(pair.b, axis);
-    // Halved before they are added: neither overflows.
-    middle.*axis = std::max(lo_a, lo_b) / 2 + std::min(hi_a, hi_b) / 2;
-  }
-  return middle;
+  const Bounds both = shared(bounds(pair.a), bounds(pair.b));
+  return middle(both.lo, both.hi);
 }
 
 /// "0.500" as "0.5": three places side by side are long enough.

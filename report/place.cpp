@@ -3,16 +3,6 @@
 #include "report/place.hpp"
 
 namespace impinge::report {
-namespace {
-
-Bounds shared(const Bounds& a, const Bounds& b) {
-  Bounds both;
-  both.lo = {std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)};
-  both.hi = {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)};
-  return both;
-}
-
-}  // namespace
 
 Bounds bounds_of(const io::Object& object) {
   Bounds bounds;

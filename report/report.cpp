@@ -4,13 +4,10 @@
 
 #include <utility>
 
-#include "report/bcf/bcf.hpp"
-#include "report/clash_json.hpp"
-#include "report/csv.hpp"
-#include "report/gltf.hpp"
 #include "report/make_review.hpp"
 #include "report/page.hpp"
 #include "report/sink.hpp"
+#include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
@@ -68,30 +65,20 @@ Result<Report> review(Assembly assembly, const ReportOptions& options) {
 }
 
 Result<void> write_json(const Report& report, const std::string& file) {
-  const Review& review = report.internal();
-  return write_file(file, kJson,
-                    [&](Sink& sink) { return write_clash_json(sink, review, review.options, review.options.stop); });
+  return write_file(file, kJson, [&](Sink& sink) { return write_clash_json(sink, report.internal()); });
 }
 
 Result<void> write_csv(const Report& report, const std::string& file) {
-  const Review& review = report.internal();
-  return write_file(file, kCsv,
-                    [&](Sink& sink) { return write_csv(sink, review, review.options, review.options.stop); });
+  return write_file(file, kCsv, [&](Sink& sink) { return write_csv(sink, report.internal()); });
 }
 
 Result<void> write_bcf(const Report& report, const std::string& file) {
   const Review& review = report.internal();
-  return write_file(file, kBcf, [&](Sink& sink) {
-    const Topics topics = topics_of(review, review.options);
-    return write_bcf(
-        sink, review, review.options, topics, [] {}, review.options.stop);
-  });
+  return write_file(file, kBcf, [&](Sink& sink) { return write_bcf(sink, review, topics_of(review), [] {}); });
 }
 
 Result<void> write_gltf(const Report& report, const std::string& file) {
-  const Review& review = report.internal();
-  return write_file(file, kGltf,
-                    [&](Sink& sink) { return write_gltf(sink, review, review.options, review.options.stop); });
+  return write_file(file, kGltf, [&](Sink& sink) { return write_gltf(sink, report.internal()); });
 }
 
 Result<void> write_page(const Report& report, const std::string& file) {
@@ -102,7 +89,7 @@ Result<void> write_page(const Report& report, const std::string& file) {
   return write_file(file, kPage, [&](Sink& sink) -> Result<void> {
     const Result<DrawnScene> scene = draw(review.assembly, options.page_triangles, options.stop);
     if (!scene) return scene.error();
-    const auto write_block = [&](Sink& to) { return write_clash_json(to, review, options, options.stop); };
+    const auto write_block = [&](Sink& to) { return write_clash_json(to, review); };
     return write_page(sink, *page, head_of(options.files, options), *scene, write_block, options.stop);
   });
 }

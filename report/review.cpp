@@ -51,8 +51,8 @@ std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
   return order;
 }
 
-double depth_of(const Clash& pair) {
-  return pair.overlap_depth ? std::max(pair.overlap_depth->a_in_b.hi, pair.overlap_depth->b_in_a.hi) : 0;
+double depth_of(const std::optional<OverlapDepth>& depth) {
+  return depth ? std::max(depth->a_in_b.hi, depth->b_in_a.hi) : 0;
 }
 
 double area_of(const Clash& pair) {
@@ -78,8 +78,7 @@ bool names(const FailOn& fail_on, Verdict verdict) {
 }
 
 std::uint64_t count_failing(const Review& review) {
-  return static_cast<std::uint64_t>(std::count_if(review.standings.begin(), review.standings.end(),
-                                                  [](const Standing& standing) { return standing.fails; }));
+  return static_cast<std::uint64_t>(std::ranges::count(review.standings, true, &Standing::fails));
 }
 
 void assign_ids(const Previous* previous, Review& review) {
@@ -118,6 +117,10 @@ bool has_new_region(const Standing& standing) {
 }
 
 bool is_worse(const Clash& pair, const Standing& standing) { return standing.was && pair.verdict < *standing.was; }
+
+std::string name(Change change) {
+  return change == Change::unknown ? "" : change == Change::fresh ? "new" : "persisting";
+}
 
 std::string change_text(const Clash& pair, const Standing& standing) {
   if (standing.change == Change::fresh) return "new";

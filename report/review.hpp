@@ -49,7 +49,8 @@ std::size_t count_shared(std::vector<std::uint32_t> groups);
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);
 
 /// The greater of the two overlap depths, by the upper end of its interval; 0 where none was measured.
-double depth_of(const Clash& pair);
+double depth_of(const std::optional<OverlapDepth>& depth);
+inline double depth_of(const Clash& pair) { return depth_of(pair.overlap_depth); }
 /// That of all regions; 0 where none were looked for.
 double area_of(const Clash& pair);
 
@@ -69,7 +70,9 @@ bool has_new_region(const Standing& standing);
 /// Whether the verdict comes before the earlier one: verdicts are in order, the worst first.
 bool is_worse(const Clash& pair, const Standing& standing);
 
-/// "new" or "persisting"; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
+/// "new" or "persisting"; empty without a previous run.
+std::string name(Change change);
+/// The same; of a persisting pair "worse" if its verdict comes before the earlier one, and "new region" if
 /// it has one.
 std::string change_text(const Clash& pair, const Standing& standing);
 

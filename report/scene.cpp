@@ -4,33 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "report/text.hpp"
 
 namespace impinge::report {
-namespace {
-
-// A scene keeps ignored pairs one by one. Ten million take about half a gigabyte.
-constexpr std::uint64_t kMostPairs = 10'000'000;
-
-std::string nearest_label(const Assembly& assembly, std::string_view word) {
-  // Enough to find a typing error in any assembly without making a large one wait.
-  constexpr std::size_t kMostNames = 100'000;
-  const std::string* nearest = nullptr;
-  std::size_t distance = std::numeric_limits<std::size_t>::max();
-  for (std::size_t i = 0; i < std::min(assembly.labels.size(), kMostNames); ++i) {
-    const std::size_t d = edit_distance(word, assembly.labels[i]);
-    if (d >= distance) continue;
-    distance = d;
-    nearest = &assembly.labels[i];
-  }
-  return nearest != nullptr ? *nearest : std::string();
-}
-
-}  // namespace
-
 Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::string_view word) {
   const auto all_where = [&](auto says) {
     std::vector<std::uint32_t> found;
@@ -44,11 +20,14 @@ Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::
   if (!found.empty()) return found;
   if (assembly.objects.empty())
     return Error{Code::bad_option, fmt::format("nothing is named '{}'; the files hold no objects", word)};
-  return Error{Code::bad_option,
-               fmt::format("nothing is named '{}'; the nearest name is '{}'", word, nearest_label(assembly, word))};
+  return Error{Code::bad_option, fmt::format("nothing is named '{}'; the nearest name is '{}'", word,
+                                             nearest_text(word, assembly.labels))};
 }
 
 namespace {
+
+// A scene keeps ignored pairs one by one. Ten million take about half a gigabyte.
+constexpr std::uint64_t kMostPairs = 10'000'000;
 
 /// Leaves out of the scene every pair that `ignored` names; `ids` are the scene's ids of the assembly's objects.
 Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<std::string, std::string>> ignored,

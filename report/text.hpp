@@ -42,6 +42,20 @@ bool matches_pattern(std::string_view pattern, std::string_view text);
 /// other; case costs nothing. Texts are compared in their first 200 characters.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
+/// The first of the texts that are spelled most like the word, empty where all are empty. Of many the first 100,000 are
+/// looked at: enough to find a typing error without making anybody wait.
+template <class Texts>
+std::string nearest_text(std::string_view word, const Texts& texts) {
+  std::size_t left = 100'000, least = std::string::npos;
+  std::string_view nearest;
+  for (const std::string_view text : texts) {
+    if (left-- == 0) break;
+    const std::size_t distance = text.empty() ? least : edit_distance(word, text);
+    if (distance < least) least = distance, nearest = text;
+  }
+  return std::string(nearest);
+}
+
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 

@@ -38,5 +38,10 @@ struct Bounds {
   }
   [[nodiscard]] bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
 };
+/// Empty where they have nothing in common.
+inline Bounds shared(const Bounds& a, const Bounds& b) {
+  return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)},
+          {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
+}
 
 }  // namespace impinge::report

@@ -63,9 +63,8 @@ std::optional<std::uint64_t> size_of(const json& value, std::uint64_t missing) {
   return value.get<std::uint64_t>();
 }
 
-std::string file_bytes(const std::filesystem::path& file, std::streamoff from = 0) {
+std::string file_bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  in.seekg(from);
   return in ? std::string(std::istreambuf_iterator<char>(in), {}) : std::string();
 }
 

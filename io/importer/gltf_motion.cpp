@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "io/importer/gltf_motion.hpp"
-
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 
 #include "io/importer/gltf_buffers.hpp"
 #include "io/importer/gltf_json.hpp"
+#include "io/importer/motion.hpp"
 #include "io/text.hpp"
 
 namespace impinge::importer {

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "io/importer/gltf_json.hpp"
-#include "io/importer/gltf_motion.hpp"
 #include "io/text.hpp"
 
 namespace impinge::importer {

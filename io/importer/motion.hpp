@@ -43,4 +43,8 @@ inline constexpr const char* kMorphs = "its morph targets are animated";
 /// assimp gives them, keys with straight lines between.
 Movement read_movement(const char* file, const aiScene& scene);
 
+/// Adds the animations of a glTF file (1 or 2) to the numbered nodes of the scene that assimp read from it. What cannot
+/// be followed (morph targets, skins, pointers) is left out, with a warning. The file has passed `check_gltf`.
+void read_gltf_motion(const char* file, const aiScene& scene, Movement& movement);
+
 }  // namespace impinge::importer

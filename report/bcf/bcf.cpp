@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/bcf/bcf.hpp"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -10,6 +8,7 @@
 #include "report/bcf/bcf_xml.hpp"
 #include "report/bcf/snapshot.hpp"
 #include "report/bcf/zip.hpp"
+#include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
@@ -37,17 +36,17 @@ Scenery scenery_of(const Review& review, const Clash& clash, const Place& place)
 }
 
 /// The three files of a topic's folder.
-std::array<Member, 3> files_of(const Review& review, const ReportOptions& options, std::size_t pair, std::size_t rank) {
+std::array<Member, 3> files_of(const Review& review, std::size_t pair, std::size_t rank) {
   const Clash& clash = review.clashes.pairs[pair];
   const Place place = place_of(review, pair);
   const Scenery scenery = scenery_of(review, clash, place);
-  const Conventions conventions = conventions_of(options);
+  const Conventions conventions = conventions_of(review.options);
   const auto radius = [&](std::size_t side) {
     return review.assembly.objects[clash.objects[side]].mesh.sphere_radius();
   };
   const View view = clearest(scenery, views_of(place, {radius(0), radius(1)}, conventions.y_up));
   const std::string& id = review.ids[pair];
-  return {Member{id + "/markup.bcf", markup_of(review, options, pair, rank)},
+  return {Member{id + "/markup.bcf", markup_of(review, pair, rank)},
           Member{id + "/viewpoint.bcfv", viewpoint_of(review, pair, view, scenery.lines, conventions)},
           Member{id + "/snapshot.png", png_of(draw(scenery, view)), false}};
 }
@@ -66,23 +65,23 @@ void share(std::size_t count, int threads, const std::function<void(std::size_t)
 
 }  // namespace
 
-Topics topics_of(const Review& review, const ReportOptions& options) {
+Topics topics_of(const Review& review) {
   Topics topics;
   for (const std::size_t pair : ranked(review.clashes.pairs))
     if (review.standings[pair].fails) topics.pairs.push_back(pair);
-  const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(topics.pairs.size(), options.topics));
+  const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(topics.pairs.size(), review.options.topics));
   topics.left_out = topics.pairs.size() - kept;
   topics.pairs.resize(kept);
   return topics;
 }
 
-Result<void> write_bcf(Sink& sink, const Review& review, const ReportOptions& options, const Topics& topics,
-                       const std::function<void()>& done, const std::stop_token& stop) {
+Result<void> write_bcf(Sink& sink, const Review& review, const Topics& topics, const std::function<void()>& done) {
+  const std::stop_token& stop = review.options.stop;
   std::vector<Member> members(1 + 3 * topics.pairs.size());
   members[0] = {"bcf.version", version_document()};
-  share(topics.pairs.size(), options.threads, [&](std::size_t i) {
+  share(topics.pairs.size(), review.options.threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    std::array<Member, 3> files = files_of(review, options, topics.pairs[i], i + 1);
+    std::array<Member, 3> files = files_of(review, topics.pairs[i], i + 1);
     std::move(files.begin(), files.end(), members.begin() + 1 + 3 * static_cast<std::ptrdiff_t>(i));
     done();
   });

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "report/bcf/camera.hpp"
+#include "report/bcf/raster.hpp"
 #include "report/conventions.hpp"
 #include "report/review.hpp"
 
@@ -19,7 +19,7 @@ std::string version_document();
 
 /// The topic of a pair, which is the rank-th, with what people wrote about it. Lengths and places in it are in metres
 /// with Z up, as those of the viewpoint.
-std::string markup_of(const Review& review, const ReportOptions& options, std::size_t pair, std::size_t rank);
+std::string markup_of(const Review& review, std::size_t pair, std::size_t rank);
 
 /// Where it is seen from, both parts, and as many of the lines as a viewer can take.
 std::string viewpoint_of(const Review& review, std::size_t pair, const View& view,

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/bcf/camera.hpp"
-
 #include <algorithm>
 #include <numbers>
+
+#include "report/bcf/raster.hpp"
 
 namespace impinge::report {
 namespace {

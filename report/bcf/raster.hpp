@@ -10,10 +10,23 @@
 #include <span>
 #include <vector>
 
-#include "report/bcf/camera.hpp"
+#include "report/place.hpp"
 
-/// Triangles and lines into pixels, with a depth buffer for each part.
+/// Where a clash is looked at from; triangles and lines into pixels, with a depth buffer for each part.
 namespace impinge::report {
+
+/// From where a picture is taken. Vectors are of length 1 and at right angles.
+struct View {
+  Point eye{}, right{}, up{}, forward{};
+  double distance = 1;  ///< of what is looked at
+};
+
+/// From top to bottom, in degrees: BCF 2.1 allows 45 to 60.
+constexpr double kFieldOfView = 60;
+
+/// Ways to look at a clash of two parts of these radii, so that it fills a good part of the picture and enough is seen
+/// around it: from eight sides, those from above first.
+std::array<View, 8> views_of(const Place& place, std::array<double, 2> radii, bool y_up);
 
 /// A point of the picture: pixels to the right and down, and 1 / distance, which is linear in the picture.
 struct Projected {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/bcf/snapshot.hpp"
 
+#include <png.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <new>
 
 namespace impinge::report {
 namespace {
@@ -85,6 +88,20 @@ Picture draw(const Scenery& scenery, const View& view) {
     }
   }
   return picture;
+}
+
+std::string png_of(const Picture& picture) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.width);
+  image.height = static_cast<png_uint_32>(picture.height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr) == 0)
+    throw std::bad_alloc();  // there is room for the largest
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace impinge::report

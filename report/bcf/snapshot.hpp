@@ -5,13 +5,18 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "report/bcf/camera.hpp"
-#include "report/bcf/png.hpp"
 #include "report/bcf/raster.hpp"
 
 namespace impinge::report {
+
+/// 3 bytes a pixel, red, green, blue, row by row from the top.
+struct Picture {
+  std::size_t width = 0, height = 0;
+  std::vector<unsigned char> rgb;
+};
 
 /// What a picture of a clash shows: two parts and lines, in the world.
 struct Scenery {
@@ -29,5 +34,8 @@ View clearest(const Scenery& scenery, const std::array<View, 8>& views);
 /// Both parts, what is behind the nearer one shining through it, and the lines, which are bright where they are not
 /// hidden. By a depth buffer.
 Picture draw(const Scenery& scenery, const View& view);
+
+/// As a PNG (ISO/IEC 15948), always the same for the same picture.
+std::string png_of(const Picture& picture);
 
 }  // namespace impinge::report

@@ -2,15 +2,88 @@
 // SPDX-License-Identifier: MIT
 #include "report/comparison/matching.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
-#include "report/comparison/region_matching.hpp"
+#include "report/identity.hpp"
+#include "report/vector.hpp"
 
 namespace impinge::report {
 namespace {
+
+// Of those that moved all pairs are looked at. They come largest first: of more than so many the rest does not matter,
+// and no file makes a run take forever.
+constexpr std::size_t kMostMoved = 2000;
+
+/// A region that may be an earlier one, by the numbers of both.
+struct Candidate {
+  double distance;
+  std::size_t region, earlier;
+};
+
+/// For each region the index of the earlier one that it is, or nothing; the nearest two first, as far as half the
+/// diagonals of both boxes and `slack` reach. Of more than 2,000 regions that moved, the rest are not compared.
+std::vector<std::optional<std::size_t>> match_regions(const std::vector<Region>& regions,
+                                                      const std::vector<Previous::OldRegion>& earlier, double slack) {
+  std::vector<std::optional<std::size_t>> matched(regions.size());
+  std::vector<bool> is_used(earlier.size());
+  const auto take = [&](std::size_t region, std::size_t of_then) {
+    if (matched[region] || is_used[of_then]) return;
+    matched[region] = of_then;
+    is_used[of_then] = true;
+  };
+  // What stayed in its place, however many regions there are; of several in one place the first with the first.
+  const auto coordinates = [](const Point& p) { return std::array{p.x, p.y, p.z}; };
+  std::map<std::array<double, 3>, std::deque<std::size_t>> places;
+  for (std::size_t k = 0; k < earlier.size(); ++k) places[coordinates(earlier[k].centroid)].push_back(k);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto there = places.find(coordinates(regions[i].centroid));
+    if (there == places.end() || there->second.empty()) continue;
+    take(i, there->second.front());
+    there->second.pop_front();
+  }
+  std::vector<std::size_t> left;
+  for (std::size_t k = 0; k < earlier.size() && left.size() < kMostMoved; ++k)
+    if (!is_used[k]) left.push_back(k);
+  std::vector<Candidate> candidates;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < regions.size() && count < kMostMoved; ++i) {
+    if (matched[i]) continue;
+    ++count;
+    const auto& [lo, hi] = regions[i].box;
+    const double reach = length(0.5 * hi - 0.5 * lo) + slack;
+    for (const std::size_t k : left) {
+      const double distance = length(regions[i].centroid - earlier[k].centroid);
+      if (distance <= reach + earlier[k].reach) candidates.push_back({distance, i, k});
+    }
+  }
+  std::ranges::sort(candidates, {}, [](const Candidate& c) { return std::tie(c.distance, c.region, c.earlier); });
+  for (const Candidate& candidate : candidates) take(candidate.region, candidate.earlier);
+  return matched;
+}
+
+/// Gives ids to regions that have none: made of the pair's id and the first numbers that give no id in `taken`.
+void name_regions(const std::string& pair, std::unordered_set<std::string> taken,
+                  std::vector<RegionStanding>& regions) {
+  for (const RegionStanding& region : regions) taken.insert(region.id);
+  std::size_t number = 0;
+  for (RegionStanding& region : regions)
+    while (region.id.empty()) {
+      std::string id = guid_of(fmt::format("{}/{}", pair, number++));
+      if (taken.insert(id).second) region.id = std::move(id);
+    }
+}
 
 /// Compares a pair with what the previous run knew of it.
 void compare_with(const Previous::Pair& old, const Clash& pair, const Found& found, Standing& standing,

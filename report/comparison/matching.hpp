@@ -21,7 +21,7 @@ struct Found {
 };
 
 /// Compares the pairs and their regions with those of the previous run, which may be null: then only the regions get
-/// their ids. A pair is known by its id. Its regions are matched by their centroids, as `match_regions` does. Pairs and
+/// their ids. A pair is known by its id. Its regions are matched by their centroids, the nearest two first. Pairs and
 /// regions that are gone are appended to `resolved`.
 std::vector<Standing> compare(const Found& found, const Previous* previous, std::vector<Resolved>& resolved);
 

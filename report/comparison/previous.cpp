@@ -18,6 +18,7 @@
 #include "report/identity.hpp"
 #include "report/json_file.hpp"
 #include "report/text.hpp"
+#include "report/vector.hpp"
 
 namespace impinge::report {
 namespace {
@@ -91,17 +92,6 @@ struct Value {
   }
 };
 
-/// Halves first: no difference of two of them overflows.
-double half_diagonal(const std::array<Point, 2>& box) {
-  const auto& [lo, hi] = box;
-  return std::hypot(hi.x / 2 - lo.x / 2, hi.y / 2 - lo.y / 2, hi.z / 2 - lo.z / 2);
-}
-
-Point middle_of(const std::array<Point, 2>& ends) {
-  const auto& [p, q] = ends;
-  return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
-}
-
 using Parts = std::unordered_map<std::uint32_t, OldPart>;  // by their ids
 
 Parts read_parts(const Value& objects) {
@@ -126,12 +116,17 @@ Previous::Pair read_pair(const Value& from, const Parts& parts) {
   pair.a = a->second, pair.b = b->second;
   pair.test = from["test"].text();
   pair.verdict = from["verdict"].verdict();
-  if (from["nearest"]) pair.middle = middle_of(from["nearest"].two_points());
+  if (from["nearest"]) {
+    const std::array<Point, 2> nearest = from["nearest"].two_points();
+    pair.middle = middle(nearest[0], nearest[1]);
+  }
   pair.has_regions = static_cast<bool>(from["regions"]);
   for (const Value& region : from["regions"].items()) {
     if (!region["centroid"]) fail(region.pointer, "this region has no \"centroid\"");
-    pair.regions.push_back({region["id"].text(), region["centroid"].point(),
-                            region["box"] ? half_diagonal(region["box"].two_points()) : 0});
+    pair.regions.push_back({region["id"].text(), region["centroid"].point()});
+    if (!region["box"]) continue;
+    const auto [lo, hi] = region["box"].two_points();
+    pair.regions.back().reach = length(0.5 * hi - 0.5 * lo);
   }
   if (!pair.regions.empty()) pair.middle = pair.regions.front().centroid;
   return pair;

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/motion/left_out.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 
+#include "report/motion/motion_report.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {

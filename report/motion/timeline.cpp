@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "report/motion/moving_scene.hpp"
+#include "report/motion/mover.hpp"
 #include "report/review.hpp"
 #include "report/scene.hpp"
 
@@ -15,6 +15,35 @@ namespace {
 
 using Objects = std::array<std::uint32_t, 2>;
 using Frame = std::map<Objects, Clash>;  ///< the pairs that clash at one time
+
+/// A scene of parts that move, and what is known of them from one time to the next.
+class MovingScene {
+ public:
+  /// The scene's objects are these parts, in their order, none of them ever removed.
+  MovingScene(Scene scene, std::vector<Posed> posed) : scene_(std::move(scene)), posed_(std::move(posed)) {}
+
+  /// Tells the scene of those that are elsewhere, or in another shape, than before. Errors: as `Scene::set_pose`.
+  Result<void> move_to(std::vector<Posed> posed) {
+    for (std::uint32_t i = 0; i < posed.size(); ++i) {
+      const ObjectId id{.index = i};  // the first at its index
+      const Posed &now = posed[i], &before = posed_[i];
+      if (&now.mesh.state() != &before.mesh.state()) {
+        if (auto set = scene_.set_mesh(id, now.mesh, now.pose); !set) return set;
+      } else if (now.pose.R != before.pose.R || now.pose.t != before.pose.t) {
+        if (auto set = scene_.set_pose(id, now.pose); !set) return set;
+      }
+    }
+    posed_ = std::move(posed);
+    return {};
+  }
+  /// As `find_clashes`, which looks only at what moved since the last call.
+  Result<Clashes> clashes(const ClashOptions& options) { return find_clashes(scene_, options, &memory_); }
+
+ private:
+  Scene scene_;
+  std::vector<Posed> posed_;
+  ClashMemory memory_;
+};
 
 class Search {
  public:
@@ -121,9 +150,6 @@ class Search {
 
   /// Keeps the worst of a span: by verdict, then the deepest, then the first.
   static void note(ClashSpan& span, const Clash& clash, double time) {
-    const auto depth_of = [](const std::optional<OverlapDepth>& depth) {
-      return depth ? std::max(depth->a_in_b.hi, depth->b_in_a.hi) : 0;
-    };
     const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
     const bool not_applied = clash.note == Note::tolerance_not_applied || span.note == Note::tolerance_not_applied;
     if (rank(clash.verdict, depth_of(clash.overlap_depth)) < rank(span.worst, depth_of(span.overlap_depth))) {

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "report/json_file.hpp"
-#include "report/json_schema.hpp"
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/schemas.hpp"

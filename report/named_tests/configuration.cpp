@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "report/json_file.hpp"
-#include "report/json_schema.hpp"
 #include "report/schemas.hpp"
 #include "report/text.hpp"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
 
 /// The classes of IFC's products, and which are derived from which.
@@ -13,6 +14,6 @@ namespace impinge::report {
 [[nodiscard]] bool is_of_ifc_class(std::string_view name, std::string_view wanted);
 
 /// The known class that is spelled most like the word.
-[[nodiscard]] std::string_view nearest_ifc_class(std::string_view word);
+[[nodiscard]] std::string nearest_ifc_class(std::string_view word);
 
 }  // namespace impinge::report

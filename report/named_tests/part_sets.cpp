@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <ranges>
 
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/named_tests/named_files.hpp"
@@ -45,19 +45,6 @@ std::string_view class_of(const io::Object& object) {
   return std::string_view(object.product).substr(0, object.product.find('_'));
 }
 
-std::string nearest_text(const std::vector<io::Object>& objects, const std::string io::Object::*text,
-                         std::string_view word) {
-  constexpr std::size_t kMostNames = 100'000;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  std::string nearest;
-  for (std::size_t i = 0; i < std::min(objects.size(), kMostNames); ++i) {
-    if ((objects[i].*text).empty()) continue;
-    const std::size_t distance = edit_distance(word, objects[i].*text);
-    if (distance < least) least = distance, nearest = objects[i].*text;
-  }
-  return nearest;
-}
-
 }  // namespace
 
 Error PartSets::nothing_named(const Word& word, std::string_view what, const std::string& nearest) const {
@@ -95,19 +82,15 @@ Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Grou
   set = where(assembly_.objects, text, word.text);
   if (is_empty(set))
     return nothing_named(word, list == &Group::paths ? "part's path" : "part's IFC product",
-                         nearest_text(assembly_.objects, text, word.text));
+                         nearest_text(word.text, assembly_.objects | std::views::transform(text)));
   return set;
 }
 
 Result<PartSet> PartSets::of_named(const Word& word) {
   const auto group = configuration_.groups.find(word.text);
-  if (group == configuration_.groups.end()) {
-    std::string nearest;
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (const auto& [name, _] : configuration_.groups)
-      if (const std::size_t d = edit_distance(word.text, name); d < least) least = d, nearest = name;
-    return nothing_named(word, "group of this configuration", nearest);
-  }
+  if (group == configuration_.groups.end())
+    return nothing_named(word, "group of this configuration",
+                         nearest_text(word.text, configuration_.groups | std::views::keys));
   if (const auto known = known_.find(word.text); known != known_.end()) return known->second;
   if (std::find(open_.begin(), open_.end(), word.text) != open_.end())
     return configuration_.error_at(word.place, fmt::format("the group '{}' is made of itself", printable(word.text)));

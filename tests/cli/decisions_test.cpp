@@ -5,13 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "meshes.hpp"
 #include "program.hpp"
-#include "report/json_schema.hpp"
 
 namespace impinge::test {
 namespace {
@@ -78,19 +76,17 @@ TEST_F(DecisionsFile, KeysThatMatchNoPairAreNamed) {
 }
 
 TEST_F(DecisionsFile, MistakesAreToldWithTheirPlaces) {
-  const json schema = json::parse(std::ifstream(IMPINGE_SOURCE_DIR "/docs/decisions.schema.json"));
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
            {"[]", "d.json:1: this is no list of decisions"},
            {"{\n\"a | b\":7}", "d.json:2: /a | b: a decision should stand here"},
-           {R"({"a | b":{"state":"x"}})", "d.json:1: /a | b/state: there is no such key"},
+           {R"({"a | b":{"state":"x"}})", "d.json:1: /a | b/state: there is no 'state' here; did you mean 'status'?"},
            {R"({"a/c | b":{"status":null}})", "d.json:1: /a~1c | b/status: a text in quotes should stand here"}}) {
     const Ended ended = run(text);
     EXPECT_EQ(ended.code, 2) << text;
     EXPECT_TRUE(ended.err.starts_with("impinge: " + said)) << ended.err;
-    EXPECT_FALSE(static_cast<bool>(report::check_against(schema, "d.json", text, json::parse(text)))) << text;
   }
   const std::string good = R"({"$schema":"s","a | b":{"status":"x","comment":"y"}})";
-  EXPECT_TRUE(report::check_against(schema, "d.json", good, json::parse(good)));
+  EXPECT_EQ(run(good).code, 1);
   for (const auto& [text, said] :
        std::vector<std::pair<std::string, std::string>>{{"", "d.json:1:"},
                                                         {R"({"a | b":{},"a | b":{}})", "this key stands here twice"},

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "io/import_model.hpp"
+#include "io/import_process.hpp"
 #include "io/import_stream.hpp"
 #include "io/importer/ifc_name.hpp"
 #include "io/model.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // `impinge clash --csv`, read back by a reader of RFC 4180.
-#include "report/csv.hpp"
+#include "report/writers.hpp"
 
 #include <gtest/gtest.h>
 

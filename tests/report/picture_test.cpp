@@ -9,7 +9,6 @@
 
 #include "impinge/mesh.hpp"
 #include "read_back.hpp"
-#include "report/bcf/png.hpp"
 #include "report/bcf/snapshot.hpp"
 #include "report/bcf/zip.hpp"
 #include "tests/cli/program.hpp"
