@@ -6,9 +6,7 @@
 import { type Clash, verbOf } from './clashes';
 import { button, el, nameOf, setPressed } from './dom';
 import { nameText, spanText } from './format';
-
-/** Browsers give up on elements much taller than this. */
-const kTallest = 16_000_000;
+import { kTallest, pixelsOf } from './virtual-rows';
 
 export class Lanes {
   readonly space = el('div', { class: 'lanes', role: 'group', 'aria-label': 'When parts clash' });
@@ -63,8 +61,7 @@ export class Lanes {
   }
 
   private redraw(): void {
-    const rems = parseFloat(getComputedStyle(this.host).getPropertyValue('--lane'));
-    this.height = (rems || 1) * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    this.height = pixelsOf(this.host, '--lane');
     this.space.style.height = `${Math.min(kTallest, this.lanes.length * this.height)}px`;
     for (const lane of this.drawn.values()) lane.remove();
     this.drawn.clear();

@@ -6,7 +6,12 @@
 import { el } from './dom';
 
 /** Browsers give up on elements much taller than this. */
-const kTallest = 16_000_000;
+export const kTallest = 16_000_000;
+
+/** A property of the style that is given in rem. */
+export const pixelsOf = (element: HTMLElement, property: string): number =>
+  parseFloat(getComputedStyle(element).getPropertyValue(property) || '1') *
+  parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 export interface RowSource {
   count: number;
@@ -62,8 +67,7 @@ export class VirtualRows {
 
   /** Everything may have changed. */
   refresh(): void {
-    const probe = parseFloat(getComputedStyle(this.list).getPropertyValue('--row'));
-    this.height = probe * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    this.height = pixelsOf(this.list, '--row');
     this.count = Math.min(this.source.count, Math.floor(kTallest / this.height));
     this.current = Math.min(this.current, this.count - 1);
     this.space.style.height = `${this.count * this.height}px`;

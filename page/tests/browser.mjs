@@ -16,6 +16,7 @@ const kWithout = ['--disable-gpu', '--disable-3d-apis', '--no-sandbox'];
 export async function startBrowser({ webgl = true } = {}) {
   const browser = await chromium.launch({ executablePath, args: webgl ? kSoftware : kWithout });
   const folder = mkdtempSync(join(tmpdir(), 'impinge-page-'));
+  const shared = [];
   let count = 0;
 
   /** Opens the page; `check` at the end fails on any error on the page and on any request but for the page itself. */
@@ -56,6 +57,7 @@ export async function startBrowser({ webgl = true } = {}) {
   /** Opens a page for several tests: `take` gives it back the choices and the stand of the camera that it began with. */
   async function share(html, options) {
     const { page, close } = await open(html, options);
+    shared.push(close);
     await page.evaluate(() => {
       const { store, stand } = window.impinge;
       window.fresh = structuredClone({ state: store.state, stand: stand() });
@@ -71,15 +73,19 @@ export async function startBrowser({ webgl = true } = {}) {
       await settled(page);
       return page;
     };
-    return { take, close };
+    return { page, take };
   }
 
   return {
     open,
     share,
     stop: async () => {
-      await browser.close();
-      rmSync(folder, { recursive: true });
+      try {
+        for (const close of shared) await close();
+      } finally {
+        await browser.close();
+        rmSync(folder, { recursive: true });
+      }
     },
   };
 }

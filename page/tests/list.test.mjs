@@ -34,18 +34,11 @@ const nameOf = (id) => report.objects[id].name;
 describe('the list of clashes', () => {
   let browser;
   let page;
-  let close;
   before(async () => {
     browser = await startBrowser();
-    ({ page, close } = await browser.open(reviewPage()));
+    ({ page } = await browser.share(reviewPage()));
   });
-  after(async () => {
-    try {
-      await close();
-    } finally {
-      await browser.stop();
-    }
-  });
+  after(() => browser.stop());
   const clear = async () => {
     if (await page.locator('#clear-filters').isVisible()) await page.click('#clear-filters');
   };

@@ -22,13 +22,7 @@ describe('the page', () => {
     browser = await startBrowser();
     shared = await browser.share(reviewPage());
   });
-  after(async () => {
-    try {
-      await shared.close();
-    } finally {
-      await browser.stop();
-    }
-  });
+  after(() => browser.stop());
 
   test('shows names as text, whatever they hold', async () => {
     const page = await shared.take();

@@ -24,13 +24,7 @@ describe('the timeline', () => {
     browser = await startBrowser();
     shared = await browser.share(mechanismPage());
   });
-  after(async () => {
-    try {
-      await shared.close();
-    } finally {
-      await browser.stop();
-    }
-  });
+  after(() => browser.stop());
 
   test('parts stand at each time where they move to, and are seen there', async () => {
     const pictures = [];

@@ -17,13 +17,7 @@ describe('the tree of parts', () => {
     browser = await startBrowser();
     shared = await browser.share(reviewPage());
   });
-  after(async () => {
-    try {
-      await shared.close();
-    } finally {
-      await browser.stop();
-    }
-  });
+  after(() => browser.stop());
 
   test('lists files, groups and parts; search leaves what matches and the way to it', async () => {
     const page = await shared.take();

@@ -18,13 +18,7 @@ describe('the 3D view', () => {
     browser = await startBrowser();
     shared = await browser.share(reviewPage());
   });
-  after(async () => {
-    try {
-      await shared.close();
-    } finally {
-      await browser.stop();
-    }
-  });
+  after(() => browser.stop());
 
   test('is not blank, light and dark', async () => {
     const page = await shared.take();
