@@ -16,6 +16,7 @@
 #include "measure/nearest.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "scenes/solids.hpp"
+#include "tests/clash/same_clashes.hpp"
 #include "tests/core/support.hpp"
 #include "tests/pipeline/crowd.hpp"
 
@@ -35,35 +36,6 @@ ClashOptions everything(int threads) {
   return {.tolerance = std::nullopt, .clearance = 0.01, .depth = true, .regions = true, .threads = threads};
 }
 
-void expect_same(const Clashes& expected, const Clashes& found) {
-  EXPECT_EQ(expected.candidates, found.candidates);
-  ASSERT_EQ(expected.parts.size(), found.parts.size());
-  for (std::size_t i = 0; i < expected.parts.size(); ++i) {
-    EXPECT_EQ(expected.parts[i].solid, found.parts[i].solid) << i;
-    EXPECT_EQ(expected.parts[i].self_crossings, found.parts[i].self_crossings) << i;
-    EXPECT_EQ(expected.parts[i].volume, found.parts[i].volume) << i;
-  }
-  ASSERT_EQ(expected.pairs.size(), found.pairs.size());
-  for (std::size_t i = 0; i < expected.pairs.size(); ++i) {
-    SCOPED_TRACE(i);
-    const Clash &p = expected.pairs[i], &q = found.pairs[i];
-    EXPECT_EQ(p.objects, q.objects);
-    EXPECT_EQ(p.verdict, q.verdict);
-    EXPECT_EQ(p.inner, q.inner);
-    EXPECT_EQ(p.note, q.note);
-    EXPECT_EQ(p.tolerance, q.tolerance);
-    EXPECT_EQ(p.contacts, q.contacts);
-    EXPECT_EQ(p.nearest.has_value(), q.nearest.has_value());
-    ASSERT_EQ(p.overlap_depth.has_value(), q.overlap_depth.has_value());
-    if (p.overlap_depth) {
-      EXPECT_EQ(p.overlap_depth->a_in_b.lo, q.overlap_depth->a_in_b.lo);
-      EXPECT_EQ(p.overlap_depth->b_in_a.hi, q.overlap_depth->b_in_a.hi);
-    }
-    ASSERT_EQ(p.regions.size(), q.regions.size());
-    for (std::size_t k = 0; k < p.regions.size(); ++k) EXPECT_EQ(p.regions[k].triangles_a, q.regions[k].triangles_a);
-  }
-}
-
 TEST(Clashes, AreTheSameForEveryThreadCountAndAtOnce) {
   const Clashes expected = find_clashes(scene_of_parts(1), everything(1)).value();
   EXPECT_GT(expected.pairs.size(), 20U);
@@ -79,7 +51,7 @@ TEST(Clashes, AreTheSameForEveryThreadCountAndAtOnce) {
   for (std::thread& thread : threads) thread.join();
   for (const std::optional<Clashes>& clashes : found) {
     ASSERT_TRUE(clashes);
-    expect_same(expected, *clashes);
+    test::expect_same(expected, *clashes);
   }
 }
 
@@ -127,7 +99,7 @@ TEST(Clashes, MayBeStoppedFromAnotherThreadAtAnyTime) {
     has_ended = true;
     other.join();
     if (clashes) {
-      expect_same(expected, *clashes);
+      test::expect_same(expected, *clashes);
     } else {
       EXPECT_EQ(clashes.error().code, Code::cancelled);
     }

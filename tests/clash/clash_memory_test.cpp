@@ -14,78 +14,12 @@
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"
+#include "tests/clash/same_clashes.hpp"
 #include "tests/core/support.hpp"
 #include "tests/pipeline/crowd.hpp"
 
 namespace impinge {
 namespace {
-
-std::string text(const Interval& interval) { return std::to_string(interval.lo) + ".." + std::to_string(interval.hi); }
-
-void expect_same(const PartFacts& p, const PartFacts& q) {
-  EXPECT_EQ(p.solid, q.solid);
-  EXPECT_EQ(p.closed, q.closed);
-  EXPECT_EQ(p.open_edges, q.open_edges);
-  EXPECT_EQ(p.self_crossings, q.self_crossings);
-  EXPECT_EQ(p.degenerate, q.degenerate);
-  EXPECT_EQ(p.open_edge, q.open_edge);
-  ASSERT_EQ(p.self_crossing.has_value(), q.self_crossing.has_value());
-  if (p.self_crossing) {
-    EXPECT_EQ(p.self_crossing->a, q.self_crossing->a);
-    EXPECT_EQ(p.self_crossing->b, q.self_crossing->b);
-  }
-  EXPECT_EQ(p.volume, q.volume);
-  EXPECT_EQ(p.area, q.area);
-  EXPECT_EQ(p.wall, q.wall);
-}
-
-void expect_same(const Region& p, const Region& q) {
-  EXPECT_EQ(p.pairs, q.pairs);
-  EXPECT_EQ(p.box, q.box);
-  EXPECT_EQ(p.area, q.area);
-  EXPECT_EQ(p.centroid, q.centroid);
-  EXPECT_EQ(p.normal, q.normal);
-  EXPECT_EQ(p.lines, q.lines);
-  EXPECT_EQ(p.triangles_a, q.triangles_a);
-  EXPECT_EQ(p.triangles_b, q.triangles_b);
-}
-
-void expect_same(const Clash& p, const Clash& q) {
-  ASSERT_EQ(p.objects, q.objects);
-  EXPECT_EQ(p.test, q.test);
-  EXPECT_EQ(p.verdict, q.verdict);
-  EXPECT_EQ(p.inner, q.inner);
-  EXPECT_EQ(p.note, q.note);
-  EXPECT_EQ(p.tolerance, q.tolerance);
-  EXPECT_EQ(p.contacts, q.contacts);
-  ASSERT_EQ(p.nearest.has_value(), q.nearest.has_value());
-  if (p.nearest) {
-    EXPECT_EQ(p.nearest->distance, q.nearest->distance);
-    EXPECT_EQ(p.nearest->a, q.nearest->a);
-    EXPECT_EQ(p.nearest->b, q.nearest->b);
-  }
-  ASSERT_EQ(p.overlap_depth.has_value(), q.overlap_depth.has_value());
-  if (p.overlap_depth) {
-    EXPECT_EQ(text(p.overlap_depth->a_in_b), text(q.overlap_depth->a_in_b));
-    EXPECT_EQ(text(p.overlap_depth->b_in_a), text(q.overlap_depth->b_in_a));
-  }
-  ASSERT_EQ(p.regions.size(), q.regions.size());
-  for (std::size_t i = 0; i < p.regions.size(); ++i) expect_same(p.regions[i], q.regions[i]);
-}
-
-void expect_same(const Clashes& expected, const Clashes& found) {
-  EXPECT_EQ(expected.candidates, found.candidates);
-  ASSERT_EQ(expected.parts.size(), found.parts.size());
-  for (std::size_t i = 0; i < expected.parts.size(); ++i) {
-    SCOPED_TRACE(i);
-    expect_same(expected.parts[i], found.parts[i]);
-  }
-  ASSERT_EQ(expected.pairs.size(), found.pairs.size());
-  for (std::size_t i = 0; i < expected.pairs.size(); ++i) {
-    SCOPED_TRACE(i);
-    expect_same(expected.pairs[i], found.pairs[i]);
-  }
-}
 
 /// A scene that changes, and what it is at any time.
 class Stage {
@@ -199,7 +133,7 @@ TEST(ClashMemory, ChangesNoAnswerWhateverMoves) {
       const auto found = find_clashes(stage.scene(), options, &memory);
       ASSERT_TRUE(expected && found);
       EXPECT_GT(expected->pairs.size(), 10u);
-      expect_same(*expected, *found);
+      test::expect_same(*expected, *found);
       known += memory.known_pairs();
     }
     EXPECT_GT(known, 100u);
@@ -211,7 +145,7 @@ TEST(ClashMemory, LooksOnlyAtWhatMoved) {
   ClashMemory memory;
   const Clashes first = find_clashes(stage.scene(), {}, &memory).value();
   EXPECT_EQ(memory.known_pairs(), 0u);
-  expect_same(first, find_clashes(stage.scene(), {}, &memory).value());
+  test::expect_same(first, find_clashes(stage.scene(), {}, &memory).value());
   EXPECT_EQ(memory.known_pairs(), first.candidates);
   // The one in the corner has seven neighbours.
   const Pose pose = stage.pose(0);
@@ -220,7 +154,7 @@ TEST(ClashMemory, LooksOnlyAtWhatMoved) {
   EXPECT_EQ(without.candidates, first.candidates - 7);
   EXPECT_EQ(memory.known_pairs(), first.candidates - 7);
   stage.move(0, pose);
-  expect_same(first, find_clashes(stage.scene(), {}, &memory).value());
+  test::expect_same(first, find_clashes(stage.scene(), {}, &memory).value());
   EXPECT_EQ(memory.known_pairs(), first.candidates - 7);
 }
 
@@ -234,7 +168,8 @@ TEST(ClashMemory, KnowsOtherTermsFromThoseBefore) {
       if ((a + b) % 3 == 0) terms.push_back({.tolerance = 0.01, .test = 7});
       if ((a + b) % 2 == 0 && round % 3 != 0) terms.push_back({.clearance = round < 3 ? 0.05 : 0.02, .test = 8});
     };
-    expect_same(find_clashes(stage.anew(), options).value(), find_clashes(stage.scene(), options, &memory).value());
+    test::expect_same(find_clashes(stage.anew(), options).value(),
+                      find_clashes(stage.scene(), options, &memory).value());
   }
   // What was known on terms that now reach too far is an error, as it is to whoever knows nothing.
   ClashOptions narrow{.clearance = 0.001};
@@ -243,11 +178,11 @@ TEST(ClashMemory, KnowsOtherTermsFromThoseBefore) {
   };
   ClashOptions wide = narrow;
   wide.clearance = 0.05;
-  expect_same(find_clashes(stage.anew(), wide).value(), find_clashes(stage.scene(), wide, &memory).value());
+  test::expect_same(find_clashes(stage.anew(), wide).value(), find_clashes(stage.scene(), wide, &memory).value());
   const auto refused = find_clashes(stage.scene(), narrow, &memory);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, Code::bad_option);
-  expect_same(find_clashes(stage.anew(), wide).value(), find_clashes(stage.scene(), wide, &memory).value());
+  test::expect_same(find_clashes(stage.anew(), wide).value(), find_clashes(stage.scene(), wide, &memory).value());
 }
 
 TEST(ClashMemory, ServesAnotherSceneAfterOneThatIsGoneOrWasStopped) {
@@ -259,7 +194,7 @@ TEST(ClashMemory, ServesAnotherSceneAfterOneThatIsGoneOrWasStopped) {
     const auto stopped = find_clashes(stage.scene(), {.stop = source.get_token()}, &memory);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().code, Code::cancelled);
-    expect_same(find_clashes(stage.anew()).value(), find_clashes(stage.scene(), {}, &memory).value());
+    test::expect_same(find_clashes(stage.anew()).value(), find_clashes(stage.scene(), {}, &memory).value());
   }
   const Scene none;
   EXPECT_TRUE(find_clashes(none, {}, &memory)->pairs.empty());
@@ -273,7 +208,7 @@ TEST(Examine, SaysTheSameOfAMeshThatItKnows) {
   const Mesh known = test::mesh_of(twice);
   for (const std::optional<double>& tolerance : std::vector<std::optional<double>>{{}, 0.01, {}, 0.0, 0.01, 0.01}) {
     const PartFacts facts = examine(known, {}, {.tolerance = tolerance}).value();
-    expect_same(examine(test::mesh_of(twice), {}, {.tolerance = tolerance}).value(), facts);
+    test::expect_same(examine(test::mesh_of(twice), {}, {.tolerance = tolerance}).value(), facts);
     EXPECT_EQ(facts.solid, tolerance == 0.01);
   }
 }

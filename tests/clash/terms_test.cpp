@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "impinge/clash.hpp"
+#include "tests/clash/same_clashes.hpp"
 
 namespace impinge {
 namespace {
@@ -47,25 +48,6 @@ const std::vector<ClashTerms>& all_terms() {
   return terms;
 }
 
-void expect_equal(const Clash& found, const Clash& alone) {
-  EXPECT_EQ(found.objects, alone.objects);
-  EXPECT_EQ(found.verdict, alone.verdict);
-  EXPECT_EQ(found.inner, alone.inner);
-  EXPECT_EQ(found.note, alone.note);
-  EXPECT_EQ(found.tolerance, alone.tolerance);
-  EXPECT_EQ(found.contacts, alone.contacts);
-  ASSERT_EQ(found.nearest.has_value(), alone.nearest.has_value());
-  if (found.nearest) {
-    EXPECT_EQ(found.nearest->distance, alone.nearest->distance);
-  }
-  ASSERT_EQ(found.overlap_depth.has_value(), alone.overlap_depth.has_value());
-  if (found.overlap_depth) {
-    EXPECT_EQ(found.overlap_depth->a_in_b.hi, alone.overlap_depth->a_in_b.hi);
-  }
-  ASSERT_EQ(found.regions.size(), alone.regions.size());
-  for (std::size_t i = 0; i < found.regions.size(); ++i) EXPECT_EQ(found.regions[i].area, alone.regions[i].area);
-}
-
 TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
   const Scene scene = row_of_boxes();
   ClashOptions options{.clearance = 1, .depth = true, .regions = true};
@@ -91,7 +73,11 @@ TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
         wanted.push_back(&clash);
     EXPECT_FALSE(wanted.empty()) << terms.test;
     ASSERT_EQ(of_test.size(), wanted.size()) << terms.test;
-    for (std::size_t k = 0; k < wanted.size(); ++k) expect_equal(*of_test[k], *wanted[k]);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      Clash expected_of_test = *wanted[k];
+      expected_of_test.test = terms.test;
+      test::expect_same(expected_of_test, *of_test[k]);
+    }
     expected += wanted.size();
   }
   EXPECT_EQ(found->pairs.size(), expected);
@@ -134,7 +120,7 @@ TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
         alone.objects = {a, b};
         if (alone.verdict == Verdict::apart && !alone.nearest) continue;
         ASSERT_NE(next, found->pairs.end());
-        expect_equal(*next++, alone);
+        test::expect_same(alone, *next++);
       }
     }
     EXPECT_EQ(next, found->pairs.end());

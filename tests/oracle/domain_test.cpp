@@ -4,9 +4,6 @@
 /// The borders of the range in which every answer is exact, and callers with another floating-point environment.
 #include <fenv.h>
 #include <gtest/gtest.h>
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 #include <cmath>
 #include <string>
@@ -18,6 +15,7 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
 
 namespace impinge {
 namespace {
@@ -82,23 +80,13 @@ TEST(Domain, IsExactInMotionNearItsBorders) {
 
 /// What `collide` and `Scene` say of two meshes.
 void expect_out_of_range(const PlacedScene& scene) {
-  std::vector<Mesh> meshes;
-  for (const MeshData& data : scene.meshes) {
-    auto mesh = Mesh::create(data.xyz, data.triangles);
-    ASSERT_TRUE(mesh);
-    meshes.push_back(*mesh);
+  const std::vector<Mesh> meshes = test::meshes_of(scene);
+  for (const auto& answer :
+       {collide(meshes[0], scene.objects[0].pose, meshes[1], scene.objects[1].pose), test::scene_of(scene).collide()}) {
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().code, Code::out_of_range) << answer.error().message;
+    EXPECT_FALSE(answer.error().message.empty());
   }
-  const auto answer = collide(meshes[0], scene.objects[0].pose, meshes[1], scene.objects[1].pose);
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, Code::out_of_range) << answer.error().message;
-  EXPECT_FALSE(answer.error().message.empty());
-  Scene placed;
-  for (std::size_t i = 0; i < 2; ++i) {
-    ASSERT_TRUE(placed.add(meshes[i], scene.objects[i].pose));
-  }
-  const auto of_scene = placed.collide();
-  ASSERT_FALSE(of_scene);
-  EXPECT_EQ(of_scene.error().code, Code::out_of_range) << of_scene.error().message;
 }
 
 /// The cube, one corner's x replaced.
@@ -132,77 +120,26 @@ TEST(Domain, CountsThePose) {
   expect_out_of_range(turned);
 }
 
-/// Sets the caller's environment, restores it when it ends, and tells whether it is as it was set.
-class Environment {
- public:
-  Environment(int rounding, bool flush) {
-    fegetenv(&before_);
-    fesetround(rounding);
-#if defined(__SSE2__)
-    if (flush) {
-      _mm_setcsr(_mm_getcsr() | 0x8040u);
-    }
-    control_ = _mm_getcsr() & kControl;
-#else
-    static_cast<void>(flush);
-#endif
-    rounding_ = rounding;
-  }
-  ~Environment() { fesetenv(&before_); }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
-  [[nodiscard]] bool unchanged() const {
-#if defined(__SSE2__)
-    if ((_mm_getcsr() & kControl) != control_) {
-      return false;
-    }
-#endif
-    return fegetround() == rounding_;
-  }
-
- private:
-  static constexpr unsigned kControl = 0xffc0u;  // all but the sticky exception flags
-  fenv_t before_{};
-  int rounding_ = FE_TONEAREST;
-  unsigned control_ = 0;
-};
-
 struct Answer {
-  Result<Contacts> contacts = Error{Code::cancelled, "not asked"};
-  bool unchanged = false;
+  Result<Contacts> contacts;
+  bool unchanged;
 };
 
 /// Makes meshes, scene and query in the caller's environment. `collide` on the first two objects where `pair` is set.
 Answer answer_under(const PlacedScene& scene, int rounding, bool flush, bool pair) {
-  Answer answer;
-  const Environment environment(rounding, flush);
-  std::vector<Mesh> meshes;
-  for (const MeshData& data : scene.meshes) {
-    auto mesh = Mesh::create(data.xyz, data.triangles);
-    if (!mesh) {
-      answer.contacts = mesh.error();
-      return answer;
+  const test::CallersMode mode(rounding, flush);
+  const auto ask = [&]() -> Result<Contacts> {
+    if (!pair) {
+      Scene placed = test::scene_of(scene);
+      EXPECT_TRUE(placed.update());
+      return placed.collide();
     }
-    meshes.push_back(*mesh);
-  }
-  const auto& objects = scene.objects;
-  if (pair) {
-    answer.contacts = collide(meshes[objects[0].mesh], objects[0].pose, meshes[objects[1].mesh], objects[1].pose);
-  } else {
-    Scene placed;
-    for (const auto& object : objects) {
-      const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
-      if (!id) {
-        answer.contacts = id.error();
-        return answer;
-      }
-    }
-    EXPECT_TRUE(placed.update());
-    answer.contacts = placed.collide();
-  }
-  answer.unchanged = environment.unchanged();
-  return answer;
+    const std::vector<Mesh> meshes = test::meshes_of(scene);
+    const auto &a = scene.objects[0], &b = scene.objects[1];
+    return collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose);
+  };
+  Result<Contacts> contacts = ask();
+  return {std::move(contacts), mode.is_untouched()};
 }
 
 TEST(Environment, OfTheCallerChangesNoAnswerAndIsRestored) {

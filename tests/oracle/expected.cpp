@@ -27,6 +27,7 @@
 #include "scenes/random.hpp"
 #include "scenes/scene_file.hpp"
 #include "tests/core/instruction_sets.hpp"
+#include "tests/core/support.hpp"
 
 extern char** environ;
 
@@ -167,36 +168,6 @@ Set held_to_kept(const std::string& key, Set found) {
   return found;
 }
 
-std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0) {
-  std::vector<Mesh> meshes;
-  for (const scenes::MeshData& data : scene.meshes) {
-    auto mesh = Mesh::create(data.xyz, data.triangles, {leaf_size});
-    if (!mesh) {
-      ADD_FAILURE() << "Mesh " << meshes.size() << " of the scene: " << mesh.error().message;
-      return {};
-    }
-    meshes.push_back(*std::move(mesh));
-  }
-  return meshes;
-}
-
-/// Nothing, and a failed test, if the scene is refused.
-std::optional<Scene> scene_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0) {
-  const std::vector<Mesh> meshes = meshes_of(scene, leaf_size);
-  if (meshes.size() != scene.meshes.size()) {
-    return std::nullopt;
-  }
-  Scene placed;
-  for (const scenes::PlacedObject& object : scene.objects) {
-    const auto id = placed.add(meshes[object.mesh], object.pose, object.group);
-    if (!id) {
-      ADD_FAILURE() << "The scene refuses an object: " << id.error().message;
-      return std::nullopt;
-    }
-  }
-  return placed;
-}
-
 Set listed_or_failed(const Result<Contacts>& contacts) {
   if (!contacts) {
     ADD_FAILURE() << "The query failed: " << contacts.error().message;
@@ -273,32 +244,17 @@ Set of_model(const std::filesystem::path& model, const Scene& scene) {
 }
 
 Set listed(const Contacts& contacts) {
-  Set set;
-  const std::size_t rows = contacts.objects.size();
-  const bool fits = contacts.offsets.size() == rows + 1 && contacts.offsets.front() == 0 &&
-                    contacts.offsets.back() == contacts.triangles.size() &&
-                    contacts.kinds.size() == contacts.triangles.size() &&
-                    std::is_sorted(contacts.offsets.begin(), contacts.offsets.end());
-  EXPECT_TRUE(fits) << "The arrays of the answer do not fit together.";
-  for (std::size_t row = 0; fits && row < rows; ++row) {
-    EXPECT_LT(contacts.offsets[row], contacts.offsets[row + 1]) << "Row " << row << " is empty.";
-    for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i) {
-      set.push_back({contacts.objects[row][0], contacts.objects[row][1], contacts.triangles[i].a,
-                     contacts.triangles[i].b, static_cast<std::uint32_t>(contacts.kinds[i])});
-    }
-  }
+  Set set = test::listed(contacts);
   EXPECT_TRUE(std::is_sorted(set.begin(), set.end())) << "The answer is not in canonical order.";
   return set;
 }
 
 Set by_scene(const scenes::PlacedScene& scene, const Options& options) {
-  const std::optional<Scene> placed = scene_of(scene);
-  return placed ? listed_or_failed(placed->collide(options)) : Set{};
+  return listed_or_failed(test::scene_of(scene).collide(options));
 }
 
 std::uint64_t hash_by_scene(const scenes::PlacedScene& scene, const Options& options) {
-  const std::optional<Scene> placed = scene_of(scene);
-  const Result<Contacts> contacts = placed ? placed->collide(options) : Error{Code::bad_mesh, "refused"};
+  const Result<Contacts> contacts = test::scene_of(scene).collide(options);
   EXPECT_TRUE(contacts);
   return contacts ? contacts->hash : 0;
 }
@@ -306,11 +262,8 @@ std::uint64_t hash_by_scene(const scenes::PlacedScene& scene, const Options& opt
 void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedScene& scene, const test::Way& way) {
   const testing::ScopedTrace trace(__FILE__, __LINE__, way.name());
   const test::OnInstructionSet on(way.instruction_set);
-  const std::optional<Scene> placed = scene_of(scene, way.leaf_size);
-  if (!placed) {
-    return;
-  }
-  const Result<Contacts> all = placed->collide(way.options());
+  const Scene placed = test::scene_of(scene, way.leaf_size);
+  const Result<Contacts> all = placed.collide(way.options());
   expect_same(expected, listed_or_failed(all));
   if (testing::Test::HasFailure()) {
     return;
@@ -324,7 +277,7 @@ void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedSce
   Options options = way.options();
   options.kinds = kinds;
   options.limit = hash / 8 % (wanted.size() + 2);
-  const Result<Contacts> cut = placed->collide(options);
+  const Result<Contacts> cut = placed.collide(options);
   if (!cut) {
     ADD_FAILURE() << "The query with a limit failed: " << cut.error().message;
     return;
@@ -335,7 +288,7 @@ void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedSce
 
   options.limit = Options{}.limit;
   options.find = Options::Find::first;
-  const Set witnesses = listed_or_failed(placed->collide(options));
+  const Set witnesses = listed_or_failed(placed.collide(options));
   std::size_t next = 0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (i > 0 && wanted[i][0] == wanted[i - 1][0] && wanted[i][1] == wanted[i - 1][1]) {
@@ -352,24 +305,10 @@ void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedSce
 }
 
 Set by_collide(const scenes::PlacedScene& scene, bool swapped) {
-  const std::vector<Mesh> meshes = meshes_of(scene);
-  if (meshes.size() != scene.meshes.size() || scene.objects.size() != 2) {
-    ADD_FAILURE() << "The function collide takes two objects.";
-    return {};
-  }
-  const scenes::PlacedObject& a = scene.objects[swapped ? 1 : 0];
-  const scenes::PlacedObject& b = scene.objects[swapped ? 0 : 1];
+  const std::vector<Mesh> meshes = test::meshes_of(scene);
+  const scenes::PlacedObject& a = scene.objects.at(swapped ? 1 : 0);
+  const scenes::PlacedObject& b = scene.objects.at(swapped ? 0 : 1);
   return listed_or_failed(collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose));
-}
-
-Set transposed(const Set& set) {
-  Set result;
-  result.reserve(set.size());
-  for (const Contact& c : set) {
-    result.push_back({c[0], c[1], c[3], c[2], c[4]});
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 void expect_same(const Set& expected, const Set& found) {
@@ -430,7 +369,7 @@ void expect_finds(const Set& expected, const scenes::PlacedScene& scene) {
   }
   {
     SCOPED_TRACE("by collide, swapped");
-    expect_same(transposed(expected), by_collide(scene, true));
+    expect_same(test::transposed(expected), by_collide(scene, true));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "impinge/scene.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/solid_pairs.hpp"
+#include "tests/core/support.hpp"
 #include "tests/core/ways.hpp"
 
 namespace impinge::scenes {
@@ -26,8 +27,8 @@ void PrintTo(const Judgement& judgement, std::ostream* out);
 /// What goes wrong fails the running test with a sentence.
 namespace impinge::expected {
 
-/// Object a, object b, triangle a, triangle b, kind; a whole answer is sorted.
-using Contact = std::array<std::uint32_t, 5>;
+using test::Contact;
+/// A whole answer is sorted.
 using Set = std::vector<Contact>;
 
 /// What the oracle finds by boxes, CGAL's exact predicates and rationals.
@@ -44,7 +45,7 @@ scenes::Judgement computed_judgement(const scenes::SolidPair& pair);
 Set by_rationals(const scenes::PlacedScene& scene);
 scenes::Judgement judgement_by_tetrahedra(const scenes::SolidPair& pair);
 
-/// An answer as a set. Fails the test where its arrays do not fit together.
+/// An answer as a set. Fails the test where its arrays do not fit together, or it is not sorted.
 Set listed(const Contacts& contacts);
 
 /// What impinge finds with a `Scene`, and fails the test if it finds an error.
@@ -55,9 +56,6 @@ std::uint64_t hash_by_scene(const scenes::PlacedScene& scene, const Options& opt
 void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedScene& scene, const test::Way& way);
 /// What it finds with the function `collide` on a scene's two objects, in this order or swapped.
 Set by_collide(const scenes::PlacedScene& scene, bool swapped = false);
-
-/// Exchanges the objects of each contact of a two-object set and sorts anew.
-Set transposed(const Set& set);
 
 /// Fails with the counts and first examples of missed, added and misnamed pairs.
 void expect_same(const Set& expected, const Set& found);
