@@ -63,16 +63,4 @@ inline scenes::MeshData prism(const std::vector<Point>& base, const Point& up) {
   return mesh;
 }
 
-inline scenes::MeshData both(scenes::MeshData a, const scenes::MeshData& b) {
-  const auto first = static_cast<std::uint32_t>(a.vertex_count());
-  a.xyz.insert(a.xyz.end(), b.xyz.begin(), b.xyz.end());
-  for (const std::uint32_t i : b.triangles) a.triangles.push_back(first + i);
-  return a;
-}
-
-inline scenes::MeshData inverted(scenes::MeshData mesh) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i], mesh.triangles[i + 1]);
-  return mesh;
-}
-
 }  // namespace impinge::test

@@ -4,6 +4,7 @@
 
 #include "region_scenes.hpp"
 #include "scenes/motion.hpp"
+#include "scenes/solids.hpp"
 
 /// Regions of contact whose measures are known.
 namespace impinge {
@@ -12,7 +13,6 @@ namespace {
 using scenes::box;
 using scenes::pipe;
 using scenes::shifted;
-using test::both;
 using test::expect_near;
 using test::is_closed;
 using test::region_between;
@@ -70,7 +70,7 @@ TEST(RegionShapes, AFinelyDividedBoltThroughAPlateIsOneRegion) {
   // none: the plate still does.
   EXPECT_EQ(regions_between(plate, shifted(pipe(48, 40, r, 5, false), 0.1, 0.2, -2)).size(), 1u);
   // A sheet through a sheet.
-  EXPECT_EQ(regions_between(both(scenes::flat_grid(6, 6), shifted(scenes::flat_grid(6, 6), 0, 0, 1)),
+  EXPECT_EQ(regions_between(scenes::joined(scenes::flat_grid(6, 6), shifted(scenes::flat_grid(6, 6), 0, 0, 1)),
                             shifted(pipe(48, 40, r, 5, false), 3.1, 3.2, -2))
                 .size(),
             2u);
@@ -78,7 +78,7 @@ TEST(RegionShapes, AFinelyDividedBoltThroughAPlateIsOneRegion) {
 
 TEST(RegionShapes, TwoBoltsThroughOnePlateAreTwoRegions) {
   const scenes::MeshData bolt = shifted(pipe(32, 20, 0.5, 5, true), 0, 0, -2);
-  const auto regions = regions_between(box({-3, -3, 0}, {3, 3, 1}, 2), both(bolt, shifted(bolt, 2, 0.5, 0)));
+  const auto regions = regions_between(box({-3, -3, 0}, {3, 3, 1}, 2), scenes::joined(bolt, shifted(bolt, 2, 0.5, 0)));
   ASSERT_EQ(regions.size(), 2u);
   for (const Region& region : regions) EXPECT_EQ(region.lines.size(), 2u);
   EXPECT_NEAR(regions[0].area, regions[1].area, 1e-12);
@@ -87,7 +87,7 @@ TEST(RegionShapes, TwoBoltsThroughOnePlateAreTwoRegions) {
 /// A tube with a wall: nothing of the ring that it cuts out of a large triangle is on an edge.
 TEST(RegionShapes, AThickPipeThroughALargeTriangleIsOneRegion) {
   scenes::MeshData tube = pipe(24, 6, 0.5, 5, false);
-  tube = both(tube, test::inverted(pipe(24, 6, 0.3, 5, false)));
+  tube = scenes::joined(tube, scenes::inverted(pipe(24, 6, 0.3, 5, false)));
   const auto rings = [&](std::uint32_t first, bool up) {  // closes both ends between the outer and the inner ring
     const auto outer = first, inner = static_cast<std::uint32_t>(tube.vertex_count() / 2) + first;
     for (std::uint32_t i = 0; i < 24; ++i) {
@@ -102,10 +102,10 @@ TEST(RegionShapes, AThickPipeThroughALargeTriangleIsOneRegion) {
   const Region region = region_between(plate, through);
   EXPECT_EQ(region.lines.size(), 4u);
   EXPECT_EQ(region_between(through, plate).lines.size(), 4u);
-  EXPECT_EQ(regions_between(plate, both(through, shifted(through, -8, 0.5, 0))).size(), 2u);
+  EXPECT_EQ(regions_between(plate, scenes::joined(through, shifted(through, -8, 0.5, 0))).size(), 2u);
   // One inside the other's bore, with play between them.
   const scenes::MeshData bar = shifted(pipe(12, 6, 0.2, 5, true), 4, 1, -2);
-  EXPECT_EQ(regions_between(plate, both(through, bar)).size(), 2u);
+  EXPECT_EQ(regions_between(plate, scenes::joined(through, bar)).size(), 2u);
 }
 
 /// A blind hole's pin, whose end is deep in the block: one loop, and the way out is along the pin.
@@ -223,14 +223,14 @@ TEST(RegionShapes, LinesAndOutlinesOfTJunctionsCountOnce) {
 /// Each shell has its own sense: a plug in a closed cavity, whose normals look inwards, leaves it upwards if it lies on
 /// its floor.
 TEST(RegionShapes, ACavityHasItsOwnSense) {
-  const scenes::MeshData outer = box({0, 0, 0}, {9, 9, 9}), hollow = test::inverted(box({3, 3, 3}, {6, 6, 6}));
+  const scenes::MeshData outer = box({0, 0, 0}, {9, 9, 9}), hollow = scenes::inverted(box({3, 3, 3}, {6, 6, 6}));
   const scenes::MeshData plug = box({4, 4, 3}, {5, 5, 4});
   // Both ways of writing the cavity mean another thing, but the outer shell means the same.
-  EXPECT_EQ(region_between(both(outer, hollow), plug).normal, (Point{0, 0, 1}));
-  EXPECT_EQ(region_between(test::inverted(both(outer, hollow)), plug).normal, (Point{0, 0, 1}));
-  EXPECT_EQ(region_between(plug, both(outer, hollow)).normal, (Point{0, 0, -1}));
+  EXPECT_EQ(region_between(scenes::joined(outer, hollow), plug).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(scenes::inverted(scenes::joined(outer, hollow)), plug).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(plug, scenes::joined(outer, hollow)).normal, (Point{0, 0, -1}));
   // Two blocks, one of them written inside out.
-  const scenes::MeshData blocks = both(outer, test::inverted(box({20, 0, 0}, {21, 1, 1})));
+  const scenes::MeshData blocks = scenes::joined(outer, scenes::inverted(box({20, 0, 0}, {21, 1, 1})));
   EXPECT_EQ(region_between(blocks, box({20, 0, 1}, {21, 1, 2})).normal, (Point{0, 0, 1}));
   EXPECT_EQ(region_between(blocks, box({3, 3, 9}, {4, 4, 10})).normal, (Point{0, 0, 1}));
 }
@@ -239,12 +239,12 @@ TEST(RegionShapes, InvertedMeshesMeanTheSame) {
   const scenes::MeshData sphere = scenes::uv_sphere(24, 18), block = box({-1, -1, -3}, {1, 1, -0.75}, 3);
   const Region expected = region_between(sphere, block);
   expect_near(expected.normal, {0, 0, -1}, 1e-9);
-  for (const auto& [a, b] : {std::pair{test::inverted(sphere), block},
-                             {sphere, test::inverted(block)},
-                             {test::inverted(sphere), test::inverted(block)}})
+  for (const auto& [a, b] : {std::pair{scenes::inverted(sphere), block},
+                             {sphere, scenes::inverted(block)},
+                             {scenes::inverted(sphere), scenes::inverted(block)}})
     EXPECT_EQ(region_between(a, b).normal, expected.normal);
   const scenes::MeshData lid = box({-1, -1, 1}, {1, 1, 2}), base = box({-1, -1, 0}, {1, 1, 1});
-  EXPECT_EQ(region_between(test::inverted(base), lid).normal, (Point{0, 0, 1}));
+  EXPECT_EQ(region_between(scenes::inverted(base), lid).normal, (Point{0, 0, 1}));
 }
 
 /// Everything is carried along by a motion, up to rounding.

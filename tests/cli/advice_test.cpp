@@ -26,9 +26,7 @@ class Advice : public testing::Test {
     folder.write("c/slab.off", off(box({-1, -1, -1}, {21, 8, 0})));
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{"clash", "pipe1.off", "pipe2.off"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words);
+    return impinge(folder, joined({"clash", "pipe1.off", "pipe2.off"}, more));
   }
   [[nodiscard]] std::string error(const std::vector<std::string>& words) const {
     const Ended run = impinge(folder, words);
@@ -185,9 +183,8 @@ TEST_F(Advice, WhatIsNoConfigurationIsRefused) {
 TEST_F(Advice, APairThatGotWorseIsMarked) {
   const auto run = [&](const std::vector<int>& lo, const std::vector<std::string>& more) {
     folder.write("lid.off", off(box({lo[0], lo[1], lo[2]}, {lo[0] + 2, lo[1] + 1, lo[2] + 1})));
-    std::vector<std::string> words{"clash", "c/slab.off", "lid.off", "--fail-on", "contact", "--json", "now.json"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words);
+    return impinge(folder,
+                   joined({"clash", "c/slab.off", "lid.off", "--fail-on", "contact", "--json", "now.json"}, more));
   };
   // The top of the slab is at 0.
   EXPECT_TRUE(run({2, 2, 0}, {}).out.starts_with("verdict   part  part\ntouching  slab  lid\n"));

@@ -212,9 +212,8 @@ TEST(Check, AnswerDoesNotDependOnThreadsOrBackend) {
   folder.write("b.off", off(cube(1, 1, 1)));
   folder.write("c.off", off(cube(2, 0, 0)));
   const auto answer = [&](std::vector<std::string> more) {
-    std::vector<std::string> words{"check", "a.off", "b.off", "c.off", "--json", "-", "--triangles"};
-    words.insert(words.end(), more.begin(), more.end());
-    json whole = json::parse(impinge(folder, words).out);
+    json whole = json::parse(
+        impinge(folder, joined({"check", "a.off", "b.off", "c.off", "--json", "-", "--triangles"}, more)).out);
     whole.erase("stats");
     return whole;
   };

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // What `impinge clash` prints and ends with, on boxes whose verdicts follow from their corners.
+#include "impinge/clash.hpp"
+
 #include <gtest/gtest.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 #include "meshes.hpp"
 #include "program.hpp"
-#include "report/text.hpp"
 
 namespace impinge::test {
 namespace {
@@ -34,10 +34,7 @@ class Clash : public testing::Test {
     files.push_back(name + ".off");
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more, const Launch& launch = {}) const {
-    std::vector<std::string> words{"clash"};
-    words.insert(words.end(), files.begin(), files.end());
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words, launch);
+    return impinge(folder, joined(joined({"clash"}, files), more), launch);
   }
   Folder folder;
   std::vector<std::string> files;
@@ -131,10 +128,7 @@ TEST_F(Clash, ExitCodeIsWhatFailOnNames) {
                                   {{"a.off", "g.off"}, {}}};
   for (const Scene& scene : scenes) {
     const auto code = [&](std::vector<std::string> more) {
-      std::vector<std::string> words{"clash", "--quiet", "--clearance", "4"};
-      words.insert(words.end(), scene.files.begin(), scene.files.end());
-      words.insert(words.end(), more.begin(), more.end());
-      return impinge(folder, words).code;
+      return impinge(folder, joined(joined({"clash", "--quiet", "--clearance", "4"}, scene.files), more)).code;
     };
     const std::string which = scene.files[0] + " " + scene.files[1];
     for (const char* word : {"contact", "penetration", "inside", "clearance"})
@@ -180,13 +174,6 @@ TEST_F(Clash, IgnoredPairsAndGroupsAreLeftOut) {
   EXPECT_EQ(group.out.find("duplicate"), std::string::npos) << group.out;
 }
 
-TEST_F(Clash, ScaleMovesOneFileOnly) {
-  // Half of c is flush with nothing: it begins at 1.5 and lies in both.
-  const Ended run = impinge(folder, {"clash", "b.off", "c.off", "--scale", "c.off=0.5"});
-  EXPECT_EQ(run.code, 1);
-  EXPECT_NE(run.out.find("penetrating"), std::string::npos) << run.out;
-}
-
 /// Two blocks of 2000 and less that overlap by 1 or are 1 apart.
 class Tolerance : public testing::Test {
  protected:
@@ -206,6 +193,11 @@ class Tolerance : public testing::Test {
 TEST_F(Tolerance, ExcusesWhatOverlapsByNoMore) {
   const Ended excused = clash("block.off", "in.off", "2");
   EXPECT_EQ(excused.code, 0);
+  const Ended document = impinge(folder, {"clash", "block.off", "in.off", "--tolerance", "2", "--json", "-"});
+  const json pair = json::parse(document.out).at("pairs").at(0);
+  EXPECT_EQ(pair.at("verdict"), "touching");
+  EXPECT_EQ(pair.at("tolerance"), 2.0);
+  EXPECT_EQ(pair.at("note"), sentence(Note::overlap_within_tolerance));
   EXPECT_EQ(first_block(excused.out),
             "verdict   part   part  note\n"
             "touching  block  in    overlap within tolerance\n");
@@ -233,38 +225,6 @@ TEST_F(Tolerance, DoesNotExcuseThinPartsAndSaysSo) {
   EXPECT_EQ(first_block(run.out),
             "verdict      part   part  note\n"
             "penetrating  plate  lid   tolerance not applied\n");
-}
-
-TEST_F(Clash, NamesAreMadePrintableAndCutOnTerminalsOnly) {
-  const std::string name = "\x1b[2J\n\xff_a_very_long_name_of_a_part_that_does_not_fit_a_line_of_sixty_columns_1";
-  write(name, box({4, 2, 1}, {6, 4, 3}));  // overlaps c
-  const Ended pipe = clash({"--depth"});
-  EXPECT_NE(pipe.out.find("\\x1b[2J\\n\xEF\xBF\xBD_a_very_long_name_of_a_part_that_does_not_fit_a_line_of_sixty_"
-                          "columns_1"),
-            std::string::npos)
-      << pipe.out;
-  EXPECT_EQ(pipe.out.find('\x1b'), std::string::npos);
-  for (const std::size_t width : {50U, 60U, 80U}) {
-    Launch launch;
-    launch.environment["COLUMNS"] = std::to_string(width);
-    const Ended run = clash({"--depth", "--clearance", "1"}, launch);
-    EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
-    std::istringstream lines(first_block(run.out));
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
-    EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
-  }
-}
-
-TEST_F(Clash, QuietSaysNothingAndAFullDeviceIsAnError) {
-  const Ended quiet = clash({"--quiet"});
-  EXPECT_EQ(quiet.code, 1);
-  EXPECT_EQ(quiet.out + quiet.err, "");
-  const Ended full = shell(folder, "impinge clash a.off b.off > /dev/full");
-  EXPECT_EQ(full.code, 2);
-  EXPECT_EQ(full.err, "impinge: cannot write to standard output: No space left on device\n");
-  const Ended missing = clash({"missing.off", "--quiet"});
-  EXPECT_EQ(missing.code, 2);
-  EXPECT_NE(missing.err.find("missing.off"), std::string::npos);
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ class DecisionsFile : public testing::Test {
     std::map<std::string, std::string> found;
     const json report = json::parse(folder.read("out.json"));
     for (const json& pair : report.at("pairs"))
-      found[report.at("objects").at(pair.at("a").get<std::size_t>()).at("name")] =
-          pair.at("status").is_null() ? "none" : pair.at("status").get<std::string>();
+      found[name_in(report, pair, "a")] = pair.at("status").is_null() ? "none" : pair.at("status").get<std::string>();
     return found;
   }
   Folder folder;
@@ -50,7 +49,7 @@ TEST_F(DecisionsFile, OfIdsCountBeforeThoseOfNamesAndOfTheseTheFirst) {
   EXPECT_EQ(statuses("{}"), (Statuses{{"pipe1", "none"}, {"pipe2", "none"}}));
   const json report = json::parse(folder.read("out.json"));
   const std::string id = report.at("pairs").at(0).at("id"), pipe = "pipe1";
-  ASSERT_EQ(report.at("objects").at(report.at("pairs").at(0).at("a").get<std::size_t>()).at("name"), pipe);
+  ASSERT_EQ(name_in(report, report.at("pairs").at(0), "a"), pipe);
   EXPECT_EQ(statuses(R"({"pipe* | beam":{"status":"names"},")" + id + R"(":{"status":"id","comment":"c"}})"),
             (Statuses{{"pipe1", "id"}, {"pipe2", "names"}}));
   EXPECT_EQ(json::parse(folder.read("out.json")).at("pairs").at(0).at("comment"), "c");

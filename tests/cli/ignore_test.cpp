@@ -19,9 +19,7 @@ class Ignore : public testing::Test {
   }
   /// How many pairs of objects are left, or the sentence.
   std::string left(std::vector<std::string> more) const {
-    std::vector<std::string> words{"check", "plate.off", "bolt_1.off", "bolt_2.off"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Ended run = impinge(folder, words);
+    const Ended run = impinge(folder, joined({"check", "plate.off", "bolt_1.off", "bolt_2.off"}, more));
     if (run.code == 2) return run.err;
     if (run.code == 0) return run.out.substr(0, run.out.find('\n'));
     const std::size_t end = run.out.find(" of objects touch");

@@ -25,22 +25,14 @@ class JsonDocument : public testing::Test {
     folder.write("b.off", off(cube(2, 0, 0)));
   }
   Ended check(std::vector<std::string> more) const {
-    std::vector<std::string> words{"check", "a.off", "b.off"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words);
+    return impinge(folder, joined({"check", "a.off", "b.off"}, more));
   }
   Folder folder;
 };
 
-std::vector<std::string> keys(const json& object) {
-  std::vector<std::string> names;
-  for (const auto& item : object.items()) names.push_back(item.key());
-  return names;
-}
-
 TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   const json answer = json::parse(check({"--json", "-"}).out);
-  EXPECT_EQ(keys(answer), (std::vector<std::string>{"hash", "objects", "pairs", "stats", "truncated", "version"}));
+  EXPECT_EQ(keys(answer), "hash objects pairs stats truncated version");
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("truncated"), false);
   const std::string hash = answer.at("hash");
@@ -56,30 +48,11 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
   EXPECT_EQ(answer.at("pairs"),
             (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));
-  EXPECT_EQ(keys(answer.at("stats")), (std::vector<std::string>{"box_test_seconds",
-                                                                "box_tests",
-                                                                "broad_seconds",
-                                                                "cpu_seconds",
-                                                                "device_predicted_seconds",
-                                                                "device_seconds",
-                                                                "element_test_seconds",
-                                                                "element_tests",
-                                                                "exact_call_seconds",
-                                                                "exact_calls",
-                                                                "exact_seconds",
-                                                                "hierarchy_seconds",
-                                                                "leaf_pair_seconds",
-                                                                "leaf_pairs",
-                                                                "measured_seconds",
-                                                                "narrow_seconds",
-                                                                "node_seconds",
-                                                                "nodes_built",
-                                                                "object_pairs",
-                                                                "partition_seconds",
-                                                                "predicted_seconds",
-                                                                "results_seconds",
-                                                                "total_seconds",
-                                                                "triangle_pairs"}));
+  EXPECT_EQ(keys(answer.at("stats")),
+            "box_test_seconds box_tests broad_seconds cpu_seconds device_predicted_seconds device_seconds "
+            "element_test_seconds element_tests exact_call_seconds exact_calls exact_seconds hierarchy_seconds "
+            "leaf_pair_seconds leaf_pairs measured_seconds narrow_seconds node_seconds nodes_built object_pairs "
+            "partition_seconds predicted_seconds results_seconds total_seconds triangle_pairs");
   for (const auto& item : answer.at("stats").items()) EXPECT_TRUE(item.value().is_number()) << item.key();
 }
 
@@ -166,17 +139,6 @@ TEST_F(JsonDocument, AnErrorLeavesTheOldOneAlone) {
   EXPECT_EQ(check({"missing.off", "--json", "out.json"}).code, 2);
   EXPECT_EQ(folder.read("out.json"), old);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.off", "b.off", "out.json"}));
-}
-
-TEST_F(JsonDocument, APlaceThatCannotBeWrittenIsAnError) {
-  for (const char* place : {"missing/out.json", ".", "a.off/out.json", "/dev/full"}) {
-    const Ended run = check({"--json", place});
-    EXPECT_EQ(run.code, 2) << place;
-    EXPECT_EQ(run.err.rfind("impinge: ", 0), 0U) << run.err;
-    EXPECT_NE(run.err.find(place), std::string::npos) << run.err;
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  }
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
 TEST_F(JsonDocument, ReplacesBytesThatAreNotUtf8AndEscapesTheRest) {

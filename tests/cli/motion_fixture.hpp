@@ -18,9 +18,7 @@ class Motion : public testing::Test {
  protected:
   void write(const std::vector<scenes::FlatPart>& parts) { folder.write("case.glb", scenes::animated_glb(parts)); }
   [[nodiscard]] Ended run(std::vector<std::string> more = {}) const {
-    std::vector<std::string> words{"motion", "case.glb"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words);
+    return impinge(folder, joined({"motion", "case.glb"}, more));
   }
   [[nodiscard]] nlohmann::json report(std::vector<std::string> more = {}) const {
     more.insert(more.end(), {"--json", "-"});

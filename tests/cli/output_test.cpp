@@ -42,6 +42,7 @@ TEST_F(Output, AFullDeviceIsAnError) {
   launch.out = full;
   for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", "b.off"},
                                                 {"check", "a.off", "b.off", "--json", "-"},
+                                                {"clash", "a.off", "b.off"},
                                                 {"info", "a.off"},
                                                 {"info", "a.off", "--json", "-"},
                                                 {"--help"},
@@ -73,10 +74,13 @@ TEST_F(Output, APipeThatNobodyReadsIsAnError) {
 }
 
 TEST_F(Output, QuietSaysNothingButErrors) {
-  const Ended touching = impinge(folder, {"check", "a.off", "b.off", "--quiet", "--stats"});
-  EXPECT_EQ(touching.code, 1);
-  EXPECT_EQ(touching.out + touching.err, "");
-  expect_one_sentence(impinge(folder, {"check", "a.off", "missing.off", "--quiet"}), "missing.off");
+  for (const std::vector<std::string>& asked : {std::vector<std::string>{"check", "a.off", "--quiet", "--stats"},
+                                                {"clash", "a.off", "--quiet", "--fail-on", "contact"}}) {
+    const Ended touching = impinge(folder, joined(asked, {"b.off"}));
+    EXPECT_EQ(touching.code, 1);
+    EXPECT_EQ(touching.out + touching.err, "");
+    expect_one_sentence(impinge(folder, joined(asked, {"missing.off"})), "missing.off");
+  }
 }
 
 TEST_F(Output, NamesCannotSteerTheTerminal) {
@@ -94,6 +98,7 @@ TEST_F(Output, NamesCannotSteerTheTerminal) {
     return true;
   };
   for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", name + ".off"},
+                                                {"clash", "a.off", name + ".off"},
                                                 {"info", name + ".off"},
                                                 {"check", name},
                                                 {"check", "a.off", "--ignore", name, name},
@@ -113,19 +118,23 @@ TEST_F(Output, NamesCannotSteerTheTerminal) {
 
 TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
   const std::string part = "\xe9\x83\xa8\xe5\x93\x81_\xc3\xa4\xcc\x88_";  // wide, plain and combining characters
-  folder.write(part + part + part + part + part + part + "1.off", off(cube(0, 2, 0)));
+  std::string name = "1.off";
+  for (int i = 0; i < 12; ++i) name = part + name;
+  folder.write(name, off(cube(0, 2, 0)));
   for (const std::size_t width : {60U, 61U, 62U, 63U, 80U}) {
     Launch launch;
     launch.environment["COLUMNS"] = std::to_string(width);
-    const Ended run =
-        impinge(folder, {"check", "a.off", "b.off", part + part + part + part + part + part + "1.off"}, launch);
-    EXPECT_EQ(run.code, 1) << run.err;
-    EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
-    std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
-    EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
+    for (const std::vector<std::string>& asked :
+         {std::vector<std::string>{"check"}, {"clash", "--depth", "--clearance", "1", "--fail-on", "contact"}}) {
+      const Ended run = impinge(folder, joined(asked, {"a.off", "b.off", name}), launch);
+      EXPECT_EQ(run.code, 1) << run.err;
+      EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
+      std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
+      for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
+      EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
+    }
   }
-  const Ended pipe = impinge(folder, {"check", "a.off", part + part + part + part + part + part + "1.off"});
+  const Ended pipe = impinge(folder, {"check", "a.off", name});
   EXPECT_EQ(pipe.out.find("\xe2\x80\xa6"), std::string::npos) << "a pipe has no width";
 }
 

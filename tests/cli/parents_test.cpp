@@ -41,16 +41,12 @@ class SameParent : public testing::Test {
   /// "a b" of each pair that is left, by names, when all parts are held against each other.
   [[nodiscard]] Pairs left(const std::vector<std::string>& files) const {
     folder.write("c.json", R"({"tests":[{"name":"t","a":"*","ignore":{"same_parent":true}}]})");
-    std::vector<std::string> words{"clash", "--config", "c.json", "--json", "-"};
-    words.insert(words.end(), files.begin(), files.end());
-    const Ended run = impinge(folder, words);
+    const Ended run = impinge(folder, joined({"clash", "--config", "c.json", "--json", "-"}, files));
     EXPECT_LE(run.code, 1) << run.err;
     Pairs pairs;
     const json report = json::parse(run.out);
-    const auto name = [&](const json& id) {
-      return report.at("objects").at(id.get<std::size_t>()).at("name").get<std::string>();
-    };
-    for (const json& pair : report.at("pairs")) pairs.insert(name(pair.at("a")) + " " + name(pair.at("b")));
+    for (const json& pair : report.at("pairs"))
+      pairs.insert(name_in(report, pair, "a") + " " + name_in(report, pair, "b"));
     return pairs;
   }
   Folder folder;

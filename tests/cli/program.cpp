@@ -47,38 +47,6 @@ std::string contents(int descriptor) {
 
 }  // namespace
 
-Folder::Folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "impinge-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-void Folder::write(const std::string& name, std::string_view text) const {
-  std::ofstream file(path_ / name, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + name);
-}
-
-std::string Folder::read(const std::string& name) const {
-  std::ifstream file(path_ / name, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::vector<std::string> Folder::names() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 Running::Running(const Folder& folder, const std::vector<std::string>& words, const Launch& launch)
     : out_(::memfd_create("out", MFD_CLOEXEC)), err_(::memfd_create("err", MFD_CLOEXEC)) {
   process_ = ::fork();
@@ -117,10 +85,23 @@ Ended Running::wait() {
           contents(err_)};
 }
 
+std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, const Launch& launch) {
-  std::vector<std::string> words{IMPINGE_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return Running(folder, words, launch).wait();
+  return Running(folder, joined({IMPINGE_PROGRAM}, arguments), launch).wait();
+}
+
+std::string keys(const nlohmann::json& object) {
+  std::string names;
+  for (const auto& item : object.items()) names += (names.empty() ? "" : " ") + item.key();
+  return names;
+}
+
+std::string name_in(const nlohmann::json& report, const nlohmann::json& pair, const char* side) {
+  return report.at("objects").at(pair.at(side).get<std::size_t>()).at("name");
 }
 
 Ended shell(const Folder& folder, const std::string& line) {

@@ -7,9 +7,12 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/core/folder.hpp"
 
 /// Runs the built program as a shell would, with everything that it says caught.
 namespace impinge::test {
@@ -17,24 +20,6 @@ namespace impinge::test {
 /// What a page of impinge begins with, and the file in which its program is.
 inline const std::string kPageHead =
     "<!doctype html>\n<!-- SPDX-FileCopyrightText: The impinge authors; SPDX-License-Identifier: MIT -->\n";
-
-/// A fresh folder that goes away with all that is in it.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  void write(const std::string& name, std::string_view text) const;
-  [[nodiscard]] std::string read(const std::string& name) const;
-  /// The names of all that is in it, sorted.
-  [[nodiscard]] std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Ended {
   int code = -1;    ///< the exit code; -1 if a signal ended the program
@@ -50,11 +35,20 @@ struct Launch {
   bool close_out = false;  ///< start without a standard output at all
 };
 
+/// The words of a command line and more of them.
+std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more);
+
 /// Runs `impinge` in the folder and waits for it.
 Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, const Launch& launch = {});
 
 /// Runs a line of shell in the folder, with the program on the PATH.
 Ended shell(const Folder& folder, const std::string& line);
+
+/// The keys of an object, sorted, with a space between them.
+std::string keys(const nlohmann::json& object);
+
+/// The name of the object that `pair` has on this side, "a" or "b".
+std::string name_in(const nlohmann::json& report, const nlohmann::json& pair, const char* side);
 
 /// A program that is still running.
 class Running {

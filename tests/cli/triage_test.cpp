@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-Solid joined(const std::vector<Solid>& solids) {
+Solid as_one(const std::vector<Solid>& solids) {
   Solid all;
   for (const Solid& solid : solids) {
     const int first = static_cast<int>(all.vertices.size());
@@ -33,12 +33,9 @@ std::map<std::string, std::set<std::string>> pairs_of(const json& report) {
   std::map<std::string, std::set<std::string>> pairs;
   for (const json& test : report.at("tests")) pairs[test.at("name")];
   for (const json& pair : report.at("pairs")) {
-    const auto name = [&](const char* side) {
-      return report.at("objects").at(pair.at(side).get<std::size_t>()).at("name").get<std::string>();
-    };
     const std::string test = pair.at("test").is_null() ? "" : pair.at("test").get<std::string>();
-    pairs[test].insert(name("a") + " " + name("b") + " " + pair.at("verdict").get<std::string>() +
-                       (pair.at("fails").get<bool>() ? "!" : ""));
+    pairs[test].insert(name_in(report, pair, "a") + " " + name_in(report, pair, "b") + " " +
+                       pair.at("verdict").get<std::string>() + (pair.at("fails").get<bool>() ? "!" : ""));
   }
   return pairs;
 }
@@ -57,9 +54,7 @@ class NamedTests : public testing::Test {
   }
   [[nodiscard]] Ended clash(const std::string& configuration, const std::vector<std::string>& more = {}) const {
     folder.write("c/clash.json", configuration);
-    std::vector<std::string> words{"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words);
+    return impinge(folder, joined({"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"}, more));
   }
   [[nodiscard]] Tests tests(const std::string& configuration) const {
     const Ended run = clash(configuration, {"--json", "-"});
@@ -253,7 +248,7 @@ class Previous : public testing::Test {
   void prongs(const std::vector<int>& places) const {
     std::vector<Solid> solids;
     for (const int x : places) solids.push_back(box({x, -4, -4}, {x + 2, 6, 6}));
-    folder.write("prongs.off", off(joined(solids)));
+    folder.write("prongs.off", off(as_one(solids)));
   }
   json run(std::vector<std::string> more, int code) const {
     more.insert(more.begin(), {"clash", "bar.off", "prongs.off", "--json", "-"});

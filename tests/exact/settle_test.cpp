@@ -3,13 +3,13 @@
 #include "exact/settle.hpp"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "core/pose.hpp"
 #include "exact/triangle_pair.hpp"
 #include "impinge/predicates.hpp"
 #include "pairs.hpp"
 #include "scenes/motion.hpp"
+#include "tests/core/instruction_sets.hpp"
 
 namespace impinge {
 namespace {
@@ -17,17 +17,6 @@ namespace {
 using exact::Contact;
 using scenes::Random;
 using test::Pair;
-
-/// Runs a body for each instruction set of this processor that the library was compiled for.
-template <class Body>
-void for_each_target(const Body& body) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    SCOPED_TRACE(hwy::TargetName(target));
-    body();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
 
 void add_triangle(MeshData& mesh, const Triangle& triangle) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -95,7 +84,10 @@ TEST_P(PairFamilies, AreSettledAndClassifiedAsByRationals) {
   }
   EXPECT_GT(seen[3], 0);
   EXPECT_LT(seen[3], kRounds);
-  for_each_target([&] { expect_same(known, settled(known)); });
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    expect_same(known, settled(known));
+  }
   std::vector<Contact> contacts;
   for (const TrianglePair& p : known.pairs) {
     const Pair pair = known.pair(p.a);
@@ -171,7 +163,8 @@ TEST(Settle, TakesPairsOfPlacedMeshes) {
         const auto kind = test::kind_of({world(known.a, pose_a, a), world(known.b, pose_b, b)});
         if (kind) expected.push_back({a, b, *kind});
       }
-      for_each_target([&] {
+      for (const std::int64_t set : test::instruction_sets()) {
+        const test::OnInstructionSet on(set);
         found.resize(1);
         exact::settle(known.a, pose_a, known.b, pose_b, known.pairs, found);
         ASSERT_EQ(found.size(), expected.size());
@@ -180,7 +173,7 @@ TEST(Settle, TakesPairsOfPlacedMeshes) {
           EXPECT_EQ(found[i].b, expected[i].b);
           EXPECT_EQ(found[i].kind, expected[i].kind);
         }
-      });
+      }
     }
   }
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <gmpxx.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "exact/pair_block.hpp"
 #include "pairs.hpp"
 #include "scenes/motion.hpp"
+#include "tests/core/instruction_sets.hpp"
 
 /// What each form of arithmetic says by itself: it may be silent, never wrong.
 namespace impinge {
@@ -108,15 +108,13 @@ TEST_P(See, SaysNothingThatIsNotTrue) {
       pairs[lane] = test::varied(GetParam().make(random_), random_);
       truths[lane] = truth_of(pairs[lane]);
     }
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      hwy::SetSupportedTargetsForTest(target);
-      SCOPED_TRACE(hwy::TargetName(target));
+    for (const std::int64_t set : test::instruction_sets()) {
+      const test::OnInstructionSet on(set);
       PairBlock block;
       for (std::size_t lane = 0; lane < kLanes; ++lane) fill(block, lane, pairs[lane]);
       exact::compute_signs(block);
       for (std::size_t lane = 0; lane < kLanes; ++lane) expect_true(block, lane, truths[lane], pairs[lane]);
     }
-    hwy::SetSupportedTargetsForTest(0);
     if (HasFatalFailure()) return;
   }
 }
@@ -146,16 +144,14 @@ TEST(Place, IsWorldVertex) {
         expected[i][lane] = world_vertex(poses[i / 3], meshes[i / 3][vertex]);
       }
     }
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      hwy::SetSupportedTargetsForTest(target);
-      SCOPED_TRACE(hwy::TargetName(target));
+    for (const std::int64_t set : test::instruction_sets()) {
+      const test::OnInstructionSet on(set);
       exact::place(block, meshes[0].data(), poses[0], meshes[1].data(), poses[1]);
       for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t lane = 0; lane < kLanes; ++lane)
           ASSERT_EQ((Point{block.rows[3 * i][lane], block.rows[3 * i + 1][lane], block.rows[3 * i + 2][lane]}),
                     expected[i][lane]);
     }
-    hwy::SetSupportedTargetsForTest(0);
   }
 }
 

@@ -10,10 +10,10 @@
 #include <limits>
 #include <thread>
 
-#include "hwy/targets.h"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/instruction_sets.hpp"
 #include "tests/hierarchy/wide_trees.hpp"
 
 namespace impinge {
@@ -438,15 +438,12 @@ TEST(WideTree, IsTheSameOnEveryInstructionSet) {
   const Mesh mesh = test::mesh_of(scenes::torus_knot_of(9612));
   WideTree plain(test::numbers_of(mesh), 16);
   const std::string expected = test::bytes_of(plain);
-  int tried = 0;
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
+  EXPECT_FALSE(test::instruction_sets().empty());
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
     WideTree tree(test::numbers_of(mesh), 16);
-    EXPECT_TRUE(test::bytes_of(tree) == expected) << hwy::TargetName(target);
-    ++tried;
+    EXPECT_TRUE(test::bytes_of(tree) == expected);
   }
-  hwy::SetSupportedTargetsForTest(0);
-  EXPECT_GE(tried, 1);
 }
 
 }  // namespace

@@ -8,18 +8,18 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "impinge/io.hpp"
+#include "tests/core/folder.hpp"
 
 namespace impinge::io {
 
+using TemporaryFolder = test::Folder;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 using Points = std::vector<Point>;
 
@@ -56,33 +56,6 @@ inline void expect_sound(const Model& model) {
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end()) << "a name comes twice";
   for (const Object& object : model.objects) EXPECT_GT(object.mesh.triangle_count(), 0u) << object.name;
 }
-
-/// A folder that goes when it is done with.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "impinge-io-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-    std::filesystem::permissions(path_, std::filesystem::perms::all);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  std::filesystem::path write(const std::string& name, std::string_view bytes) const {
-    const auto file = path_ / name;
-    std::ofstream(file, std::ios::binary) << bytes;
-    return file;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline std::string bytes_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

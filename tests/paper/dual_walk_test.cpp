@@ -48,6 +48,16 @@ struct Walked {
   Box overlap;
 };
 
+/// The pairs of leaves that a walk from beginning to end reaches.
+LeafPairs walked_whole(const paper::DualWalk& walk, hierarchy::WalkCounts& counts) {
+  std::vector<NodePair> stack;
+  LeafPairs leaf_pairs;
+  walk.start(stack, counts);
+  walk.advance(stack, leaf_pairs, kAll, kAll, counts);
+  EXPECT_TRUE(stack.empty());
+  return leaf_pairs;
+}
+
 /// The triangles that the leaves hold; fails where a pair of them comes twice.
 TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
   TrianglePairs pairs;
@@ -82,17 +92,11 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
     for (const std::uint32_t leaf_size : {1u, 8u}) {
       Walked walked(named.scene, leaf_size);
       ASSERT_TRUE(walked.reached() || expected.empty());
-      const paper::DualWalk walk = walked.walk();
-      std::vector<NodePair> stack;
       hierarchy::WalkCounts counts;
-      LeafPairs leaf_pairs;
-      walk.start(stack, counts);
-      walk.advance(stack, leaf_pairs, kAll, kAll, counts);
-      EXPECT_TRUE(stack.empty());
+      const TrianglePairs found = pairs_of(walked_whole(walked.walk(), counts));
       EXPECT_EQ(counts.nodes_made, walked.tree_a.node_count() + walked.tree_b.node_count());
       expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
       expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
-      const TrianglePairs found = pairs_of(leaf_pairs);
       for (const test::Contact& contact : expected) ASSERT_TRUE(found.contains({contact[2], contact[3]}));
       touching += expected.size();
     }
@@ -119,12 +123,8 @@ TEST(DualWalk, SplitsNodesInTheRegionAlone) {
     Walked walked(scene, 2);
     if (!walked.reached()) continue;
     ++reached;
-    const paper::DualWalk walk = walked.walk();
-    std::vector<NodePair> stack;
     hierarchy::WalkCounts counts;
-    LeafPairs leaf_pairs;
-    walk.start(stack, counts);
-    walk.advance(stack, leaf_pairs, kAll, kAll, counts);
+    walked_whole(walked.walk(), counts);
     expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
     expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
   }
@@ -139,18 +139,11 @@ TEST(DualWalk, MayBeCutIntoSlices) {
     SCOPED_TRACE(named.name);
     Walked walked(named.scene, 2);
     const paper::DualWalk walk = walked.walk();
-    const auto whole = [&] {
-      std::vector<NodePair> stack;
-      hierarchy::WalkCounts counts;
-      LeafPairs leaf_pairs;
-      walk.start(stack, counts);
-      walk.advance(stack, leaf_pairs, kAll, kAll, counts);
-      return pairs_of(leaf_pairs);
-    };
-    whole();
-    const TrianglePairs expected = whole();
-    std::vector<std::vector<NodePair>> stacks(1);
     hierarchy::WalkCounts counts;
+    walked_whole(walk, counts);
+    const TrianglePairs expected = pairs_of(walked_whole(walk, counts));
+    std::vector<std::vector<NodePair>> stacks(1);
+    counts = {};
     LeafPairs leaf_pairs;
     walk.start(stacks[0], counts);
     while (!stacks.empty()) {

@@ -78,10 +78,7 @@ class Bcf : public testing::Test {
     files.push_back(name + ".off");
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more, const Launch& launch = {}) const {
-    std::vector<std::string> words{"clash", "--bcf", "out.bcf", "--quiet"};
-    words.insert(words.end(), files.begin(), files.end());
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words, launch);
+    return impinge(folder, joined(joined({"clash", "--bcf", "out.bcf", "--quiet"}, files), more), launch);
   }
   [[nodiscard]] std::vector<Topic> topics() const { return read_bcf(folder.read("out.bcf")); }
   Folder folder;
@@ -199,9 +196,7 @@ TEST_F(Bcf, DateIsAskedForOrFixed) {
 }
 
 TEST_F(Bcf, LimitKeepsTheWorstAndSaysSo) {
-  std::vector<std::string> words{"clash", "--bcf", "out.bcf", "--bcf-topics", "2"};
-  words.insert(words.end(), files.begin(), files.end());
-  const Ended run = impinge(folder, words);
+  const Ended run = impinge(folder, joined({"clash", "--bcf", "out.bcf", "--bcf-topics", "2"}, files));
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "impinge: the BCF has the 2 worst of 4 pairs that fail, by --bcf-topics\n");
   const std::vector<Topic> all = topics();

@@ -34,9 +34,7 @@ class Files : public testing::Test {
     launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{"clash", "a.off", "b.off", "--quiet"};
-    words.insert(words.end(), more.begin(), more.end());
-    return impinge(folder, words, launch);
+    return impinge(folder, joined({"clash", "a.off", "b.off", "--quiet"}, more), launch);
   }
   [[nodiscard]] static std::vector<std::string> all(const std::string& where = "") {
     std::vector<std::string> words;
@@ -57,9 +55,7 @@ TEST_F(Files, AllComeFromOneRunWithTheSameBytesEachTime) {
   const auto first = contents();
   for (const Output& output : kOutputs) EXPECT_TRUE(first.at(output.name).starts_with(output.beginning)) << output.name;
   for (const char* threads : {"1", "3", "4"}) {
-    std::vector<std::string> words = all();
-    words.insert(words.end(), {"--threads", threads});
-    ASSERT_EQ(clash(words).code, 1);  // over the earlier ones
+    ASSERT_EQ(clash(joined(all(), {"--threads", threads})).code, 1);  // over the earlier ones
     EXPECT_TRUE(contents() == first) << threads;
   }
 }
@@ -127,9 +123,10 @@ TEST_F(Files, OnePlaceTakesOneDocument) {
 TEST_F(Files, APlaceThatCannotBeWrittenIsSaidBeforeTheWork) {
   const auto before = contents();
   for (const Output& output : kOutputs) {
-    for (const std::string place : {"missing/out", ".", "/dev/null/out"}) {
+    for (const std::string place : {"missing/out", ".", "a.off/out", "/dev/null/out"}) {
       const Ended run = clash({output.option, place});
       EXPECT_EQ(run.code, 2) << output.option << ' ' << place;
+      EXPECT_TRUE(run.err.starts_with("impinge: ") && run.err.find(place) != std::string::npos) << run.err;
       EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
   }

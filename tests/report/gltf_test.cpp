@@ -97,10 +97,9 @@ class Gltf : public testing::Test {
     folder.write("g.off", off(box({far + 85, 4, 0}, {far + 87, 6, 2})));
   }
   void run(const std::vector<std::string>& more) {
-    std::vector<std::string> words{"clash", "a.off",  "b.off",   "bar.off", "f.off",    "g.off",  "--clearance",
-                                   "3.7",   "--gltf", "out.glb", "--json",  "out.json", "--quiet"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Ended ended = impinge(folder, words);
+    const Ended ended = impinge(folder, joined({"clash", "a.off", "b.off", "bar.off", "f.off", "g.off", "--clearance",
+                                                "3.7", "--gltf", "out.glb", "--json", "out.json", "--quiet"},
+                                               more));
     EXPECT_EQ(ended.code, 1) << ended.err;
     answer = json::parse(folder.read("out.json"));
   }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "read_back.hpp"
 
+#include <gtest/gtest.h>
 #include <png.h>
 #include <zip.h>
 
 #include <array>
+#include <charconv>
 #include <ctime>
 #include <memory>
 #include <stdexcept>
@@ -85,6 +87,24 @@ std::vector<std::vector<std::string>> read_csv(std::string_view text) {
     at += 2;
   }
   return rows;
+}
+
+std::vector<Row> rows_of(std::string_view csv) {
+  const auto cells = read_csv(csv);
+  std::vector<Row> rows;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    EXPECT_EQ(cells[i].size(), cells[0].size());
+    Row& row = rows.emplace_back();
+    for (std::size_t k = 0; k < cells[0].size(); ++k) row[cells[0][k]] = cells[i].at(k);
+  }
+  return rows;
+}
+
+double number(const std::string& cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  EXPECT_TRUE(error == std::errc() && end == cell.data() + cell.size()) << cell;
+  return value;
 }
 
 }  // namespace impinge::test

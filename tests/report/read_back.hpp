@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,12 @@ Pixels read_png(std::string_view bytes);
 
 /// The rows of RFC 4180. Throws where a quote stands where none may, or a row does not end in CR LF.
 std::vector<std::vector<std::string>> read_csv(std::string_view text);
+
+/// The cells of a row by the names of the columns.
+using Row = std::map<std::string, std::string>;
+/// The rows below the names. Fails the test where a row has another number of cells.
+std::vector<Row> rows_of(std::string_view csv);
+/// Fails the test where the cell is no number.
+double number(const std::string& cell);
 
 }  // namespace impinge::test

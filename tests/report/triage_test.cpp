@@ -16,17 +16,6 @@ namespace impinge::test {
 namespace {
 
 using nlohmann::json;
-using Row = std::map<std::string, std::string>;
-
-std::vector<Row> rows_of(const std::string& text) {
-  const auto cells = read_csv(text);
-  std::vector<Row> rows;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    Row& row = rows.emplace_back();
-    for (std::size_t k = 0; k < cells[0].size(); ++k) row[cells[0][k]] = cells[i].at(k);
-  }
-  return rows;
-}
 
 /// The JSON of a binary glTF.
 json gltf_of(const std::string& bytes) {
@@ -62,7 +51,7 @@ class TriageFiles : public testing::Test {
   static json& pair_of(json& report, const std::string& name) {
     for (json& pair : report.at("pairs"))
       for (const char* side : {"a", "b"})
-        if (report.at("objects").at(pair.at(side).get<std::size_t>()).at("name") == name) return pair;
+        if (name_in(report, pair, side) == name) return pair;
     throw std::runtime_error("no pair of " + name);
   }
   json again(std::vector<std::string> more) const {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -20,22 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-/// The cells of the only row, by the names of the columns.
-std::map<std::string, std::string> row_of(const std::string& text) {
-  const auto cells = read_csv(text);
-  EXPECT_EQ(cells.size(), 2U);
-  std::map<std::string, std::string> row;
-  for (std::size_t i = 0; i < cells.at(0).size(); ++i) row[cells[0][i]] = cells.at(1).at(i);
-  return row;
-}
-
-double number(const std::string& cell) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  EXPECT_TRUE(error == std::errc() && end == cell.data() + cell.size()) << cell;
-  return value;
-}
-
 /// The numbers of a description's line that this pattern finds.
 std::vector<double> numbers(const std::string& description, const std::string& pattern) {
   std::smatch found;
@@ -48,15 +31,14 @@ std::vector<double> numbers(const std::string& description, const std::string& p
 class Units : public testing::Test {
  protected:
   void run(const std::vector<std::string>& more) {
-    std::vector<std::string> words{"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--quiet"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Ended ended = impinge(folder, words);
+    const Ended ended = impinge(
+        folder, joined({"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--quiet"}, more));
     ASSERT_EQ(ended.code, 1) << ended.err;
     std::vector<Topic> topics = read_bcf(folder.read("out.bcf"));
     ASSERT_EQ(topics.size(), 1U);
     topic = std::move(topics[0]);
     description = topic.topic().child("Description").text().get();
-    row = row_of(folder.read("out.csv"));
+    row = rows_of(folder.read("out.csv")).at(0);
     region = json::parse(folder.read("out.json")).at("pairs").at(0).at("regions").at(0);
   }
   /// The shared cube's middle is the middle of all symmetry: the cubes change places by a reflection in that point.
@@ -106,7 +88,7 @@ class Units : public testing::Test {
   Folder folder;
   Topic topic;
   std::string description;
-  std::map<std::string, std::string> row;
+  Row row;
   json region;
 };
 

@@ -12,6 +12,7 @@
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/oracle/points.hpp"
 #include "tests/solid/placed.hpp"
 #include "tests/solid/winding_oracle.hpp"
@@ -74,7 +75,7 @@ void expect_cells(const Shape& a, const Shape& b, const std::string& in_b, const
   ASSERT_EQ(letters(cells_of(b, a)), in_a + "|" + in_b);
   const auto changed = [&](const Shape& shape, bool invert) {
     Shape other = shape;
-    if (invert) other.mesh = test::inverted(other.mesh);
+    if (invert) other.mesh = scenes::inverted(other.mesh);
     other.pose.R = {0, 1, 0, 0, 0, -1, -1, 0, 0};
     other.pose.t = {0x1p20, -0x1p18, 0x1p10};
     return other;
@@ -124,16 +125,16 @@ TEST(Cells, OfShellsInShells) {
   expect_cells(outer, box({1, 1, 1}, {3, 3, 3}), "o", "i");
   expect_cells(outer, box({0, 1, 1}, {3, 3, 3}), "os", "is");
   expect_cells(outer, {test::tetrahedron({Point{0, 1, 1}, {2, 1, 1}, {2, 2, 1}, {2, 1, 2}})}, "o", "i");
-  const Shape hollow{test::joined({outer.mesh, test::inverted(scenes::box({1, 1, 1}, {3, 3, 3}))})};
+  const Shape hollow{scenes::joined(outer.mesh, scenes::inverted(scenes::box({1, 1, 1}, {3, 3, 3})))};
   expect_cells(hollow, box({1.5, 1.5, 1.5}, {2, 2, 2}), "o", "o");  // loose in the cavity
   expect_cells(hollow, box({1, 1, 1}, {3, 3, 3}), "od", "d");       // a plug that fills it
   expect_cells(hollow, box({1, 1, 1}, {3, 3, 3}, 3), "od", "d");
   expect_cells(hollow, box({1, 1, 1}, {3, 3, 2}), "od", "od");     // one that fills half of it
   expect_cells(hollow, box({1, 1, 1}, {3, 3, 3.5}), "iod", "id");  // one that is too long
   expect_cells(hollow, outer, "is", "s");                          // and one that leaves no cavity
-  expect_cells({test::joined({cube().mesh, cube(2, 0, 0).mesh})}, box({0.5, 0.25, 0.25}, {2.5, 0.75, 0.75}), "io",
+  expect_cells({scenes::joined(cube().mesh, cube(2, 0, 0).mesh)}, box({0.5, 0.25, 0.25}, {2.5, 0.75, 0.75}), "io",
                "io");
-  expect_cells({test::joined({cube().mesh, cube(2, 0, 0).mesh})}, cube(1, 0, 0), "od", "od");
+  expect_cells({scenes::joined(cube().mesh, cube(2, 0, 0).mesh)}, cube(1, 0, 0), "od", "od");
 }
 
 TEST(Cells, OfDuplicates) {
@@ -187,7 +188,7 @@ TEST(Cells, OfSurfaces) {
 
 /// A shell with the inside on both its sides bounds nothing, and neither does one with the outside on both.
 TEST(Cells, LeaveOutSheetsThatBoundNothing) {
-  const Shape twice{test::joined({scenes::box({0, 0, 0}, {4, 4, 4}), scenes::box({1, 1, 1}, {3, 3, 3}, 2)})};
+  const Shape twice{scenes::joined(scenes::box({0, 0, 0}, {4, 4, 4}), scenes::box({1, 1, 1}, {3, 3, 3}, 2))};
   expect_cells(twice, box({1, 1, 1}, {3, 3, 3}), "o", "i");
   expect_cells(twice, box({1.5, 1.5, 1.5}, {2, 2, 2}), "o", "i");
   expect_cells(twice, box({2, 2, 2}, {5, 5, 5}), "io", "io");
@@ -291,8 +292,8 @@ TEST(Cells, OfLatticeSolidsAreWhatLiesBesidePointsOfTheirFaces) {
     const double grid = random.integer(0, 1) == 0 ? 1 : 0.5;
     b.low = grid * points::integers(-2, 2)(random);
     Shape shape_a{a.mesh(random)}, shape_b{b.mesh(random)};
-    if (random.integer(0, 2) == 0) shape_a.mesh = test::inverted(shape_a.mesh);
-    if (random.integer(0, 2) == 0) shape_b.mesh = test::inverted(shape_b.mesh);
+    if (random.integer(0, 2) == 0) shape_a.mesh = scenes::inverted(shape_a.mesh);
+    if (random.integer(0, 2) == 0) shape_b.mesh = scenes::inverted(shape_b.mesh);
     const Cells expected{bits_at_samples(a, b), bits_at_samples(b, a)};
     ASSERT_EQ(letters(cells_of(shape_a, shape_b)), letters(expected));
     seen.insert(letters(expected));

@@ -11,6 +11,7 @@
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/oracle/points.hpp"
 #include "tests/solid/placed.hpp"
 #include "tests/solid/winding_oracle.hpp"
@@ -58,7 +59,7 @@ scenes::MeshData tetrahedra(Random& random, int n, int side) {
   scenes::MeshData whole;
   const auto point = points::integers(-side, side);
   for (int i = 0; i < n; ++i)
-    whole = test::joined({whole, test::tetrahedron({point(random), point(random), point(random), point(random)})});
+    whole = scenes::joined(whole, test::tetrahedron({point(random), point(random), point(random), point(random)}));
   return whole;
 }
 
@@ -148,7 +149,9 @@ TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
 TEST(WindingNumber, OfShellsInShells) {
   Random random(1);
   const auto box = [](double half, int n) { return scenes::box({-half, -half, -half}, {half, half, half}, n); };
-  const Placed nested(test::joined({box(3, 3), test::inverted(box(2, 2)), box(1, 1), box(0.5, 1)}), {}, 0);
+  const Placed nested(
+      scenes::joined(scenes::joined(box(3, 3), scenes::inverted(box(2, 2))), scenes::joined(box(1, 1), box(0.5, 1))),
+      {}, 0);
   EXPECT_EQ(solid::winding_number(nested.tree(), Point{-2.5, 0, 0}), 1);
   EXPECT_EQ(solid::winding_number(nested.tree(), Point{-1.5, 0, 0}), 0);
   EXPECT_EQ(solid::winding_number(nested.tree(), Point{0, 0, 0}), 2);
@@ -157,7 +160,7 @@ TEST(WindingNumber, OfShellsInShells) {
   for (int x = -8; x <= 8; ++x)
     for (int y = -8; y <= 8; ++y)
       ASSERT_NO_FATAL_FAILURE(expect_agrees(nested, Point{x / 2.0, y / 2.0, random.integer(-8, 8) / 2.0}, random));
-  const Placed alone(test::inverted(box(1, 2)), {}, 0);
+  const Placed alone(scenes::inverted(box(1, 2)), {}, 0);
   EXPECT_EQ(solid::winding_number(alone.tree(), Point{0, 0, 0}), -1);
 }
 
@@ -165,7 +168,7 @@ TEST(WindingNumber, DegenerateTrianglesHoldPointsAndCountNothing) {
   for (std::uint64_t seed = 1; seed <= 20u; ++seed) {
     test::Seeded seeded(seed);
     Random& random = seeded.random;
-    const Placed body(test::joined({scenes::box({0, 0, 0}, {3, 3, 3}, 1), scenes::degenerate_soup(random, 20, 4)}), {},
+    const Placed body(scenes::joined(scenes::box({0, 0, 0}, {3, 3, 3}, 1), scenes::degenerate_soup(random, 20, 4)), {},
                       0);
     for (int i = 0; i < 40; ++i) ASSERT_NO_FATAL_FAILURE(expect_agrees(body, points::integers(-1, 5)(random), random));
   }
@@ -223,7 +226,7 @@ TEST(Locate, TellsInsideOutsideAndBoundary) {
   EXPECT_EQ(*locate({0.5, 0.5, std::nextafter(1, 0)}, cube), Location::inside);
   EXPECT_EQ(*locate({-1, 0, 0}, cube), Location::outside);
   EXPECT_EQ(*locate({10.5, 0.5, 0.5}, cube, {.t = {10, 0, 0}}), Location::inside);
-  EXPECT_EQ(*locate({0.5, 0.5, 0.5}, test::mesh_of(test::inverted(scenes::cube()))), Location::inside);
+  EXPECT_EQ(*locate({0.5, 0.5, 0.5}, test::mesh_of(scenes::inverted(scenes::cube()))), Location::inside);
 }
 
 TEST(Locate, RefusesWhatHasNoInside) {

@@ -17,22 +17,6 @@ inline hierarchy::PlacedTree placed(const Mesh& mesh, const Pose& pose = {}) {
   return {&mesh.state().data, &mesh.state().wide_tree, pose};
 }
 
-/// All shapes' vertices and triangles as one mesh.
-inline scenes::MeshData joined(std::initializer_list<scenes::MeshData> shapes) {
-  scenes::MeshData whole;
-  for (const scenes::MeshData& shape : shapes) {
-    const auto first = static_cast<std::uint32_t>(whole.xyz.size() / 3);
-    whole.xyz.insert(whole.xyz.end(), shape.xyz.begin(), shape.xyz.end());
-    for (const std::uint32_t i : shape.triangles) whole.triangles.push_back(first + i);
-  }
-  return whole;
-}
-
-inline scenes::MeshData inverted(scenes::MeshData shape) {
-  for (std::size_t i = 0; i < shape.triangles.size(); i += 3) std::swap(shape.triangles[i + 1], shape.triangles[i + 2]);
-  return shape;
-}
-
 inline scenes::MeshData tetrahedron(const std::array<Point, 4>& p) {
   scenes::MeshData shape;
   for (const Point& v : p) shape.add_vertex(v.x, v.y, v.z);

@@ -10,6 +10,7 @@
 
 #include "scenes/hard.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/solid/placed.hpp"
 
 namespace impinge {
@@ -97,9 +98,9 @@ TEST(Topology, IsWhatMapsAndSetsCount) {
     test::Seeded seeded(seed);
     scenes::Random& random = seeded.random;
     ASSERT_NO_FATAL_FAILURE(expect_as_by_the_book(scenes::integer_soup(random, random.integer(1, 60), 2)));
-    ASSERT_NO_FATAL_FAILURE(expect_as_by_the_book(
-        test::joined({scenes::cube(), scenes::shifted(scenes::cube(), 1, random.integer(0, 1), random.integer(0, 1)),
-                      scenes::degenerate_soup(random, 20, 1)})));
+    const scenes::MeshData cubes =
+        scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, random.integer(0, 1), random.integer(0, 1)));
+    ASSERT_NO_FATAL_FAILURE(expect_as_by_the_book(scenes::joined(cubes, scenes::degenerate_soup(random, 20, 1))));
   }
   expect_as_by_the_book({});
   expect_as_by_the_book(scenes::box({-1, -1, -1}, {1, 1, 1}, 4));
@@ -110,10 +111,10 @@ TEST(Topology, ShellsEndAtEdgesOfMoreThanTwoTriangles) {
   EXPECT_TRUE(Examined(scenes::cube()).topology.closed);
   // Two cubes of one part that share an edge, and two that share a vertex: four faces meet in the edge, of each cube
   // two, which are joined along their other edges.
-  EXPECT_EQ(Examined(test::joined({scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 0)})).topology.shells, 2u);
-  EXPECT_EQ(Examined(test::joined({scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 1)})).topology.shells, 2u);
+  EXPECT_EQ(Examined(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 0))).topology.shells, 2u);
+  EXPECT_EQ(Examined(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 1))).topology.shells, 2u);
   // A face that both have, twice over: its outline is where its triangles meet two others each.
-  const Examined stacked(test::joined({scenes::cube(), scenes::shifted(scenes::cube(), 1, 0, 0)}));
+  const Examined stacked(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 0, 0)));
   EXPECT_TRUE(stacked.topology.closed);
 }
 
