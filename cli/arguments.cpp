@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "command_options.hpp"
-#include "help.hpp"
 #include "impinge/version.hpp"
 #include "report/text.hpp"
 #include "terminal.hpp"

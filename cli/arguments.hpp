@@ -46,12 +46,7 @@ struct MotionArguments : MotionOptions, OutputArguments {
   std::optional<std::string> html;
 };
 
-struct InfoArguments {
-  std::vector<std::string> files;
-  std::optional<std::string> json;
-  std::uint64_t max_file_bytes = 2'000'000'000;
-  bool force = false;
-};
+struct InfoArguments : SceneOptions, OutputArguments {};
 
 struct DevicesArguments {};
 

@@ -15,8 +15,8 @@
 #include "report/sink.hpp"
 #include "report/text.hpp"
 #include "scene_command.hpp"
-#include "stats.hpp"
 #include "table.hpp"
+#include "tables.hpp"
 #include "terminal.hpp"
 
 namespace impinge::cli {
@@ -82,11 +82,10 @@ Table table_of_pairs(const Answer& answer, bool first) {
                              }});
     return table;
   }
-  constexpr std::pair<const char*, std::uint64_t RowCounts::*> kCounts[] = {
-      {"crossing", &RowCounts::crossing}, {"touching", &RowCounts::touching}, {"coplanar", &RowCounts::coplanar}};
-  for (const auto& [heading, count] : kCounts)
-    table.columns.push_back(
-        {heading, number, [&contacts, count](std::size_t row) { return grouped(count_row(contacts, row).*count); }});
+  for (const Kind kind : {Kind::crossing, Kind::touching, Kind::coplanar})
+    table.columns.push_back({std::string(kind_name(kind)), number, [&contacts, kind](std::size_t row) {
+                               return grouped(count_row(contacts, row)[static_cast<std::size_t>(kind)]);
+                             }});
   return table;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "clash_table.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
@@ -17,6 +16,7 @@
 #include "report/text.hpp"
 #include "report/writers.hpp"
 #include "scene_command.hpp"
+#include "tables.hpp"
 #include "terminal.hpp"
 
 namespace impinge::cli {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash_table.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +9,7 @@
 
 #include "report/text.hpp"
 #include "table.hpp"
-#include "triage_table.hpp"
+#include "tables.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -86,18 +84,10 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
   if (!order.empty()) sink.write("\n");
 }
 
-/// How many pairs have each verdict, in the order of the table: "3 inside, 12 penetrating".
-std::string counts_text(const std::vector<Clash>& pairs, double clearance) {
+std::string verdicts_text(const std::vector<Clash>& pairs, double clearance) {
   std::array<std::uint64_t, 6> counts{};
   for (const Clash& pair : pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    const auto verdict = static_cast<Verdict>(i);
-    if (!text.empty()) text += ", ";
-    text += fmt::format("{} {}", grouped(counts[i]),
-                        verdict == Verdict::apart ? fmt::format("nearer than {}", clearance) : name(verdict));
-  }
+  const std::string text = counts_text(counts, fmt::format("nearer than {}", clearance));
   if (!text.empty()) return text;
   return clearance > 0 ? fmt::format("nothing is nearer than {}", clearance) : "nothing touches";
 }
@@ -121,7 +111,7 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
       std::count_if(review.parts.begin(), review.parts.end(), [](const Part& part) { return part.facts.solid; }));
   std::string text =
       fmt::format("{}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"), counted(solids, "solid"),
-                  counted(review.parts.size() - solids, "surface"), counts_text(pairs, arguments.clearance),
+                  counted(review.parts.size() - solids, "surface"), verdicts_text(pairs, arguments.clearance),
                   review.plan.tests().empty() ? tolerance_text(pairs, arguments.tolerance)
                                               : counted(review.plan.tests().size(), "test"));
   if (review.parts.size() == 1) text += "There is only one part, and no part is tested against itself.\n";
@@ -144,6 +134,17 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
 }
 
 }  // namespace
+
+std::string counts_text(const std::array<std::uint64_t, 6>& counts, std::string_view apart) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto verdict = static_cast<Verdict>(i);
+    if (counts[i] > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(counts[i]),
+                          verdict == Verdict::apart ? apart : name(verdict));
+  }
+  return text;
+}
 
 std::string note_text(Note note) {
   switch (note) {

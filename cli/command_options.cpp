@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "date.hpp"
-#include "help.hpp"
 #include "numbers.hpp"
 
 namespace impinge::cli {

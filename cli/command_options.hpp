@@ -3,6 +3,8 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
 
 #include "arguments.hpp"
 
@@ -19,5 +21,22 @@ struct AllArguments {
 
 /// Declares all commands and their options. Parsing writes into `to` and throws `CLI::ParseError` with a sentence.
 void add_commands(CLI::App& program, AllArguments& to);
+
+/// What a help page says around the list of options. The first line of `about` stands in the list of commands too.
+struct HelpPage {
+  std::string about, end;
+};
+
+extern const HelpPage kProgramHelp, kCheckHelp, kClashHelp, kMotionHelp, kViewHelp, kInfoHelp, kDevicesHelp;
+
+/// CLI11's help pages with descriptions that are broken to fit 80 columns.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+};
 
 }  // namespace impinge::cli

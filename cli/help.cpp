@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "help.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+
+#include "command_options.hpp"
 
 namespace impinge::cli {
 

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "clash_table.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
 #include "impinge/clash.hpp"
@@ -19,6 +18,7 @@
 #include "report/sink.hpp"
 #include "report/text.hpp"
 #include "table.hpp"
+#include "tables.hpp"
 #include "terminal.hpp"
 
 namespace impinge::cli {

@@ -9,14 +9,14 @@
 
 #include "commands.hpp"
 #include "documents.hpp"
-#include "motion_table.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
-#include "report/writers.hpp"
 #include "report/motion/motion_report.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
+#include "report/writers.hpp"
 #include "scene_command.hpp"
+#include "tables.hpp"
 #include "terminal.hpp"
 
 namespace impinge::cli {

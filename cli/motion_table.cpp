@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "motion_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
-#include "clash_table.hpp"
 #include "report/text.hpp"
 #include "table.hpp"
+#include "tables.hpp"
 
 namespace impinge::cli {
 namespace {

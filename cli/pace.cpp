@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "pace.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "progress.hpp"
 #include "report/text.hpp"
 
 namespace impinge::cli {

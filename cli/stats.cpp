@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "stats.hpp"
-
 #include <string>
 #include <vector>
 
 #include "report/text.hpp"
 #include "table.hpp"
+#include "tables.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 
+#include "numbers.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
 
@@ -27,12 +27,8 @@ void complain(std::string_view sentence) {
 std::optional<std::size_t> width_of(int descriptor) {
   winsize size{};
   if (::isatty(descriptor) == 1 && ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  if (const char* text = std::getenv("COLUMNS")) {
-    const std::string_view digits(text);
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
-    if (error == std::errc{} && end == digits.end() && value > 0) return value;
-  }
+  if (const char* const text = std::getenv("COLUMNS"))
+    if (const auto columns = parse_number<std::size_t>(text); columns && *columns > 0) return columns;
   return std::nullopt;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "triage_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "report/text.hpp"
 #include "table.hpp"
+#include "tables.hpp"
 #include "terminal.hpp"
 
 namespace impinge::cli {
@@ -23,13 +22,7 @@ std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64
     ++counts[static_cast<std::size_t>(pair.verdict)];
     failing += review.standings[i].fails ? 1 : 0;
   }
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    const auto verdict = static_cast<Verdict>(i);
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(counts[i]),
-                        verdict == Verdict::apart ? "nearer" : name(verdict));
-  }
+  const std::string text = counts_text(counts, "nearer");
   return text.empty() ? "nothing" : text;
 }
 

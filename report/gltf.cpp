@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF has numbers with the lowest byte first");
 
-enum Mode { kPoints = 0, kLines = 1 };  // glTF 2.0, 3.7.2.1
+enum { kPoints = 0, kLines = 1 };  // glTF 2.0, 3.7.2.1
 
 float nearest_float(double value) {
   constexpr double kMost = std::numeric_limits<float>::max();

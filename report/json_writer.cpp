@@ -145,27 +145,16 @@ void write_missing(JsonDocument& document, const Assembly& assembly) {
   if (!assembly.missing.empty()) document.member("missing", assembly.missing);
 }
 
-RowCounts count_row(const Contacts& contacts, std::size_t row) {
-  RowCounts counts;
-  for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i) {
-    const Kind kind = contacts.kinds[i];
-    counts.crossing += kind == Kind::crossing ? 1 : 0;
-    counts.touching += kind == Kind::touching ? 1 : 0;
-    counts.coplanar += kind == Kind::coplanar ? 1 : 0;
-  }
+std::array<std::uint64_t, 3> count_row(const Contacts& contacts, std::size_t row) {
+  std::array<std::uint64_t, 3> counts{};
+  for (std::uint64_t i = contacts.offsets[row]; i < contacts.offsets[row + 1]; ++i)
+    ++counts[static_cast<std::size_t>(contacts.kinds[i])];
   return counts;
 }
 
 std::string_view kind_name(Kind kind) {
-  switch (kind) {
-    case Kind::crossing:
-      return "crossing";
-    case Kind::touching:
-      return "touching";
-    case Kind::coplanar:
-      return "coplanar";
-  }
-  return "unknown";
+  constexpr std::array<std::string_view, 3> kNames{"crossing", "touching", "coplanar"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contacts& contacts, bool with_triangles,
@@ -175,12 +164,12 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
   document.list("objects", assembly.objects.size(), [&](std::size_t i) { return json_identity(assembly, i); });
   write_missing(document, assembly);
   document.list("pairs", contacts.objects.size(), [&](std::size_t row) {
-    const RowCounts counts = count_row(contacts, row);
+    const auto [crossing, touching, coplanar] = count_row(contacts, row);
     std::string pair = json_text({{"a", contacts.objects[row][0]},
                                   {"b", contacts.objects[row][1]},
-                                  {"crossing", counts.crossing},
-                                  {"touching", counts.touching},
-                                  {"coplanar", counts.coplanar}});
+                                  {"crossing", crossing},
+                                  {"touching", touching},
+                                  {"coplanar", coplanar}});
     if (with_triangles) pair.pop_back();  // the brace, which follows the triangles
     sink.write(pair);
     if (with_triangles) write_triangles(sink, contacts, row, stop);

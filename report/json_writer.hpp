@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -93,11 +95,8 @@ Json json_triage(const Review& review, std::size_t pair);
 /// A list of what is missing of the files, where something is.
 void write_missing(JsonDocument& document, const Assembly& assembly);
 
-/// How the triangles of one row of an answer touch, counted.
-struct RowCounts {
-  std::uint64_t crossing = 0, touching = 0, coplanar = 0;
-};
-RowCounts count_row(const Contacts& contacts, std::size_t row);
+/// How many triangles of one row of an answer touch in each way, by `Kind`.
+std::array<std::uint64_t, 3> count_row(const Contacts& contacts, std::size_t row);
 
 /// "crossing", "touching" or "coplanar".
 std::string_view kind_name(Kind kind);

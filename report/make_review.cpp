@@ -8,7 +8,6 @@
 #include <chrono>
 #include <utility>
 
-#include "report/named_tests/named_files.hpp"
 #include "report/scene.hpp"
 #include "report/text.hpp"
 
@@ -74,7 +73,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.regions = review.options.regions;
   options.threads = review.options.threads;
   if (!review.plan.tests().empty()) {
-    options.clearance = review.plan.reach();
+    options.clearance = review.plan.largest_distance();
     options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
       review.plan.terms(a, b, terms);
     };

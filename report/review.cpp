@@ -8,8 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "report/comparison/matching.hpp"
-
 namespace impinge::report {
 namespace {
 
@@ -62,19 +60,9 @@ double area_of(const Clash& pair) {
 }
 
 bool names(const FailOn& fail_on, Verdict verdict) {
-  switch (verdict) {
-    case Verdict::duplicate:
-    case Verdict::penetrating:
-    case Verdict::crossing:
-      return fail_on.contact || fail_on.penetration;
-    case Verdict::inside:
-      return fail_on.contact || fail_on.inside;
-    case Verdict::touching:
-      return fail_on.contact;
-    case Verdict::apart:
-      return fail_on.clearance;
-  }
-  return true;
+  if (verdict == Verdict::apart) return fail_on.clearance;
+  if (verdict == Verdict::inside) return fail_on.contact || fail_on.inside;
+  return fail_on.contact || (fail_on.penetration && verdict != Verdict::touching);
 }
 
 std::uint64_t count_failing(const Review& review) {

@@ -46,18 +46,8 @@ std::string title(const Topic& topic) {
 }
 
 const char* priority(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::duplicate:
-    case Verdict::inside:
-    case Verdict::penetrating:
-    case Verdict::crossing:
-      return "High";
-    case Verdict::touching:
-      return "Medium";
-    case Verdict::apart:
-      return "Low";
-  }
-  return "Medium";
+  if (verdict == Verdict::apart) return "Low";
+  return verdict == Verdict::touching ? "Medium" : "High";
 }
 
 std::string test_of(const Topic& topic) {

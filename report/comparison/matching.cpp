@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/comparison/matching.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "report/comparison/previous.hpp"
 #include "report/identity.hpp"
 #include "report/vector.hpp"
 
@@ -65,7 +64,7 @@ std::vector<std::optional<std::size_t>> match_regions(const std::vector<Region>&
     const double reach = length(0.5 * hi - 0.5 * lo) + slack;
     for (const std::size_t k : left) {
       const double distance = length(regions[i].centroid - earlier[k].centroid);
-      if (distance <= reach + earlier[k].reach) candidates.push_back({distance, i, k});
+      if (distance <= reach + earlier[k].half_diagonal) candidates.push_back({distance, i, k});
     }
   }
   std::ranges::sort(candidates, {}, [](const Candidate& c) { return std::tie(c.distance, c.region, c.earlier); });

@@ -126,7 +126,7 @@ Previous::Pair read_pair(const Value& from, const Parts& parts) {
     pair.regions.push_back({region["id"].text(), region["centroid"].point()});
     if (!region["box"]) continue;
     const auto [lo, hi] = region["box"].two_points();
-    pair.regions.back().reach = length(0.5 * hi - 0.5 * lo);
+    pair.regions.back().half_diagonal = length(0.5 * hi - 0.5 * lo);
   }
   if (!pair.regions.empty()) pair.middle = pair.regions.front().centroid;
   return pair;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ struct Previous {
   struct OldRegion {
     std::string id;
     Point centroid{};
-    double reach = 0;  ///< half of its box's diagonal
+    double half_diagonal = 0;  ///< of its box
   };
   struct Pair {
     std::string id;
@@ -41,5 +42,18 @@ struct Previous {
 /// Errors: `bad_file`, with the line and the place.
 Result<Previous> read_previous(const std::string& name, std::uint64_t most_bytes);
 Result<Previous> parse_previous(const std::string& name, const std::string& text);
+
+/// What a review knows of its pairs, as matching needs it.
+struct Found {
+  const std::vector<Clash>& pairs;
+  const std::vector<std::string>& ids;               ///< of the pairs
+  std::function<double(const Clash&)> slack;         ///< how far a region may move beyond its own size
+  std::function<bool(const Clash&, Verdict)> names;  ///< whether this verdict on the pair would be a failure
+};
+
+/// Compares the pairs and their regions with those of the previous run, which may be null: then only the regions get
+/// their ids. A pair is known by its id. Its regions are matched by their centroids, the nearest two first. Pairs and
+/// regions that are gone are appended to `resolved`.
+std::vector<Standing> compare(const Found& found, const Previous* previous, std::vector<Resolved>& resolved);
 
 }  // namespace impinge::report

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -121,15 +122,8 @@ Result<void> read_object(const JsonNode& node, Configuration& to) {
 }  // namespace
 
 std::string_view name(Mode mode) {
-  switch (mode) {
-    case Mode::penetration:
-      return "penetration";
-    case Mode::contact:
-      return "contact";
-    case Mode::clearance:
-      return "clearance";
-  }
-  return "";
+  constexpr std::array<std::string_view, 3> kNames{"penetration", "contact", "clearance"};
+  return kNames[static_cast<std::size_t>(mode)];
 }
 
 Error Configuration::error_at(const std::string& place, std::string_view what) const {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "impinge/result.hpp"
+#include "impinge/report.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
 namespace impinge::report {
@@ -109,6 +109,16 @@ Result<void> check(const Configuration& configuration);
 struct JsonNode;
 /// The clash sets of IfcClash, a list, in place of a configuration. Errors: `bad_file`.
 Result<void> read_clash_sets(const JsonNode& sets, Configuration& to);
+
+/// Which of the files a word of the configuration names: the one that stands there, from the configuration's folder;
+/// or else those whose name, with or without its folders, the word is or describes as a pattern.
+std::vector<std::uint32_t> files_named(const Configuration& configuration, const std::string& word,
+                                       const std::vector<std::string>& files);
+
+/// Adds to the files to read those that the configuration names and that are not among them, and finds out which files
+/// the given scales are for. Errors: `bad_file` (there is no such file); `bad_option` (a scale of no file, or a
+/// second).
+Result<void> add_files(const Configuration& configuration, ReportOptions& options);
 
 std::string_view name(Mode mode);
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "report/named_tests/named_files.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "report/named_tests/configuration.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {

@@ -8,7 +8,6 @@
 #include <ranges>
 
 #include "report/named_tests/ifc_classes.hpp"
-#include "report/named_tests/named_files.hpp"
 #include "report/scene.hpp"
 #include "report/text.hpp"
 

@@ -162,7 +162,7 @@ void Plan::terms(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& to) 
   }
 }
 
-double Plan::reach() const {
+double Plan::largest_distance() const {
   double most = 0;
   for (const PlannedTest& test : tests_) most = std::max({most, test.clearance, test.tolerance.value_or(0)});
   return most;

@@ -36,8 +36,8 @@ class Plan {
 
   /// As `ClashOptions::terms`; safe from several threads.
   void terms(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& to) const;
-  /// The greatest length that any test asks about.
-  [[nodiscard]] double reach() const;
+  /// The greatest clearance or tolerance of any test.
+  [[nodiscard]] double largest_distance() const;
 
   /// Whether the mode of this test names such a verdict on objects a and b, and it is not allowed by design.
   [[nodiscard]] bool names(std::uint32_t a, std::uint32_t b, std::uint32_t test, Verdict verdict) const;

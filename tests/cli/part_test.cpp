@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "clash_table.hpp"
 #include "report/json_writer.hpp"
+#include "tables.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,7 +9,6 @@
 #include <random>
 #include <string>
 
-#include "report/comparison/matching.hpp"
 #include "report/named_tests/configuration.hpp"
 #include "report/named_tests/grouping.hpp"
 
@@ -39,7 +38,7 @@ TEST(PreviousReport, IsReadWhole) {
   EXPECT_EQ(pair.test, "t");
   EXPECT_EQ(pair.verdict, Verdict::penetrating);
   ASSERT_EQ(pair.regions.size(), 1U);
-  EXPECT_DOUBLE_EQ(pair.regions[0].reach * pair.regions[0].reach, 3);
+  EXPECT_DOUBLE_EQ(pair.regions[0].half_diagonal * pair.regions[0].half_diagonal, 3);
   EXPECT_EQ(pair.regions[0].id, "r");
 }
 
