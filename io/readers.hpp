@@ -7,7 +7,8 @@
 #include "impinge/io.hpp"
 #include "io/text.hpp"
 
-/// The readers of `impinge::io`, for files whose label in messages is not the name of their object.
+/// The readers as `read` calls them: `source` tells what messages call the file, and what an object without a name is
+/// called.
 namespace impinge::io {
 
 Result<Model> read_obj(std::string_view bytes, const Source& source);

@@ -45,7 +45,7 @@ Error file_error(const Source& source, std::string_view message);
 Error line_error(const Source& source, std::uint64_t line, std::string_view message);
 Error byte_error(const Source& source, std::uint64_t byte, std::string_view message);
 
-/// Refuses bytes that are no text: those with a NUL among the first 4096. Errors: `bad_file`.
+/// Refuses bytes that are no text: those with a NUL among the first 4096; later ones are blanks. Errors: `bad_file`.
 Result<void> check_text(std::string_view bytes, const Source& source);
 
 /// The nearest double to a decimal number, with or without a leading '+'. Anything else, NaN, infinity and numbers

@@ -149,6 +149,7 @@ std::string Shapes::placed(const io::Object& object) {
 
 std::vector<Identity> identities_of(const Assembly& assembly, const std::vector<std::string>& file_names) {
   std::vector<std::string> stems;
+  stems.reserve(file_names.size());
   for (const std::string& name : file_names) stems.push_back(std::filesystem::path(name).stem().string());
   std::map<std::string, Numbers> namesakes;
   for (std::size_t i = 0; i < assembly.objects.size(); ++i) {

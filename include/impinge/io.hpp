@@ -104,7 +104,8 @@ struct ReadOptions {
 /// line or byte, and the mend), `bad_option` (scale), `cancelled`, `out_of_memory`.
 Result<Model> read(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// The readers alone, on bytes in memory; `name` stands for the file in messages and names its only object.
+/// The readers alone, on bytes in memory; `name` stands for the file in messages, and for each object that it gives no
+/// name.
 Result<Model> read_obj(std::string_view bytes, std::string_view name);
 Result<Model> read_off(std::string_view bytes, std::string_view name);
 Result<Model> read_ply(std::string_view bytes, std::string_view name);

@@ -109,9 +109,9 @@ class Marks {
 
   void line(Projected p, Projected q) {
     if (!shorten(p, q)) return;
-    const double steps = std::ceil(std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), 1.0}));
-    for (double i = 0; i <= steps; ++i) {
-      const double t = i / steps;
+    const int steps = static_cast<int>(std::ceil(std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), 1.0})));
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
       dot({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.nearness + t * (q.nearness - p.nearness)}, half_width_);
     }
   }

@@ -62,7 +62,7 @@ Result<void> write_zip(Sink& sink, std::span<const Member> members, const std::s
     if (!add_member(archive.get(), member)) return refused(zip_get_error(archive.get()));
   if (zip_close(archive.get()) != 0)
     return stop.stop_requested() ? interrupted() : refused(zip_get_error(archive.get()));
-  archive.release();
+  static_cast<void>(archive.release());
   if (!copy_archive(bytes.get(), sink)) return refused(zip_source_error(bytes.get()));
   return {};
 }

@@ -184,7 +184,7 @@ class Renaming {
 
 /// "a.obj", "a.obj and 3 others".
 std::string in_short(const std::vector<std::string>& names) {
-  const std::string first = printable(names.front());
+  std::string first = printable(names.front());
   if (names.size() == 1) return first;
   return fmt::format("{} and {}", first, counted(names.size() - 1, "other"));
 }

@@ -60,7 +60,7 @@ class Search {
       timeline_.times.push_back(time);
       if (options_.progress != nullptr) options_.progress->done.fetch_add(1);
     }
-    for (auto& [objects, span] : open_) timeline_.spans.push_back(std::move(span));
+    for (const auto& [objects, span] : open_) timeline_.spans.push_back(span);
     std::sort(timeline_.spans.begin(), timeline_.spans.end(),
               [](const ClashSpan& a, const ClashSpan& b) { return key_of(a) < key_of(b); });
     return std::move(timeline_);
@@ -132,7 +132,7 @@ class Search {
       const auto moment = moment_between(place->first, timeline_.times.back(), time, true);
       if (!moment) return moment.error();
       place->second.to = *moment;
-      timeline_.spans.push_back(std::move(place->second));
+      timeline_.spans.push_back(place->second);
       place = open_.erase(place);
     }
     for (const auto& [objects, clash] : frame) {

@@ -139,12 +139,12 @@ HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, 
     n[axis] = hn::Sub(sum, hn::Set(d, a.corner[axis][i] + a.corner[3 + axis][i] + a.corner[6 + axis][i]));
     square = hn::MulAdd(n[axis], n[axis], square);
   }
-  const auto of_a = [&](int c) HWY_ATTR {
+  const auto of_a = [&](std::size_t c) HWY_ATTR {
     return hn::MulAdd(
         n[0], hn::Set(d, a.corner[3 * c][i]),
         hn::MulAdd(n[1], hn::Set(d, a.corner[3 * c + 1][i]), hn::Mul(n[2], hn::Set(d, a.corner[3 * c + 2][i]))));
   };
-  const auto of_b = [&](int c) HWY_ATTR {
+  const auto of_b = [&](std::size_t c) HWY_ATTR {
     return hn::MulAdd(n[0], hn::Load(d, b.corner[3 * c] + lane),
                       hn::MulAdd(n[1], hn::Load(d, b.corner[3 * c + 1] + lane),
                                  hn::Mul(n[2], hn::Load(d, b.corner[3 * c + 2] + lane))));
@@ -190,8 +190,9 @@ HWY_ATTR void bound_triangles(const WideLeaf& a, const WideLeaf& b, const TreeRe
     for (std::uint32_t lane = 0; lane < b.count; lane += static_cast<std::uint32_t>(hn::Lanes(d))) {
       auto square = hn::Zero(d);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto apart = hn::Max(hn::Sub(hn::Load(d, of_b.lo[axis] + lane), hn::Set(d, of_a.hi[axis][i])),
-                                   hn::Sub(hn::Set(d, of_a.lo[axis][i]), hn::Load(d, of_b.hi[axis] + lane)));
+        const auto apart =
+            hn::Max(hn::Sub(hn::Load(d, of_b.lo[axis] + lane), hn::Set(d, of_a.hi[axis][i])),  // NOLINT: laid out
+                    hn::Sub(hn::Set(d, of_a.lo[axis][i]), hn::Load(d, of_b.hi[axis] + lane)));
         const auto x = gap(d, apart, hn::Set(d, slack));
         square = hn::MulAdd(x, x, square);
       }

@@ -3,7 +3,10 @@
 #include "pipeline/previous_clashes.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace impinge {
@@ -11,7 +14,10 @@ namespace {
 
 /// Compares bit by bit: answers are written from the pose, where -0 differs from 0.
 bool is_same(const Pose& a, const Pose& b) {
-  return std::memcmp(a.R.data(), b.R.data(), sizeof a.R) == 0 && std::memcmp(a.t.data(), b.t.data(), sizeof a.t) == 0;
+  const auto bits = [](const auto& doubles) {
+    return std::bit_cast<std::array<std::uint64_t, std::tuple_size_v<std::decay_t<decltype(doubles)>>>>(doubles);
+  };
+  return bits(a.R) == bits(b.R) && bits(a.t) == bits(b.t);
 }
 
 }  // namespace

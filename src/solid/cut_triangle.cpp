@@ -215,6 +215,7 @@ void CutTriangle::divide(Piece piece, const std::vector<const Trace*>& traces, i
 /// A line across an axis with half of the traces' centres on either side.
 const CutTriangle::Line* CutTriangle::line_between(const std::vector<const Trace*>& traces, std::size_t axis) {
   std::vector<double> centers;
+  centers.reserve(traces.size());
   for (const Trace* const trace : traces)
     centers.push_back(0.5 * trace->bounds.lo[axis] + 0.5 * trace->bounds.hi[axis]);
   const auto middle = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);

@@ -67,7 +67,7 @@ class CutSegment {
     if (p.sign() * q.sign() < 0) shares_.emplace_back(p / (p - q));
   }
   void cut_at(const Rational& share) {
-    if (share > 0 && share < 1) shares_.push_back(share);
+    if (share.sign() > 0 && share < 1) shares_.push_back(share);
   }
 
   RationalPoint from_, to_;

@@ -4,12 +4,12 @@
 """Whether the tests see the faults of mutants.txt.
 
 All of them are built into one program, and IMPINGE_MUTANT chooses the one at work (mutant.hpp). In a copy of the tree, or one
-that git can restore:
+with nothing uncommitted, which git can restore:
 
   tests/mutants/mutants.py check           whether each expression stands in its file just once
   tests/mutants/mutants.py apply           writes the mutants into the sources
   tests/mutants/mutants.py run [ID...]     builds them (after ./dev test), and runs the tests on some of them, or on all
-  git checkout src io cli                  the sources as they were
+  git checkout src io report cli           the sources as they were
 
 The tests that are known to see a mutant run first, and if none of these fails the rest, but for those that read the
 sources or build them anew. A test that fails without a mutant too does not count.

@@ -66,9 +66,10 @@ class Last {
 /// Half of the steps from a cell to those around it up to two cells away; the other half are the reverse ones.
 std::vector<Vec3> steps_to_neighbours() {
   std::vector<Vec3> steps;
-  for (int i = 63; i < 125; ++i)
-    steps.push_back(
-        {static_cast<double>(i / 25 - 2), static_cast<double>(i / 5 % 5 - 2), static_cast<double>(i % 5 - 2)});
+  for (int i = 63; i < 125; ++i) {
+    const int x = i / 25 - 2, y = i / 5 % 5 - 2, z = i % 5 - 2;
+    steps.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+  }
   return steps;
 }
 

@@ -6,6 +6,7 @@
 
 #include "clash/regions/shared_parts.hpp"
 #include "impinge/regions.hpp"
+#include "solid/part.hpp"
 
 namespace impinge::clash {
 

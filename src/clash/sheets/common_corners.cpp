@@ -40,7 +40,9 @@ CommonCorners::CommonCorners(std::span<const Edge> edges, const CornerReach& rea
       if (const auto corner = corners.find(end); corner != corners.end())
         corner->second.shortest = std::min(corner->second.shortest, norm(edge.at[1] - edge.at[0]));
   PointGrid grid(reach.tolerance);
-  for (const auto& [position, corner] : corners) {
+  for (const auto& each : corners) {
+    const std::uint32_t position = each.first;
+    const BorderCorner& corner = each.second;
     const auto may_stand = [&](const Vec3& at, std::uint32_t other) {
       const double shortest = std::min(corner.shortest, corners[other].shortest);
       if (norm(at - corner.at) > reach.beside(shortest)) return false;

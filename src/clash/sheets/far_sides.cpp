@@ -92,7 +92,7 @@ Polygon FarSides::over(Polygon piece, const Triangle& other) const {
 
 /// What goes on over the triangle, however far.
 std::uint8_t FarSides::over(Polygon piece, const Slab& slab, const PartTriangle& other, std::uint8_t known) const {
-  piece = over(std::move(piece), other.local);
+  piece = over(piece, other.local);
   if (piece.size() == 0) return 0;
   const Cut top = cut(piece, slab.top), bottom = cut(piece, slab.bottom);
   std::uint8_t found = 0;

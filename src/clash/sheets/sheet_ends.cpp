@@ -55,7 +55,7 @@ class Borders {
 
   /// The pieces of an end along which no other triangle goes on.
   [[nodiscard]] std::vector<Segment> left_of(const Sheets::End& end) const {
-    const auto& [from, to] = end.piece;
+    const Vec3 &from = end.piece[0], &to = end.piece[1];
     const double length = norm(to - from), within = reach_.beside(length);
     std::vector<std::array<double, 2>> covered;
     const std::array<std::uint32_t, 1> asked{0};

@@ -90,6 +90,7 @@ class NearCrossing {
     std::vector<NearStretch> stretches = stretches_of(*line, other, !is_a);
     if (stretches.empty()) return false;
     std::vector<std::uint32_t> there;
+    there.reserve(stretches.size());
     for (const NearStretch& stretch : stretches) there.push_back(stretch.number / 2);
     const std::vector<NearStretch> of_own = stretches_of(*line, along_own.find(box, there), is_a);
     stretches.insert(stretches.end(), of_own.begin(), of_own.end());

@@ -55,6 +55,7 @@ class ExactCrossing {
     std::vector<Stretch> stretches = stretches_of(line, other, !is_a);
     if (stretches.empty()) return false;
     std::vector<std::uint32_t> there;
+    there.reserve(stretches.size());
     for (const Stretch& stretch : stretches) there.push_back(stretch.half_planes[0].triangle >> 1);
     for (Stretch& stretch : stretches_of(line, along_own.find(box, there), is_a))
       stretches.push_back(std::move(stretch));
@@ -89,6 +90,7 @@ class ExactCrossing {
     list(other, !is_a);
     const Box box{min(line.from(), line.to()), max(line.from(), line.to())};
     std::vector<std::uint32_t> there;
+    there.reserve(edges.size());
     for (const EdgeOnLine& edge : edges) there.push_back(edge.triangle);
     list((is_a ? along_a_ : along_b_).find(box, there), is_a);
     for (const std::vector<std::uint32_t>& of_a : where_all_meet(edges))
