@@ -87,7 +87,7 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
 std::string verdicts_text(const std::vector<Clash>& pairs, double clearance) {
   std::array<std::uint64_t, 6> counts{};
   for (const Clash& pair : pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
-  const std::string text = counts_text(counts, fmt::format("nearer than {}", clearance));
+  std::string text = counts_text(counts, fmt::format("nearer than {}", clearance));
   if (!text.empty()) return text;
   return clearance > 0 ? fmt::format("nothing is nearer than {}", clearance) : "nothing touches";
 }

@@ -22,7 +22,7 @@ std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64
     ++counts[static_cast<std::size_t>(pair.verdict)];
     failing += review.standings[i].fails ? 1 : 0;
   }
-  const std::string text = counts_text(counts, "nearer");
+  std::string text = counts_text(counts, "nearer");
   return text.empty() ? "nothing" : text;
 }
 

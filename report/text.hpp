@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -43,13 +44,15 @@ bool matches_pattern(std::string_view pattern, std::string_view text);
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The first of the texts that are spelled most like the word, empty where all are empty. Of many the first 100,000 are
-/// looked at: enough to find a typing error without making anybody wait.
-template <class Texts>
-std::string nearest_text(std::string_view word, const Texts& texts) {
+/// looked at: enough to find a typing error without making anybody wait. `text_of` gives an element's text, which
+/// stays.
+template <class Texts, class TextOf = std::identity>
+std::string nearest_text(std::string_view word, const Texts& texts, TextOf text_of = {}) {
   std::size_t left = 100'000, least = std::string::npos;
   std::string_view nearest;
-  for (const std::string_view text : texts) {
+  for (const auto& each : texts) {
     if (left-- == 0) break;
+    const std::string_view text = std::invoke(text_of, each);
     const std::size_t distance = text.empty() ? least : edit_distance(word, text);
     if (distance < least) least = distance, nearest = text;
   }

@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <map>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -128,6 +127,8 @@ bool is_of_ifc_class(std::string_view name, std::string_view wanted) {
   return true;
 }
 
-std::string nearest_ifc_class(std::string_view word) { return nearest_text(word, parents() | std::views::keys); }
+std::string nearest_ifc_class(std::string_view word) {
+  return nearest_text(word, parents(), [](const auto& known) { return known.first; });
+}
 
 }  // namespace impinge::report

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/scene.hpp"
@@ -81,7 +80,7 @@ Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Grou
   set = where(assembly_.objects, text, word.text);
   if (is_empty(set))
     return nothing_named(word, list == &Group::paths ? "part's path" : "part's IFC product",
-                         nearest_text(word.text, assembly_.objects | std::views::transform(text)));
+                         nearest_text(word.text, assembly_.objects, text));
   return set;
 }
 
@@ -89,7 +88,8 @@ Result<PartSet> PartSets::of_named(const Word& word) {
   const auto group = configuration_.groups.find(word.text);
   if (group == configuration_.groups.end())
     return nothing_named(word, "group of this configuration",
-                         nearest_text(word.text, configuration_.groups | std::views::keys));
+                         nearest_text(word.text, configuration_.groups,
+                                      [](const auto& known) -> std::string_view { return known.first; }));
   if (const auto known = known_.find(word.text); known != known_.end()) return known->second;
   if (std::find(open_.begin(), open_.end(), word.text) != open_.end())
     return configuration_.error_at(word.place, fmt::format("the group '{}' is made of itself", printable(word.text)));
