@@ -48,7 +48,7 @@ class OneSide {
     for (const std::uint32_t t : near_.triangles) meet(t);
     std::uint8_t bits = 0;
     const auto& triangles = own_.body.placed.mesh->triangles;
-    for (std::uint32_t t = 0; unmet > 0; ++t)
+    for (std::uint32_t t = 0; unmet > 0 && t < triangles.size(); ++t)
       if (meet(t)) bits |= locate(other_, own_.body.world[triangles[t][0]]);
     for (std::uint32_t t = 0; has_degenerate_cells() && t < triangles.size(); ++t)
       if (shell_of(t) == solid::Topology::kNoShell && !is_near(t))
