@@ -7,9 +7,9 @@
 #include "documents.hpp"
 #include "progress.hpp"
 #include "report/assembly.hpp"
-#include "report/writers.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
+#include "report/writers.hpp"
 #include "scene_command.hpp"
 #include "terminal.hpp"
 

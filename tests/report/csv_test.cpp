@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // `impinge clash --csv`, read back by a reader of RFC 4180.
-#include "report/writers.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "read_back.hpp"
+#include "report/writers.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
 
