@@ -3,10 +3,8 @@
 #include "pipeline/previous_clashes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 namespace impinge {
@@ -14,10 +12,8 @@ namespace {
 
 /// Compares bit by bit: answers are written from the pose, where -0 differs from 0.
 bool is_same(const Pose& a, const Pose& b) {
-  const auto bits = [](const auto& doubles) {
-    return std::bit_cast<std::array<std::uint64_t, std::tuple_size_v<std::decay_t<decltype(doubles)>>>>(doubles);
-  };
-  return bits(a.R) == bits(b.R) && bits(a.t) == bits(b.t);
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return std::ranges::equal(a.R, b.R, {}, bits, bits) && std::ranges::equal(a.t, b.t, {}, bits, bits);
 }
 
 }  // namespace

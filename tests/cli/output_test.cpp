@@ -118,7 +118,7 @@ TEST_F(Output, NamesCannotSteerTheTerminal) {
 
 TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
   const std::string part = "\xe9\x83\xa8\xe5\x93\x81_\xc3\xa4\xcc\x88_";  // wide, plain and combining characters
-  std::string name = "1.off";
+  std::string name = "\x1b[2J1.off";
   for (int i = 0; i < 12; ++i) name = part + name;
   folder.write(name, off(cube(0, 2, 0)));
   for (const std::size_t width : {60U, 61U, 62U, 63U, 80U}) {
@@ -128,6 +128,7 @@ TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
          {std::vector<std::string>{"check"}, {"clash", "--depth", "--clearance", "1", "--fail-on", "contact"}}) {
       const Ended run = impinge(folder, joined(asked, {"a.off", "b.off", name}), launch);
       EXPECT_EQ(run.code, 1) << run.err;
+      EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
       EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
       std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
       for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
