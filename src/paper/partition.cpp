@@ -3,115 +3,140 @@
 #include "paper/partition.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace impinge::paper {
 namespace {
 
-/// Adds up the sizes of the boxes that meet the region and lists them.
-template <class Elements>
-void select(const std::vector<Box>& boxes, const Box& region, Elements& elements, Vec3& total_size) {
-  elements.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    if (!overlap(boxes[i], region)) continue;
-    elements.push_back({i, 0});
-    total_size = total_size + (boxes[i].hi - boxes[i].lo);
-  }
-}
-
-template <class Elements>
-void select_all(const std::vector<Box>& boxes, Elements& elements) {
-  elements.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) elements.push_back({i, ~partition::Cells{0}});
+/// Visits the numbers of the bits that are set.
+template <class Visit>
+void for_each_bit(std::uint64_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
 }  // namespace
 
-void Partitioner::pose(const LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed, Batch& batch) {
-  if (posed.leaf == &leaf) return;
-  posed.leaf = &leaf;
+void Partitioner::restart() {
+  posed_a_ = {}, posed_b_ = {};
+  edge_boxes_.clear(), triangle_boxes_.clear();
+}
+
+const Partitioner::PosedLeaf& Partitioner::posed(PosedLeaves& leaves, const LeafBlock& leaf, const MeshData& mesh,
+                                                 const Pose& pose, Batch& batch) {
+  PosedLeaf& posed = leaves[reinterpret_cast<std::uintptr_t>(&leaf) / sizeof(LeafBlock) % leaves.size()];
+  if (posed.leaf == &leaf) return posed;
+  posed = {&leaf, static_cast<std::uint32_t>(batch.edges.size()), static_cast<std::uint32_t>(batch.triangles.size())};
   const auto first_vertex = static_cast<std::uint32_t>(batch.vertices.size());
-  posed.first_edge = static_cast<std::uint32_t>(batch.edges.size());
-  posed.first_triangle = static_cast<std::uint32_t>(batch.triangles.size());
   batch.vertices.resize(batch.vertices.size() + leaf.vertices.size());
   Vec3* const vertices = batch.vertices.data() + first_vertex;
   pose_vertices(pose, mesh.vertices, leaf.vertices, vertices);
 
-  posed.edge_boxes.clear();
   for (const LeafEdge& edge : leaf.edges) {
     batch.edges.push_back({first_vertex + edge.from, first_vertex + edge.to});
-    posed.edge_boxes.push_back(box_of(Segment{vertices[edge.from], vertices[edge.to]}));
+    edge_boxes_.push_back(box_of(Segment{vertices[edge.from], vertices[edge.to]}));
   }
-  posed.triangle_boxes.clear();
   posed.box = {vertices[0], vertices[0]};
   for (const auto& c : leaf.corners) {
     batch.triangles.push_back({first_vertex + c[0], first_vertex + c[1], first_vertex + c[2]});
     const Box box = box_of(Triangle{vertices[c[0]], vertices[c[1]], vertices[c[2]]});
-    posed.triangle_boxes.push_back(box);
+    triangle_boxes_.push_back(box);
     posed.box = {min(posed.box.lo, box.lo), max(posed.box.hi, box.hi)};
   }
+  return posed;
 }
 
 /// Lays the grid over the overlap of the leaves, a cell as large as the mean box of the elements there (the paper's
-/// best), and maps those elements to it.
-void Partitioner::map_to_cells(const Box& region) {
+/// best), and lists in which cells each of those elements is.
+void Partitioner::sort_into_cells(const PosedLeaf& a, const PosedLeaf& b) {
+  const Box region = intersection(a.box, b.box);
   Vec3 total_size{0, 0, 0};
-  for (PosedLeaf* leaf : {&a_, &b_}) {
-    select(leaf->edge_boxes, region, leaf->edges, total_size);
-    select(leaf->triangle_boxes, region, leaf->triangles, total_size);
-  }
-  const std::size_t count = a_.edges.size() + a_.triangles.size() + b_.edges.size() + b_.triangles.size();
+  std::size_t count = 0;
+  const auto select = [&](const Box* boxes, std::size_t size, std::vector<Element>& elements) {
+    elements.clear();
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (!overlap(boxes[i], region)) continue;
+      elements.push_back({i, 0});
+      total_size = total_size + (boxes[i].hi - boxes[i].lo);
+      ++count;
+    }
+  };
+  const auto select_of = [&](const PosedLeaf& leaf, Elements& elements) {
+    select(edge_boxes_.data() + leaf.first_edge, leaf.leaf->edges.size(), elements.edges);
+    select(triangle_boxes_.data() + leaf.first_triangle, leaf.leaf->triangles.size(), elements.triangles);
+  };
+  select_of(a, in_a_), select_of(b, in_b_);
   const partition::Grid grid(region, 1.0 / static_cast<double>(std::max<std::size_t>(count, 1)) * total_size);
-  for (PosedLeaf* leaf : {&a_, &b_}) {
-    for (Element& edge : leaf->edges) edge.cells = grid.cells_of(leaf->edge_boxes[edge.index]);
-    for (Element& triangle : leaf->triangles) triangle.cells = grid.cells_of(leaf->triangle_boxes[triangle.index]);
-  }
+  const auto map = [&](const PosedLeaf& leaf, Elements& elements) {
+    for (Element& edge : elements.edges) edge.cells = grid.cells_of(edge_boxes_[leaf.first_edge + edge.index]);
+    for (Element& triangle : elements.triangles)
+      triangle.cells = grid.cells_of(triangle_boxes_[leaf.first_triangle + triangle.index]);
+  };
+  map(a, in_a_), map(b, in_b_);
 }
 
-std::uint32_t Partitioner::candidate(std::uint32_t a, std::uint32_t b, Batch& batch) {
-  std::uint32_t& slot = candidates_[a * b_.leaf->triangles.size() + b];
+/// Without a grid: as if it had a single cell.
+void Partitioner::put_into_one_cell(const PosedLeaf& a, const PosedLeaf& b) {
+  const auto list = [](std::size_t size, std::vector<Element>& elements) {
+    elements.clear();
+    for (std::uint32_t i = 0; i < size; ++i) elements.push_back({i, 1});
+  };
+  list(a.leaf->edges.size(), in_a_.edges), list(a.leaf->triangles.size(), in_a_.triangles);
+  list(b.leaf->edges.size(), in_b_.edges), list(b.leaf->triangles.size(), in_b_.triangles);
+}
+
+std::uint32_t Partitioner::candidate(const PosedLeaf& a, std::uint32_t ta, const PosedLeaf& b, std::uint32_t tb,
+                                     Batch& batch) {
+  std::uint32_t& slot = candidates_[ta * b.leaf->triangles.size() + tb];
   if (slot == ElementTest::kNone) {
     slot = static_cast<std::uint32_t>(batch.pairs.size());
-    batch.pairs.push_back({a_.leaf->triangles[a], b_.leaf->triangles[b], a_.first_triangle + a, b_.first_triangle + b});
+    batch.pairs.push_back({a.leaf->triangles[ta], b.leaf->triangles[tb], a.first_triangle + ta, b.first_triangle + tb});
   }
   return slot;
 }
 
-/// The edges of one leaf against the triangles of the other. Elements that share a cell still go on only if their boxes
-/// meet.
-void Partitioner::stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch) {
+/// The edges of one leaf against the triangles of the other: those that share a cell, if their boxes meet.
+void Partitioner::stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& b, Batch& batch) {
+  const std::vector<Element>& edges = (edges_are_a ? in_a_ : in_b_).edges;
+  const std::vector<Element>& triangles = (edges_are_a ? in_b_ : in_a_).triangles;
+  if (edges.empty() || triangles.empty()) return;
+  const PosedLeaf &of_edges = edges_are_a ? a : b, &of_triangles = edges_are_a ? b : a;
   const auto pair_of = [&](std::uint16_t owner, std::uint32_t triangle) {
     if (owner == LeafEdge::kNone) return ElementTest::kNone;
-    return edges_are_a ? candidate(owner, triangle, batch) : candidate(triangle, owner, batch);
+    return edges_are_a ? candidate(a, owner, b, triangle, batch) : candidate(a, triangle, b, owner, batch);
   };
-  for (const Element& triangle : triangles.triangles) {
-    const std::uint32_t t = triangle.index;
-    for (const Element& element : edges.edges) {
-      if ((element.cells & triangle.cells) == 0) continue;
-      const std::uint32_t e = element.index;
-      if (partition_ != Partition::all && !overlap(edges.edge_boxes[e], triangles.triangle_boxes[t])) continue;
-      const LeafEdge& edge = edges.leaf->edges[e];
-      batch.tests.push_back(
-          {edges.first_edge + e, triangles.first_triangle + t, pair_of(edge.left, t), pair_of(edge.right, t)});
+  // Of 64 edges at a time, since their set is one number then.
+  for (std::size_t first = 0; first < edges.size(); first += 64) {
+    const std::size_t count = std::min<std::size_t>(edges.size() - first, 64);
+    edges_of_cells_.fill(0);
+    for (std::size_t i = 0; i < count; ++i)
+      for_each_bit(edges[first + i].cells, [&](std::uint32_t cell) { edges_of_cells_[cell] |= std::uint64_t{1} << i; });
+    for (const Element& triangle : triangles) {
+      const std::uint32_t t = of_triangles.first_triangle + triangle.index;
+      std::uint64_t near = 0;
+      for_each_bit(triangle.cells, [&](std::uint32_t cell) { near |= edges_of_cells_[cell]; });
+      for_each_bit(near, [&](std::uint32_t i) {
+        const std::uint32_t e = edges[first + i].index;
+        if (partition_ != Partition::all && !overlap(edge_boxes_[of_edges.first_edge + e], triangle_boxes_[t])) return;
+        const LeafEdge& edge = of_edges.leaf->edges[e];
+        batch.tests.push_back(
+            {of_edges.first_edge + e, t, pair_of(edge.left, triangle.index), pair_of(edge.right, triangle.index)});
+      });
     }
   }
 }
 
 void Partitioner::append(const LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
-  pose(*pair.a, placed.mesh_a, placed.pose_a, a_, batch);
-  pose(*pair.b, placed.mesh_b, placed.pose_b, b_, batch);
-  const Box region = intersection(a_.box, b_.box);
-  if (partition_ != Partition::all && is_empty(region)) return;
+  const PosedLeaf& a = posed(posed_a_, *pair.a, placed.mesh_a, placed.pose_a, batch);
+  const PosedLeaf& b = posed(posed_b_, *pair.b, placed.mesh_b, placed.pose_b, batch);
+  if (partition_ != Partition::all && !overlap(a.box, b.box)) return;
   if (partition_ == Partition::grid || partition_ == Partition::automatic) {
-    map_to_cells(region);
+    sort_into_cells(a, b);
   } else {
-    for (PosedLeaf* leaf : {&a_, &b_}) {
-      select_all(leaf->edge_boxes, leaf->edges);
-      select_all(leaf->triangle_boxes, leaf->triangles);
-    }
+    put_into_one_cell(a, b);
   }
   candidates_.assign(pair.a->triangles.size() * pair.b->triangles.size(), ElementTest::kNone);
-  stream(a_, b_, true, batch);
-  stream(b_, a_, false, batch);
+  stream(true, a, b, batch);
+  stream(false, a, b, batch);
 }
 
 }  // namespace impinge::paper

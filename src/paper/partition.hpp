@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "core/pose.hpp"
 #include "impinge/options.hpp"
 #include "paper/batch.hpp"
@@ -18,9 +22,9 @@ struct PlacedMeshes {
   const Pose& pose_b;
 };
 
-/// Turns leaf pairs into streams: poses the leaves, lays the grid over their overlap, and lets those edges and
-/// triangles go on that share a cell, each pair of them once. Keeps its scratch memory, and a leaf's posed elements as
-/// long as the same leaf comes again.
+/// Turns leaf pairs into streams: poses the leaves, lays the grid over their overlap, sorts edges and triangles into
+/// its cells, and makes tests of those that share one, each once. Keeps its scratch memory, and leaves that were posed
+/// as long as the batch is not cleared.
 class Partitioner {
  public:
   explicit Partitioner(Partition partition) : partition_(partition) {}
@@ -29,32 +33,41 @@ class Partitioner {
   void append(const LeafPair& pair, const PlacedMeshes& placed, Batch& batch);
 
   /// To be called when the batch has been cleared, or the objects change.
-  void restart() { a_.leaf = b_.leaf = nullptr; }
+  void restart();
 
  private:
-  /// An edge or a triangle of a leaf that goes on, and the cells it was mapped to.
+  /// A leaf whose elements are in the batch.
+  struct PosedLeaf {
+    const LeafBlock* leaf = nullptr;
+    std::uint32_t first_edge = 0, first_triangle = 0;
+    Box box{};  ///< in the world
+  };
+  /// Posed leaves of one object, each in the place that its address gives it until another one takes it.
+  using PosedLeaves = std::array<PosedLeaf, 64>;
+
+  /// An edge or a triangle of a leaf, and the cells that it is in.
   struct Element {
     std::uint32_t index;
     partition::Cells cells;
   };
-
-  /// A leaf's elements in the batch, with their world boxes.
-  struct PosedLeaf {
-    const LeafBlock* leaf = nullptr;
-    std::uint32_t first_edge = 0, first_triangle = 0;
-    std::vector<Box> edge_boxes, triangle_boxes;
-    Box box{};
-    std::vector<Element> edges, triangles;  ///< of the leaf pair at hand
+  struct Elements {
+    std::vector<Element> edges, triangles;
   };
 
-  static void pose(const LeafBlock& leaf, const MeshData& mesh, const Pose& pose, PosedLeaf& posed, Batch& batch);
-  void map_to_cells(const Box& region);
-  void stream(const PosedLeaf& edges, const PosedLeaf& triangles, bool edges_are_a, Batch& batch);
-  std::uint32_t candidate(std::uint32_t a, std::uint32_t b, Batch& batch);
+  const PosedLeaf& posed(PosedLeaves& leaves, const LeafBlock& leaf, const MeshData& mesh, const Pose& pose,
+                         Batch& batch);
+  void sort_into_cells(const PosedLeaf& a, const PosedLeaf& b);
+  void put_into_one_cell(const PosedLeaf& a, const PosedLeaf& b);
+  void stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& b, Batch& batch);
+  std::uint32_t candidate(const PosedLeaf& a, std::uint32_t ta, const PosedLeaf& b, std::uint32_t tb, Batch& batch);
 
   Partition partition_;
-  PosedLeaf a_, b_;
-  std::vector<std::uint32_t> candidates_;  ///< of the leaf pair at hand, by (triangle of a, triangle of b)
+  PosedLeaves posed_a_, posed_b_;
+  std::vector<Box> edge_boxes_, triangle_boxes_;  ///< of the batch's
+  // Of the leaf pair at hand:
+  Elements in_a_, in_b_;
+  std::array<std::uint64_t, 64> edges_of_cells_;  ///< a set of edges each, a bit for an edge
+  std::vector<std::uint32_t> candidates_;         ///< by (triangle of a, triangle of b)
 };
 
 }  // namespace impinge::paper
