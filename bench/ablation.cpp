@@ -83,7 +83,7 @@ void bench_main(const Arguments& arguments) {
   // Without any partition large leaves take minutes, and show nothing that small ones do not.
   constexpr std::uint32_t kLargestUnparted = 8;
   std::vector<Setting> settings;
-  for (Options options : {fast(), scalar()})
+  for (Options options : {fast(), paper_way()})
     for (const Partition partition : {Partition::grid, Partition::sweep, Partition::all})
       for (const std::uint32_t leaf_size : leaf_sizes) {
         if (partition == Partition::all && leaf_size > kLargestUnparted) continue;

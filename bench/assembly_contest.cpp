@@ -114,7 +114,7 @@ void AssemblyContest::add(const std::string& name, const io::Model& model, const
       answer = must(scene.collide(options, &workspace));
     };
   };
-  std::vector<Contestant> whole{{"impinge", impinge_with(fast())}, {"impinge scalar", impinge_with(scalar())}};
+  std::vector<Contestant> whole{{"impinge", impinge_with(fast())}, {"impinge paper", impinge_with(paper_way())}};
   std::vector<Disagreement> wrong(whole.size());
   for (const Contestant& peer : parts.contestants()) {
     wrong.push_back(compare(peer, rows));

@@ -66,7 +66,7 @@ Spread ratio(const std::vector<double>& theirs, const std::vector<double>& ours)
 
 void measure(int bodies, std::size_t frames, Table& table) {
   const Crowd crowd(bodies);
-  OurCrowd quick(crowd.scene(), fast()), plain(crowd.scene(), scalar());
+  OurCrowd quick(crowd.scene(), fast()), plain(crowd.scene(), paper_way());
   FclCrowd fcl(crowd.scene());
   Frames of_quick, of_plain, of_fcl, not_counted;
   std::uint64_t contacts = 0, candidates = 0;
@@ -76,7 +76,7 @@ void measure(int bodies, std::size_t frames, Table& table) {
     quick.step(crowd.frame(f), counts ? of_quick : not_counted);
     step(fcl, crowd.frame(f + Crowd::kFrames - 1), crowd.frame(f), counts ? of_fcl : not_counted);
     plain.step(crowd.frame(f), counts ? of_plain : not_counted);
-    if (quick.contacts.hash != plain.contacts.hash) fail("the scalar and the fast backend do not agree");
+    if (quick.contacts.hash != plain.contacts.hash) fail("the paper's way and the fast one do not agree");
     if (!counts) continue;
     wrong += compare(flat(quick.contacts), fcl.contacts());
     contacts += quick.contacts.triangles.size();
@@ -91,7 +91,7 @@ void measure(int bodies, std::size_t frames, Table& table) {
                count(errors.added)});
   };
   add("impinge", of_quick, {});
-  add("impinge scalar", of_plain, {});
+  add("impinge paper", of_plain, {});
   add("FCL", of_fcl, wrong);
 }
 

@@ -114,14 +114,16 @@ void add_frames(int n) {
   add_part("candidates updated", &FrameSeconds::update);
   add_part("pairs found", &FrameSeconds::find);
   const auto crowd = std::make_shared<DriftingCrowd>(n);
-  add(name + "the paper's sweep", [crowd, borders = std::make_shared<paper::SweepAndPrune>()] {
-    crowd->move();
-    crowd->place([](std::uint32_t, const scene::PlacedObject&) {});
-    return seconds_of([&] {
-      borders->update({crowd->objects()});
-      benchmark::DoNotOptimize(borders->find({crowd->objects()}));
-    });
-  });
+  add(name + "the paper's sweep",
+      [crowd, borders = std::make_shared<paper::SweepAndPrune>(), pairs = std::make_shared<broad::ObjectPairs>()] {
+        crowd->move();
+        crowd->place([](std::uint32_t, const scene::PlacedObject&) {});
+        return seconds_of([&] {
+          borders->update({crowd->objects()});
+          borders->find({crowd->objects()}, *pairs);
+          benchmark::DoNotOptimize(pairs->data());
+        });
+      });
 }
 
 /// From nothing to the pairs.
@@ -142,8 +144,10 @@ void add_first(const std::string& name, const std::vector<scene::PlacedObject>& 
   add(name + " from nothing: the paper's sweep", [shared] {
     return seconds_of([&] {
       paper::SweepAndPrune borders;
+      broad::ObjectPairs pairs;
       borders.update({*shared});
-      benchmark::DoNotOptimize(borders.find({*shared}));
+      borders.find({*shared}, pairs);
+      benchmark::DoNotOptimize(pairs.data());
     });
   });
 }

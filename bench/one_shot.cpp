@@ -82,7 +82,7 @@ void bench_main(const Arguments& arguments) {
   const int largest = sizes.back(), next = sizes[sizes.size() - 2];
   const std::vector<Way> ways{{"impinge", 2, largest, impinge_with(fast(2))},
                               {"impinge", 1, largest, impinge_with(fast(1))},
-                              {"impinge scalar", 2, next, impinge_with(scalar(2))},
+                              {"impinge paper", 2, next, impinge_with(paper_way(2))},
                               {"FCL", 1, next, ask_fcl},
                               {"CGAL", 1, next, ask_cgal}};
   Table table({"triangles_each", "library", "threads", "pairs", "seconds", "peak_GB"});

@@ -10,7 +10,7 @@ namespace {
 void check_same(const Contacts& plain, const Contacts& quick) {
   if (plain.objects != quick.objects || plain.triangles != quick.triangles || plain.kinds != quick.kinds ||
       plain.hash != quick.hash)
-    fail("the scalar and the fast backend do not agree");
+    fail("the paper's way and the fast one do not agree");
 }
 
 }  // namespace
@@ -24,16 +24,16 @@ std::string_view fast_backend() {
 }
 
 Options fast(int threads) { return {.threads = threads, .backend = fast_backend()}; }
-Options scalar(int threads) { return {.threads = threads, .backend = "scalar"}; }
+Options paper_way(int threads) { return {.threads = threads, .backend = "paper"}; }
 
 std::vector<TrianglePair> exact_answer(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
-  Contacts plain = must(collide(a, pose_a, b, pose_b, scalar()));
+  Contacts plain = must(collide(a, pose_a, b, pose_b, paper_way()));
   check_same(plain, must(collide(a, pose_a, b, pose_b, fast())));
   return std::move(plain.triangles);
 }
 
 Contacts exact_answer(const Scene& scene) {
-  Contacts plain = must(scene.collide(scalar()));
+  Contacts plain = must(scene.collide(paper_way()));
   check_same(plain, must(scene.collide(fast())));
   return plain;
 }

@@ -20,9 +20,9 @@ std::string_view fast_backend();
 
 Options fast(int threads = 1);
 /// The plain twin.
-Options scalar(int threads = 1);
+Options paper_way(int threads = 1);
 
-/// Every pair of triangles, by the scalar backend. Ends the program if the fast one answers anything else.
+/// Every pair of triangles, by the backend `paper`. Ends the program if the fast one answers anything else.
 std::vector<TrianglePair> exact_answer(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 Contacts exact_answer(const Scene& scene);
 /// Two copies of a mesh, pose by pose; question i of a contest.

@@ -94,10 +94,10 @@ Copies::Copies(const scenes::MeshData& numbers)
 
 std::vector<Contestant> pair_contestants(Copies& copies, const Poses& poses, const PairQuestion& question) {
   const auto find = question.first ? Options::Find::first : Options::Find::all;
-  Options quick = fast(), plain = scalar();
+  Options quick = fast(), plain = paper_way();
   quick.find = plain.find = find;
   std::vector<Contestant> contestants{impinge_contestant("impinge", copies, poses, quick),
-                                      impinge_contestant("impinge scalar", copies, poses, plain),
+                                      impinge_contestant("impinge paper", copies, poses, plain),
                                       fcl_contestant("FCL", copies.fcl, poses, question.first),
                                       fcl_contestant("FCL native", copies.fcl_native, poses, question.first)};
   if (!question.first) contestants.push_back(embree_with_refit(copies, poses));

@@ -74,7 +74,7 @@ std::vector<Contestant> contestants_of(Players& p) {
   };
   const auto our_pairs = [&p] { return p.answer.triangles; };
   return {{"impinge", impinge_with(fast()), our_pairs},
-          {"impinge scalar", impinge_with(scalar()), our_pairs},
+          {"impinge paper", impinge_with(paper_way()), our_pairs},
           {"FCL", [&p](std::size_t i) { p.fcl_a.collide(p.motions[i], p.fcl_b, p.motions[i]); },
            [&p] { return p.fcl_a.pairs(); }},
           {"Embree query alone", [&p](std::size_t i) { p.embree_a[p.last = i].collide(p.embree_b[i]); },

@@ -188,12 +188,14 @@ void add_check(CLI::App& command, CheckArguments& to) {
   begin_group(command, "Work");
   add_threads(command, to.threads);
   command
-      .add_option("--backend", to.backend,
-                  "what does the work: auto (simd), simd, scalar (the plain reference), gpu (a device), raster (the "
-                  "paper's way: a device draws the tests), or hybrid (a device and the CPU together); the answer is "
-                  "the same")
+      .add_option(
+          "--backend", to.backend,
+          "what does the work: auto (simd), simd, paper (the paper's method, plainly), gpu (a device), raster (the "
+          "paper's way in image space: a device draws the tests), or hybrid (a device and the CPU together); the "
+          "answer is "
+          "the same")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "simd", "scalar", "gpu", "raster", "hybrid"}).description(""));
+      ->check(CLI::IsMember({"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"}).description(""));
   command
       .add_option("--device", to.device,
                   "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices "

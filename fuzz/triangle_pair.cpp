@@ -139,7 +139,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demand(impinge::intersects(b, a) == expected, "intersects(b, a)", a, b);
   demand(impinge::share_area(a, b) == oracle::common_area(exact_a, exact_b), "share_area(a, b)", a, b);
   const impinge::Mesh mesh_a = mesh_of(a), mesh_b = mesh_of(b);
-  for (const char* backend : {"simd", "scalar"}) {
+  for (const char* backend : {"simd", "paper"}) {
     demand(found(mesh_a, mesh_b, backend) == expected, backend, a, b);
     demand(found(mesh_b, mesh_a, backend) == expected, backend, b, a);
   }

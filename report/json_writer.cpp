@@ -27,12 +27,18 @@ void write_triangles(Sink& sink, const Contacts& contacts, std::size_t row, cons
 
 Json json_statistics(const Statistics& s) {
   return {{"object_pairs", s.object_pairs},
+          {"bounds_updated", s.bounds_updated},
+          {"border_moves", s.border_moves},
+          {"sphere_tests", s.sphere_tests},
           {"box_tests", s.box_tests},
           {"element_tests", s.element_tests},
           {"nodes_built", s.nodes_built},
           {"leaf_pairs", s.leaf_pairs},
           {"triangle_pairs", s.triangle_pairs},
           {"exact_calls", s.exact_calls},
+          {"bounds_update_seconds", s.bounds_update_seconds},
+          {"border_move_seconds", s.border_move_seconds},
+          {"sphere_test_seconds", s.sphere_test_seconds},
           {"box_test_seconds", s.box_test_seconds},
           {"element_test_seconds", s.element_test_seconds},
           {"node_seconds", s.node_seconds},

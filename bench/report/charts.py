@@ -15,7 +15,7 @@ from targets import TARGETS
 # library: colour, marker, line
 STYLES = {
     "impinge": ("#0072B2", "o", "-"),
-    "impinge scalar": ("#56B4E9", "o", "--"),
+    "impinge paper": ("#56B4E9", "o", "--"),
     "FCL": ("#D55E00", "s", "-"),
     "FCL native": ("#E69F00", "s", "--"),
     "Embree query alone": ("#009E73", "^", "-"),
@@ -23,7 +23,7 @@ STYLES = {
     "CGAL query alone": ("#CC79A7", "D", "-"),
     "CGAL": ("#CC79A7", "D", "-"),
 }
-LABELS = {"impinge scalar": "impinge, plain scalar form", "FCL": "FCL, OBB tree",
+LABELS = {"impinge paper": "impinge, the paper's way", "FCL": "FCL, OBB tree",
           "FCL native": "FCL, compiled for this machine",
           "Embree query alone": "Embree, query alone", "Embree with refit": "Embree, with refit",
           "CGAL query alone": "CGAL, exact kernel, query alone"}
@@ -276,7 +276,7 @@ def ablation(tables, folder):
         color, marker = styles[partition]
         for column, axes in zip(queries, panels):
             axes.plot([number(row["leaf_size"]) for row in rows], [number(row[column]) for row in rows], color=color,
-                      marker=marker, linestyle="--" if backend == "scalar" else "-", label=f"{backend}, {partition}")
+                      marker=marker, linestyle="--" if backend == "paper" else "-", label=f"{backend}, {partition}")
     for (column, title), axes in zip(queries.items(), panels):
         logarithmic(axes)
         axes.set_xscale("log", base=2)

@@ -4,7 +4,7 @@
 from data import by_library, digits, grouped, markdown, number, slope
 from targets import target_table
 
-LIBRARIES = ["impinge", "impinge scalar", "FCL", "FCL native", "Embree query alone", "Embree with refit",
+LIBRARIES = ["impinge", "impinge paper", "FCL", "FCL native", "Embree query alone", "Embree with refit",
              "CGAL query alone"]
 PEERS = LIBRARIES[1:]
 
@@ -66,7 +66,7 @@ def truth(tables):
     groups.append(("the paper's motion", tables.rows("paper")))
     groups += [(family, rows) for (family,), rows in grouped(tables.rows("touching"), "family")]
     groups += [(assembly, rows) for (assembly,), rows in grouped(tables.rows("assemblies"), "assembly")]
-    libraries = ["impinge", "impinge scalar", "FCL", "Embree query alone", "CGAL query alone"]
+    libraries = ["impinge", "impinge paper", "FCL", "Embree query alone", "CGAL query alone"]
     lines = []
     for name, rows in groups:
         exact = sum(int(row["exact_pairs"]) for row in rows if row["library"] == "impinge")

@@ -25,7 +25,8 @@ inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
 /// How the triangles of two leaves are parted before they are tested against each other.
 enum class Partition : std::uint8_t {
-  automatic,  ///< `grid` with the backends "scalar" and "raster", else `sweep`: what is fastest there
+  automatic,  ///< `grid` with the backends "paper" and "raster", which are the paper's way; else `sweep`, which is
+              ///< faster
   grid,       ///< the paper's uniform grid over the overlap: those that share a cell, and whose boxes meet
   sweep,      ///< those whose boxes meet
   all,        ///< not at all
@@ -51,9 +52,11 @@ struct Options {
   /// What does the work; the answer is the same.
   ///   "auto"    what is fastest without a device: "simd"
   ///   "simd"    the CPU, many at a time
-  ///   "scalar"  the CPU, plainly: the paper's method as it stands, and the reference
+  ///   "paper"   the CPU, one thing at a time: the paper's method from its sorted borders to its grid, and the
+  ///   reference
+  ///             that the others are held against; "scalar" is another name of it
   ///   "gpu"     a device that Vulkan knows of (devices.hpp); what it cannot do is left to the CPU, with a warning
-  ///   "raster"  the paper's image space: as "scalar", with the tests of edges and triangles drawn by a device's
+  ///   "raster"  the paper's image space: as "paper", with the tests of edges and triangles drawn by a device's
   ///             rasterizer
   ///   "hybrid"  a device and the CPU together, so that both end at once
   std::string_view backend = "auto";

@@ -107,7 +107,8 @@ Result<Contacts> Scene::collide(const Options& options, Workspace* workspace) co
     if (auto valid = validate(options); !valid) return valid.error();
     const State& s = *state_;
     std::optional<broad::NearPairs> updated;
-    if (!s.near_pairs.is_current()) updated.emplace(s.near_pairs).update(on_threads(options.threads));
+    if (!s.near_pairs.is_current() && !is_papers_way(options))
+      updated.emplace(s.near_pairs).update(on_threads(options.threads));
     const broad::NearPairs& near_pairs = updated ? *updated : s.near_pairs;
     return run_pipeline({s.view(), s.meshes, &near_pairs, nullptr, false, options}, *QueryMemory(workspace));
   });

@@ -221,9 +221,9 @@ void set_calibration(std::string_view text) {
 }
 
 const schedule::CostConstants& calibrated_constants(std::string_view backend) {
-  if (backend == "scalar") {
-    static const schedule::CostConstants scalar = calibrate("scalar");
-    return scalar;
+  if (backend == "paper" || backend == "scalar") {
+    static const schedule::CostConstants paper = calibrate("paper");
+    return paper;
   }
   if (backend == "raster") {  // on the device that is taken where none is named
     static const schedule::CostConstants raster = calibrate("raster");

@@ -22,7 +22,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
         wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize) {}
 
   // What is fastest (docs/performance.md).
-  static constexpr std::uint32_t kPlainLeafSize = 8, kWideLeafSize = 16;
+  static constexpr std::uint32_t kPlainLeafSize = 4, kWideLeafSize = 16;
 
   const MeshData data;
   const TreeConfig config;

@@ -54,14 +54,12 @@ class Pipeline {
 
   Result<Contacts> run() {
     StageClock total, stage = total;
-    if (query_.near_pairs != nullptr)
-      query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
-                              {.stop = options_.stop, .for_each = on_threads(options_.threads)});
+    Statistics statistics;
+    if (query_.pairs == nullptr) find_pairs(statistics);
     if (pairs().size() > std::numeric_limits<std::uint32_t>::max())
       return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
     prepare_states();
     report_total();
-    Statistics statistics;
     statistics.object_pairs = pairs().size();
     stage.charge(statistics.broad_seconds);
 
@@ -92,7 +90,23 @@ class Pipeline {
   };
 
   [[nodiscard]] const broad::ObjectPairs& pairs() const {
-    return query_.near_pairs != nullptr ? memory_.pairs : *query_.pairs;
+    return query_.pairs == nullptr ? memory_.pairs : *query_.pairs;
+  }
+
+  /// The broad phase.
+  void find_pairs(Statistics& statistics) {
+    if constexpr (std::is_same_v<Stages, PlainStages>) {
+      memory_.borders.update(query_.view);
+      memory_.borders.find(query_.view, memory_.pairs, options_.stop);
+      const paper::SweepAndPrune::Counts& counts = memory_.borders.counts();
+      statistics.bounds_updated = counts.updated;
+      statistics.border_moves = counts.moves;
+      statistics.sphere_tests = counts.sphere_tests;
+    } else {
+      query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
+                              {.stop = options_.stop, .for_each = on_threads(options_.threads)});
+      statistics.sphere_tests = query_.near_pairs->candidates();
+    }
   }
 
   /// Where each pair has a row (`all_rows`), pairs whose bounds do not meet are not tested: their rows stay empty.
@@ -408,6 +422,10 @@ class Pipeline {
 
 }  // namespace
 
+bool is_papers_way(const Options& options) {
+  return options.backend == "paper" || options.backend == "scalar" || options.backend == "raster";
+}
+
 Result<void> validate(const Options& options) {
   const auto bad = [](std::string message) { return Error{Code::bad_option, std::move(message)}; };
   if (options.threads < 0)
@@ -416,10 +434,10 @@ Result<void> validate(const Options& options) {
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
-  constexpr std::string_view kBackends[] = {"auto", "simd", "scalar", "gpu", "raster", "hybrid"};
+  constexpr std::string_view kBackends[] = {"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
     return bad("there is no backend '" + std::string(options.backend) +
-               "'; choose auto, simd, scalar, gpu, raster or hybrid");
+               "'; choose auto, simd, paper, gpu, raster or hybrid");
   if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
   return {};
 }
@@ -431,7 +449,8 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
   }
   memory.warnings.clear(), memory.asks_device = false;
   memory.plain.device = nullptr;
-  if (query.options.backend == "scalar") return Pipeline<PlainStages>(query, memory.plain, memory).run();
+  if (query.options.backend == "paper" || query.options.backend == "scalar")
+    return Pipeline<PlainStages>(query, memory.plain, memory).run();
   if (query.options.backend == "gpu" || query.options.backend == "raster" || query.options.backend == "hybrid") {
     // A hybrid query opens a device only when that is worth it.
     gpu::Devices& devices = gpu::Devices::of_process();

@@ -16,8 +16,8 @@ namespace impinge {
 struct Query {
   scene::SceneView view;
   std::span<const MeshState* const> meshes;  ///< an object's, null where its mesh is
-  const broad::NearPairs* near_pairs;        ///< current; null: `pairs` are what is asked about
-  const broad::ObjectPairs* pairs;           ///< used without near_pairs
+  const broad::NearPairs* near_pairs;        ///< current, unless by the paper's way; used without `pairs`
+  const broad::ObjectPairs* pairs;           ///< what is asked about; null: the broad phase finds them
   bool all_rows;                             ///< a row for each of the pairs, touching or not
   const Options& options;
 };

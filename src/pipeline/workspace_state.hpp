@@ -11,6 +11,7 @@
 #include "broad/object_pairs.hpp"
 #include "impinge/workspace.hpp"
 #include "measure/pair_queue.hpp"
+#include "paper/sweep_and_prune.hpp"
 #include "pipeline/fast_stages.hpp"
 #include "pipeline/plain_stages.hpp"
 #include "pipeline/ready_device.hpp"
@@ -61,7 +62,8 @@ struct Workspace::State {
   std::vector<scene::PlacedObject> placed;
   std::vector<const MeshState*> meshes;
   broad::ObjectPairs pairs;
-  std::vector<std::uint64_t> candidates;  ///< the broad phase's scratch
+  paper::SweepAndPrune borders;           ///< of the last query by the paper's way
+  std::vector<std::uint64_t> candidates;  ///< the fast broad phase's scratch
   std::unique_ptr<PairState[]> pair_states;
   std::size_t pair_states_size = 0;
   std::vector<std::uint64_t> keys;

@@ -28,9 +28,9 @@ struct Found {
 Found find(const std::vector<PlacedObject>& objects) {
   paper::SweepAndPrune borders;
   borders.update({objects, nullptr});
-  std::uint64_t comparisons = 0;
-  const std::size_t pairs = borders.find({objects, nullptr}, {}, &comparisons).size();
-  return {pairs, comparisons};
+  broad::ObjectPairs pairs;
+  borders.find({objects, nullptr}, pairs);
+  return {pairs.size(), borders.counts().sphere_tests};
 }
 
 TEST(SweepAndPrune, FindsTheNeighboursOfAHundredThousandBoxes) {
@@ -42,13 +42,15 @@ TEST(SweepAndPrune, EndsEarlyWhenAskedToStop) {
   paper::SweepAndPrune borders;
   borders.update({objects, nullptr});
   std::stop_source stop;
-  std::uint64_t comparisons = 0;
-  EXPECT_FALSE(borders.find({objects, nullptr}, stop.get_token(), &comparisons).empty());
+  broad::ObjectPairs pairs;
+  borders.find({objects, nullptr}, pairs, stop.get_token());
+  EXPECT_FALSE(pairs.empty());
+  const std::uint64_t comparisons = borders.counts().sphere_tests;
   EXPECT_GT(comparisons, 0u);
   stop.request_stop();
-  comparisons = 0;
-  EXPECT_TRUE(borders.find({objects, nullptr}, stop.get_token(), &comparisons).empty());
-  EXPECT_EQ(comparisons, 0u);
+  borders.find({objects, nullptr}, pairs, stop.get_token());
+  EXPECT_TRUE(pairs.empty());
+  EXPECT_EQ(borders.counts().sphere_tests, comparisons);
 }
 
 /// If all were open at once, each would be held against fifty thousand others.

@@ -90,6 +90,13 @@ scene::IgnoredPairs ignoring(const std::vector<std::pair<std::uint8_t, std::uint
   return ignored;
 }
 
+broad::ObjectPairs pairs_of(paper::SweepAndPrune& borders, const SceneView& view) {
+  broad::ObjectPairs pairs;
+  borders.update(view);
+  borders.find(view, pairs);
+  return pairs;
+}
+
 /// Frame by frame, as is and in a copy made before, all against brute force.
 RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
               (const std::vector<std::vector<Step>>& frames,
@@ -108,8 +115,7 @@ RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
     RC_ASSERT(near_pairs.is_current());
     test::update(copy, objects);
     RC_ASSERT(test::pairs_of(copy, view) == expected);
-    borders.update(view);
-    RC_ASSERT(borders.find(view) == expected);
+    RC_ASSERT(pairs_of(borders, view) == expected);
   }
 }
 
@@ -186,22 +192,48 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
       if (frame % 20 == 19)  // everything at once
         for (PlacedObject& object : objects) put(object, anywhere());
       const SceneView view{objects, nullptr};
-      borders.update(view);
-      const broad::ObjectPairs pairs = borders.find(view);
+      const broad::ObjectPairs pairs = pairs_of(borders, view);
       ASSERT_TRUE(pairs == paper::all_pairs(view)) << "frame " << frame;
       ASSERT_GT(pairs.size(), 20u);
     }
   }
 }
 
+/// By hand: four unit boxes in a row on X, a gap of one between them, all in one place on Y and Z.
+TEST(SweepAndPrune, CountsWhatItDoes) {
+  std::vector<PlacedObject> objects;
+  for (int i = 0; i < 4; ++i) objects.push_back(placed({{4 * i, 0, 0}, {1, 1, 1}, 2, 0}));
+  paper::SweepAndPrune borders;
+  const auto counts_after = [&](int object, int x) {
+    objects[static_cast<std::size_t>(object)] = placed({{x, 0, 0}, {1, 1, 1}, 2, 0});
+    (void)pairs_of(borders, {objects, nullptr});
+    return borders.counts();
+  };
+  (void)counts_after(0, 0);
+  struct Case {
+    const char* what;
+    int object, x;
+    std::uint64_t moves, sphere_tests;
+  };
+  const Case cases[] = {{"all at rest", 0, 0, 0, 0},
+                        {"into the next one: its end passes a start", 0, 3, 1, 1},
+                        {"through its middle: a start passes a start, an end an end", 0, 5, 2, 1},
+                        {"until it touches two: its end meets a start, which comes first", 0, 6, 1, 2}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.what);
+    const paper::SweepAndPrune::Counts counts = counts_after(c.object, c.x);
+    EXPECT_EQ(counts.updated, 4u);
+    EXPECT_EQ(counts.moves, c.moves);
+    EXPECT_EQ(counts.sphere_tests, c.sphere_tests);
+  }
+}
+
 TEST(SweepAndPrune, CopesWithAllInOnePlaceAndWithNone) {
   std::vector<PlacedObject> objects(50, placed({{1, 2, 3}, {0, 0, 0}, 0, 0}));
   paper::SweepAndPrune borders;
-  borders.update({objects, nullptr});
-  EXPECT_EQ(borders.find({objects, nullptr}).size(), 50u * 49 / 2);
+  EXPECT_EQ(pairs_of(borders, {objects, nullptr}).size(), 50u * 49 / 2);
   objects.clear();
-  borders.update({objects, nullptr});
-  EXPECT_TRUE(borders.find({objects, nullptr}).empty());
+  EXPECT_TRUE(pairs_of(borders, {objects, nullptr}).empty());
 }
 
 /// Spheres that touch in one point, at radii and distances that round either way.

@@ -220,7 +220,7 @@ TEST(Check, AnswerDoesNotDependOnThreadsOrBackend) {
   const json expected = answer({"--threads", "1"});
   EXPECT_EQ(expected.at("pairs").size(), 3U);
   EXPECT_EQ(answer({"--threads", "4"}), expected);
-  for (const char* backend : {"auto", "simd", "scalar"}) EXPECT_EQ(answer({"--backend", backend}), expected);
+  for (const char* backend : {"auto", "simd", "paper"}) EXPECT_EQ(answer({"--backend", backend}), expected);
   EXPECT_EQ(answer({"--stats"}), expected);
 }
 

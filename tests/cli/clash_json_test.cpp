@@ -62,7 +62,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
               "self_crossings solid triangles type volume wall");
   // Triangles are counted as `check` counts them.
   const json checked =
-      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "scalar", "--json", "-"}).out);
+      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
   const json& count = checked.at("pairs").at(0);
   json first = answer.at("pairs").at(0);
   EXPECT_TRUE(std::regex_match(first.at("id").get<std::string>(),

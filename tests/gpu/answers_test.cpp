@@ -42,7 +42,7 @@ TEST_P(OnDevice, HardFamiliesAreAnsweredAsByTheReference) {
     test::Seeded seeded(seed);
     for (const test::NamedScene& named : test::hard_scenes(seeded.random, 40)) {
       SCOPED_TRACE(named.name);
-      const Contacts expected = test::scene_of(named.scene).collide({.backend = "scalar"}).value();
+      const Contacts expected = test::scene_of(named.scene).collide({.backend = "paper"}).value();
       for (const std::uint32_t leaf_size : {0u, 1u, 100u}) {
         const auto found = test::scene_of(named.scene, leaf_size).collide(options());
         expect_same(expected, found);
@@ -66,7 +66,7 @@ TEST_P(OnDevice, TinyHugeAndFarScenesAreAnsweredAsByTheReference) {
         for (double& x : mesh.xyz) x = scale * (std::round(x * 0x1p10) * 0x1p-10 + away);
       for (std::uint32_t i = 0; i < 2; ++i) scene.objects.push_back({.mesh = i});
       scene.objects.push_back({.mesh = 0, .pose = {.t = {0.125 * scale, -0.25 * scale, 0}}});
-      const auto expected = test::scene_of(scene).collide({.backend = "scalar"});
+      const auto expected = test::scene_of(scene).collide({.backend = "paper"});
       ASSERT_TRUE(expected) << expected.error().message;
       EXPECT_GT(expected->triangles.size(), 100u);
       expect_same(*expected, test::scene_of(scene).collide(options()));
@@ -88,7 +88,7 @@ TEST_P(OnDevice, AUnitMayBeAThousandthOfTheOthers) {
     scene.objects.push_back({.mesh = static_cast<std::uint32_t>(scene.meshes.size() - 1),
                              .pose = {.t = {grid[300], grid[301], grid[302]}}});
   }
-  const Contacts expected = test::scene_of(scene).collide({.backend = "scalar"}).value();
+  const Contacts expected = test::scene_of(scene).collide({.backend = "paper"}).value();
   EXPECT_GT(expected.triangles.size(), 100u);
   expect_same(expected, test::scene_of(scene).collide(options()));
 }
@@ -96,7 +96,7 @@ TEST_P(OnDevice, AUnitMayBeAThousandthOfTheOthers) {
 TEST_P(OnDevice, ACrowdIsAnsweredAsByTheReference) {
   const scenes::PlacedScene placed = test::crowd(2);
   const Scene scene = test::scene_of(placed);
-  const Contacts expected = scene.collide({.backend = "scalar"}).value();
+  const Contacts expected = scene.collide({.backend = "paper"}).value();
   for (const int threads : {0, 1, 2, 8}) {
     Options some = options();
     some.threads = threads;
@@ -105,12 +105,12 @@ TEST_P(OnDevice, ACrowdIsAnsweredAsByTheReference) {
   for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{7}, expected.triangles.size() - 1}) {
     Options some = options();
     some.limit = limit;
-    expect_same(scene.collide({.limit = limit, .backend = "scalar"}).value(), scene.collide(some));
+    expect_same(scene.collide({.limit = limit, .backend = "paper"}).value(), scene.collide(some));
   }
   for (const std::uint8_t kinds : {kCrossing, kTouching, kCoplanar}) {
     Options some = options();
     some.kinds = kinds;
-    expect_same(scene.collide({.kinds = kinds, .backend = "scalar"}).value(), scene.collide(some));
+    expect_same(scene.collide({.kinds = kinds, .backend = "paper"}).value(), scene.collide(some));
   }
 }
 
@@ -120,7 +120,7 @@ TEST_P(OnDevice, TheFirstContactIsATrueOne) {
   for (const std::uint8_t kinds : {kAllKinds, kCrossing, kTouching, kCoplanar}) {
     Options some = options(Options::Find::first);
     some.kinds = kinds;
-    const Contacts all = scene.collide({.kinds = kinds, .backend = "scalar"}).value();
+    const Contacts all = scene.collide({.kinds = kinds, .backend = "paper"}).value();
     const Contacts first = scene.collide(some).value();
     EXPECT_EQ(first.objects, all.objects);
     EXPECT_EQ(first.triangles.size(), all.objects.size());
@@ -141,9 +141,9 @@ TEST_P(OnDevice, ManyPosesAreAnsweredAtOnce) {
     if (i % 5 == 0) poses.back() = {};
   }
   const Pose still;
-  expect_same(collide_poses(a, poses, b, {&still, 1}, {.backend = "scalar"}).value(),
+  expect_same(collide_poses(a, poses, b, {&still, 1}, {.backend = "paper"}).value(),
               collide_poses(a, poses, b, {&still, 1}, options()));
-  expect_same(collide_poses(b, {&still, 1}, a, poses, {.backend = "scalar"}).value(),
+  expect_same(collide_poses(b, {&still, 1}, a, poses, {.backend = "paper"}).value(),
               collide_poses(b, {&still, 1}, a, poses, options()));
 }
 
@@ -167,7 +167,7 @@ TEST_P(OnDevice, RealMeshesAreAnsweredAsByTheReference) {
       SCOPED_TRACE(depth);
       const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
       ASSERT_TRUE(poses);
-      const Contacts expected = collide(mesh, poses->a, mesh, poses->b, {.backend = "scalar"}).value();
+      const Contacts expected = collide(mesh, poses->a, mesh, poses->b, {.backend = "paper"}).value();
       EXPECT_EQ(expected.triangles.empty(), depth < 0);
       expect_same(expected, collide(mesh, poses->a, mesh, poses->b, options()));
     }
@@ -182,7 +182,7 @@ TEST_P(OnDevice, AssembliesAreAnsweredAsByTheReference) {
     for (const io::Object& object : model_of(fs::path(IMPINGE_MODELS_DIR) / name).objects)
       ASSERT_TRUE(scene.add(object.mesh, object.pose));
     ASSERT_TRUE(scene.update());
-    const Contacts expected = scene.collide({.backend = "scalar"}).value();
+    const Contacts expected = scene.collide({.backend = "paper"}).value();
     EXPECT_GT(expected.objects.size(), 50u);
     expect_same(expected, scene.collide(options()));
     if (test::is_smaller_set()) break;
@@ -206,7 +206,7 @@ TEST_P(OnDevice, SmallFlushPatchesFarFromTheirTreesOriginsAreAnsweredAsByTheRefe
   };
   const Mesh a = patches(0, -0.2371, 0.1, -1), b = patches(3.137e-6, 0.1, 0.5913, 1);
   for (const Pose& pose : {Pose{}, Pose{.R = {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1}}}) {
-    const Contacts expected = collide(a, pose, b, pose, {.backend = "scalar"}).value();
+    const Contacts expected = collide(a, pose, b, pose, {.backend = "paper"}).value();
     EXPECT_GT(expected.triangles.size(), 100u);
     expect_same(expected, collide(a, pose, b, pose, options()));
   }
@@ -227,9 +227,9 @@ TEST(Hybrid, EverySplitGivesTheSameAnswer) {
   const auto crowd = [&](const Options& options) { return scene.collide(options).value(); };
   const std::vector<std::function<Contacts(const Options&)>> questions{large, many, crowd};
   for (const auto& question : questions) {
-    const Contacts expected = question({.backend = "scalar"});
+    const Contacts expected = question({.backend = "paper"});
     test::expect_same(expected, question({.backend = "hybrid"}));  // as it sees fit
-    const Contacts first = question({.find = Options::Find::first, .backend = "scalar"});
+    const Contacts first = question({.find = Options::Find::first, .backend = "paper"});
     EXPECT_GT(expected.triangles.size(), 1000u);
     for (int tenths = 0; tenths <= 10; ++tenths) {
       SCOPED_TRACE("share " + std::to_string(tenths) + "/10");

@@ -28,12 +28,12 @@ says out 'software on the CPU'
 says out 'tried out'
 status 0 env IMPINGE_DEVICE=0 "$program" devices
 
-status 1 "$program" check "$engine" --quiet --backend scalar --json "$folder/scalar.json"
+status 1 "$program" check "$engine" --quiet --backend paper --json "$folder/paper.json"
 for way in '--backend gpu' '--backend gpu --device LLVMpipe' '--backend hybrid' '--backend hybrid --device-share 0.5' \
   '--backend hybrid --device-share 1'; do
   # shellcheck disable=SC2086
   status 1 "$program" check "$engine" --quiet $way --json "$folder/other.json"
-  [ "$(hash_of "$folder/scalar.json")" = "$(hash_of "$folder/other.json")" ] || fail "$way: another hash"
+  [ "$(hash_of "$folder/paper.json")" = "$(hash_of "$folder/other.json")" ] || fail "$way: another hash"
 done
 status 1 "$program" check "$engine" --backend hybrid --device-share 0.5 --stats
 says out 'device '
@@ -56,6 +56,6 @@ status 2 "$program" devices
 says err 'no driver'
 status 1 "$program" check "$engine" --backend gpu --json "$folder/none.json"
 says err 'the CPU does all the work'
-[ "$(hash_of "$folder/scalar.json")" = "$(hash_of "$folder/none.json")" ] || fail 'another hash without a device'
+[ "$(hash_of "$folder/paper.json")" = "$(hash_of "$folder/none.json")" ] || fail 'another hash without a device'
 status 1 "$program" check "$engine" --backend gpu --quiet
 [ ! -s "$folder/err" ] || fail "--quiet is not: $(cat "$folder/err")"

@@ -30,7 +30,7 @@ class Doubles : public testing::Test {
   static Unsure compare(const std::vector<test::NamedScene>& scenes) {
     std::vector<Contacts> expected;
     for (const test::NamedScene& named : scenes)
-      expected.push_back(test::scene_of(named.scene).collide({.backend = "scalar"}).value());
+      expected.push_back(test::scene_of(named.scene).collide({.backend = "paper"}).value());
     std::vector<std::uint64_t> with;
     Unsure unsure;
     for (const bool no_doubles : {false, true}) {

@@ -27,7 +27,7 @@ const scenes::PlacedScene& placed() {
   return scene;
 }
 const Contacts& expected() {
-  static const Contacts contacts = test::scene_of(placed()).collide({.backend = "scalar"}).value();
+  static const Contacts contacts = test::scene_of(placed()).collide({.backend = "paper"}).value();
   return contacts;
 }
 

@@ -23,7 +23,7 @@ TEST(NoVulkan, TheCpuAnswersAndAWarningTellsWhy) {
 
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968));
   const Pose moved{.t = {0.3, 0.2, 0.1}};
-  const Contacts expected = collide(knot, {}, knot, moved, {.backend = "scalar"}).value();
+  const Contacts expected = collide(knot, {}, knot, moved, {.backend = "paper"}).value();
   for (const char* backend : {"gpu", "hybrid"}) {
     const auto found = collide(knot, {}, knot, moved, {.backend = backend});
     ASSERT_TRUE(found);

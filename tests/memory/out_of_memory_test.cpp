@@ -46,8 +46,8 @@ void fail_each_allocation(const char* backend, int threads) {
 
 TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnOneThread) { fail_each_allocation("simd", 1); }
 TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnTwoThreads) { fail_each_allocation("simd", 2); }
-TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnOneThreadOfThePlainBackend) { fail_each_allocation("scalar", 1); }
-TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnTwoThreadsOfThePlainBackend) { fail_each_allocation("scalar", 2); }
+TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnOneThreadOfThePlainBackend) { fail_each_allocation("paper", 1); }
+TEST(OutOfMemory, IsAnErrorThatHarmsNoMeshOnTwoThreadsOfThePlainBackend) { fail_each_allocation("paper", 2); }
 
 TEST(OutOfMemory, IsAnErrorOfBuildTreeThatMayBeAskedForAgain) {
   const scenes::MeshData ball = scenes::uv_sphere(20, 20);

@@ -159,7 +159,7 @@ TEST_P(RealAssembly, EveryTrianglePair) {
   }
   const expected::Set set = expected::of_model(file, scene);
   EXPECT_FALSE(set.empty());
-  for (const char* backend : {"simd", "scalar"}) {
+  for (const char* backend : {"simd", "paper"}) {
     SCOPED_TRACE(backend);
     const auto contacts = scene.collide({.backend = backend});
     ASSERT_TRUE(contacts) << contacts.error().message;

@@ -197,7 +197,7 @@ scenes::Judgement judgement_by(const Oracle& oracle, const scenes::SolidPair& pa
   return {static_cast<Verdict>(set[0][2]), static_cast<int>(set[0][3]) - 1};
 }
 
-const Options kPlainest{.threads = 1, .backend = "scalar"};
+const Options kPlainest{.threads = 1, .backend = "paper"};
 
 }  // namespace
 

@@ -141,7 +141,7 @@ TEST(MayOverlap, NeverPartsTrianglesThatShareAPoint) {
     const auto other = triangle_through(corner, at(-1, -random.unit(), lift),
                                         at(-random.unit(), random.uniform(-1, 1), lift), poses[1]);
     if (!flat || !other) continue;
-    for (const char* backend : {"simd", "scalar"}) {
+    for (const char* backend : {"simd", "paper"}) {
       const auto touch = collide(flat->mesh, poses[0], other->mesh, poses[1], {.backend = backend});
       ASSERT_TRUE(touch);
       EXPECT_EQ(touch->triangles.size(), 1u) << backend;
@@ -187,7 +187,7 @@ TEST(MayOverlap, NeverPartsPointsThatRoundToOneWorldVertex) {
     EXPECT_TRUE(may_overlap(box_a, poses[0], a, box_b, poses[1], b));
     EXPECT_TRUE(paper::may_reach(box_a, poses[0], rounding_radius(poses[0], a), {p, p}));
     EXPECT_TRUE(paper::may_reach(box_b, poses[1], rounding_radius(poses[1], b), {p, p}));
-    for (const char* backend : {"simd", "scalar"})
+    for (const char* backend : {"simd", "paper"})
       EXPECT_EQ(collide(mesh_a, poses[0], mesh_b, poses[1], {.backend = backend})->triangles.size(), 1u) << backend;
     ++attacks;
   }

@@ -48,7 +48,7 @@ TEST(Answer, IsTheSameForEveryThreadCount) {
   const Contacts expected = test::scene_of(placed).collide({.threads = 1}).value();
   EXPECT_GT(expected.triangles.size(), 3000u);
   for (int threads = 0; threads <= 16; ++threads) {
-    for (const char* backend : {"simd", "scalar"}) {
+    for (const char* backend : {"simd", "paper"}) {
       SCOPED_TRACE(std::string(backend) + ", " + std::to_string(threads) + " threads");
       const Scene scene = test::scene_of(placed);  // fresh trees
       test::expect_same(expected, scene.collide({.threads = threads, .backend = backend}).value());
@@ -74,7 +74,7 @@ TEST(ConcurrentQueries, OfSharedFreshMeshesAgree) {
     on_threads(8, [&](int thread) {
       for (std::size_t i = 0; i < asked.size(); ++i) {
         const std::size_t k = (i + static_cast<std::size_t>(thread)) % asked.size();
-        const Options options{.threads = thread % 2 == 0 ? 1 : 0, .backend = round % 2 == 0 ? "simd" : "scalar"};
+        const Options options{.threads = thread % 2 == 0 ? 1 : 0, .backend = round % 2 == 0 ? "simd" : "paper"};
         const auto result = collide(a, asked[k].a, b, asked[k].b, options);
         if (result) found[static_cast<std::size_t>(thread)][k] = *result;
       }

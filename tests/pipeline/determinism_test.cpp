@@ -21,7 +21,7 @@ namespace {
 TEST(Answer, IsTheSameInEveryWay) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   const scenes::PlacedScene placed = test::crowd(2);
-  const Contacts expected = test::scene_of(placed).collide({.backend = "scalar"}).value();
+  const Contacts expected = test::scene_of(placed).collide({.backend = "paper"}).value();
   EXPECT_GT(expected.triangles.size(), 3000u);
   std::map<std::uint32_t, Scene> kept;
   std::size_t number = 0;
@@ -42,7 +42,7 @@ TEST(Answer, IsTheSameInEveryWay) {
 TEST(Answer, IsThatOfBruteForceOnACrowd) {
   scenes::PlacedScene placed = test::crowd(3);
   std::erase_if(placed.objects, [&](const auto& o) { return placed.meshes[o.mesh].triangle_count() > 1000; });
-  for (const char* backend : {"simd", "scalar"})
+  for (const char* backend : {"simd", "paper"})
     EXPECT_EQ(test::listed(test::scene_of(placed).collide({.backend = backend}).value()), test::brute_force(placed));
 }
 
@@ -98,7 +98,7 @@ TEST(Answer, IsTheSameInEveryFloatingPointModeOfTheCaller) {
         const test::CallersMode mode(rounding, flush);
         Scene scene = test::scene_of(named.scene);  // spheres and hashes of meshes as well
         ASSERT_TRUE(scene.update());
-        for (const char* backend : {"simd", "scalar"}) {
+        for (const char* backend : {"simd", "paper"}) {
           const auto found = scene.collide({.threads = flush ? 2 : 1, .backend = backend});
           EXPECT_TRUE(mode.is_untouched());
           ASSERT_TRUE(found);

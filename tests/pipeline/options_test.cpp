@@ -48,7 +48,7 @@ TEST(Options, ThatCannotBeAreRefused) {
   expect_refused({.backend = "vulkan"}, "'vulkan'");
   expect_refused({.backend = ""}, "auto");
   expect_refused({.partition = static_cast<Partition>(4)}, "partition");
-  for (const char* backend : {"auto", "simd", "scalar"}) EXPECT_TRUE(scene.collide({.backend = backend}));
+  for (const char* backend : {"auto", "simd", "paper"}) EXPECT_TRUE(scene.collide({.backend = backend}));
 }
 
 /// Each backend honours them by code of its own.
@@ -59,7 +59,7 @@ class WithBackend : public testing::TestWithParam<const char*> {
     return options;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Options, WithBackend, testing::Values("simd", "scalar"),
+INSTANTIATE_TEST_SUITE_P(Options, WithBackend, testing::Values("simd", "paper"),
                          [](const auto& backend) { return backend.param; });
 
 TEST_P(WithBackend, KindsFilterTheAnswer) {

@@ -72,7 +72,7 @@ TEST(CollidePoses, GivesTheRowsOfCollide) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
   const Mesh soup = test::mesh_of(scenes::integer_soup(seeded.random, 60, 2));
   const std::vector<Pose> many = any_poses(seeded.random, 40), more = any_poses(seeded.random, 40), one{many[3]};
-  for (const char* backend : {"simd", "scalar"}) {
+  for (const char* backend : {"simd", "paper"}) {
     for (const int threads : {1, 2, 8}) {
       const Options options{.threads = threads, .backend = backend};
       expect_rows(knot, many, cube, more, options);

@@ -20,7 +20,7 @@ void expect_exact(const scenes::PlacedScene& scene) {
   for (const std::uint32_t leaf_size : {0u, 1u, 256u}) {
     const std::vector<Mesh> meshes = test::meshes_of(scene, leaf_size);
     const auto &a = scene.objects[0], &b = scene.objects[1];
-    for (const char* backend : {"simd", "scalar"}) {
+    for (const char* backend : {"simd", "paper"}) {
       SCOPED_TRACE(std::string(backend) + ", leaf size " + std::to_string(leaf_size));
       const auto ab = collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose, {.backend = backend});
       const auto ba = collide(meshes[b.mesh], b.pose, meshes[a.mesh], a.pose, {.backend = backend});

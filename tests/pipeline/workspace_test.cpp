@@ -62,7 +62,7 @@ std::vector<WorkspaceQuestion> all_questions() {
   const Pose pose = scenes::random_motion(random, 0.5), far{.t = {50, 0, 0}}, outside{.t = {0x1p301, 0, 0}};
   std::stop_source stopped;
   stopped.request_stop();
-  for (const char* backend : {"simd", "scalar", "auto"}) {
+  for (const char* backend : {"simd", "paper", "auto"}) {
     for (const int threads : {1, 2}) {
       const Options plain{.threads = threads, .backend = backend};
       Options first = plain, limited = plain, touching = plain, all = plain, stop = plain;
@@ -151,7 +151,7 @@ TEST(Workspace, RemembersNoMesh) {
   for (int i = 0; i < 200; ++i) {
     const auto soup = [&] { return scenes::integer_soup(seeded.random, 12, 2); };
     const scenes::PlacedScene scene = scenes::pair_scene(soup(), soup());
-    const Options options{.threads = 1, .backend = i % 3 == 0 ? "scalar" : "simd"};
+    const Options options{.threads = 1, .backend = i % 3 == 0 ? "paper" : "simd"};
     const std::vector<Mesh> meshes = test::meshes_of(scene, 4);
     ASSERT_EQ(test::listed(collide(meshes[0], {}, meshes[1], {}, options, &workspace).value()),
               test::brute_force(scene));
@@ -186,7 +186,7 @@ TEST(Workspace, ServesQueriesWithinQueries) {
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   schedule::run_tasks(std::move(numbers), 0, [&](std::size_t i, const auto&) {
     Workspace* const workspace = i % 3 == 0 ? &workspaces[i] : nullptr;
-    const Options options{.threads = i % 4 == 1 ? 1 : 0, .backend = i % 5 == 0 ? "scalar" : "simd"};
+    const Options options{.threads = i % 4 == 1 ? 1 : 0, .backend = i % 5 == 0 ? "paper" : "simd"};
     const auto result = collide(i % 2 == 0 ? knot : cube, {}, knot, pose, options, workspace);
     if (result) found[i] = *result;
   });
