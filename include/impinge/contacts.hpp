@@ -18,8 +18,8 @@ struct TrianglePair {
 };
 
 /// What a query did and what it cost. Stage times add up the threads' own times.
-/// The cost function is the paper's equation 1 with terms for its broad phase and its grid, and one for exact
-/// arithmetic, which came after it: T = N_b C_b + N_m C_m + N_s C_s + N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e.
+/// The cost function is the paper's equation 1 with a term for its grid, and one for exact arithmetic, which came after
+/// it: T = N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e. The broad phase is counted, but is no part of T yet.
 struct Statistics {
   std::uint64_t object_pairs = 0;       ///< survivors of the broad phase
   std::uint64_t bounds_updated = 0;     ///< N_b: objects whose sorted borders were written; "paper" and "raster" only
