@@ -17,9 +17,10 @@ namespace {
 constexpr std::array kTimes{&Statistics::measured_seconds,  &Statistics::predicted_seconds, &Statistics::broad_seconds,
                             &Statistics::hierarchy_seconds, &Statistics::partition_seconds, &Statistics::narrow_seconds,
                             &Statistics::exact_seconds,     &Statistics::results_seconds,   &Statistics::total_seconds};
-constexpr std::array kCounts{&Statistics::object_pairs, &Statistics::box_tests,  &Statistics::element_tests,
-                             &Statistics::nodes_built,  &Statistics::leaf_pairs, &Statistics::triangle_pairs,
-                             &Statistics::exact_calls};
+constexpr std::array kCounts{&Statistics::object_pairs,   &Statistics::bounds_updated,   &Statistics::border_moves,
+                             &Statistics::sphere_tests,   &Statistics::triangles_sorted, &Statistics::box_tests,
+                             &Statistics::element_tests,  &Statistics::nodes_built,      &Statistics::leaf_pairs,
+                             &Statistics::triangle_pairs, &Statistics::exact_calls};
 
 }  // namespace
 

@@ -190,10 +190,9 @@ void add_check(CLI::App& command, CheckArguments& to) {
   command
       .add_option(
           "--backend", to.backend,
-          "what does the work: auto (simd), simd, paper (the paper's method, plainly), gpu (a device), raster (the "
-          "paper's way in image space: a device draws the tests), or hybrid (a device and the CPU together); the "
-          "answer is "
-          "the same")
+          "what does the work: auto (simd, or hybrid for long work where a GPU is), simd, paper (the paper's method, "
+          "plainly), gpu (a device), raster (the paper's way in image space: a device draws the tests), or hybrid (a "
+          "device and the CPU together); the answer is the same")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"}).description(""));
   command

@@ -34,11 +34,16 @@ void print_statistics(const Statistics& s, Sink& sink) {
   const auto cost = [](const char* name, std::uint64_t count, double each) {
     return std::vector<std::string>{name, grouped(count), duration(each), duration(static_cast<double>(count) * each)};
   };
-  sink.write("\nCost T = Nv Cv + Np Cp + Nu Cu + Nl Cl + Ne Ce (C measured on this machine)\n");
+  sink.write("\nCost T, the sum of N C (C measured on this machine)\n");
   print_rows(sink, {{"", text, {}}, {"N", number, {}}, {"C", number, {}}, {"N C", number, {}}},
-             {cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
+             {cost("b: objects whose sorted borders were written", s.bounds_updated, s.bounds_update_seconds),
+              cost("m: borders moved past others", s.border_moves, s.border_move_seconds),
+              cost("s: tests of two objects' bounds", s.sphere_tests, s.sphere_test_seconds),
+              cost("o: pairs of objects that may touch", s.object_pairs, s.object_pair_seconds),
+              cost("v: tests of two bounding boxes", s.box_tests, s.box_test_seconds),
               cost("p: tests of two triangles, or of an edge and one", s.element_tests, s.element_test_seconds),
               cost("u: tree nodes built", s.nodes_built, s.node_seconds),
+              cost("t: triangles sorted into them", s.triangles_sorted, s.sorted_triangle_seconds),
               cost("l: pairs of leaves parted into triangles", s.leaf_pairs, s.leaf_pair_seconds),
               cost("e: pairs of triangles left to exact arithmetic", s.exact_calls, s.exact_call_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},

@@ -223,23 +223,25 @@ def build(tables, folder):
 
 
 def cost(tables, folder):
-    rows = tables.rows("cost")
-    figure, axes = plt.subplots(figsize=(6, 5), constrained_layout=True)
-    points = [(number(row["measured ms"]), number(row["predicted ms"])) for row in rows]
-    reach = [0.5 * min(min(p) for p in points), 2 * max(max(p) for p in points)]
-    axes.plot(reach, reach, color="#999999", linewidth=1, label="predicted = measured")
-    axes.fill_between(reach, [0.5 * x for x in reach], [2 * x for x in reach], color="#eeeeee",
-                      label="within a factor of 2")
+    groups = grouped(tables.rows("cost"), "backend")
+    figure, panels = plt.subplots(1, len(groups), figsize=(11, 5), constrained_layout=True)
     kinds = {"torus knot": ("#0072B2", "o"), "armadillo": ("#D55E00", "s"), "glb": ("#009E73", "^"),
              "ifc": ("#CC79A7", "D"), "boxes": ("#E69F00", "v")}
-    for kind, (color, marker) in kinds.items():
-        of = [point for point, row in zip(points, rows) if kind in row["query"]]
-        name = {"glb": "engine", "ifc": "house", "boxes": "flush boxes"}.get(kind, kind)
-        axes.plot([x for x, _ in of], [y for _, y in of], linestyle="none", color=color, marker=marker, label=name)
-    logarithmic(axes)
-    axes.set_xlabel("measured T, milliseconds")
-    axes.set_ylabel("predicted T, milliseconds")
-    axes.legend(loc="upper left", fontsize=8.5)
+    for ((backend,), rows), axes in zip(groups, panels):
+        points = [(number(row["measured ms"]), number(row["predicted ms"])) for row in rows]
+        reach = [0.5 * min(min(p) for p in points), 2 * max(max(p) for p in points)]
+        axes.plot(reach, reach, color="#999999", linewidth=1, label="predicted = measured")
+        axes.fill_between(reach, [x / 1.5 for x in reach], [1.5 * x for x in reach], color="#eeeeee",
+                          label="within a factor of 1.5")
+        for kind, (color, marker) in kinds.items():
+            of = [point for point, row in zip(points, rows) if kind in row["query"]]
+            name = {"glb": "engine", "ifc": "house", "boxes": "flush boxes"}.get(kind, kind)
+            axes.plot([x for x, _ in of], [y for _, y in of], linestyle="none", color=color, marker=marker, label=name)
+        logarithmic(axes)
+        axes.set_title(backend)
+        axes.set_xlabel("measured T, milliseconds")
+        axes.set_ylabel("predicted T, milliseconds")
+        axes.legend(loc="upper left", fontsize=8.5)
     save(figure, folder, "cost")
 
 

@@ -18,29 +18,33 @@ struct TrianglePair {
 };
 
 /// What a query did and what it cost. Stage times add up the threads' own times.
-/// The cost function is the paper's equation 1 with a term for its grid, and one for exact arithmetic, which came after
-/// it: T = N_v C_v + N_p C_p + N_u C_u + N_l C_l + N_e C_e. The broad phase is counted, but is no part of T yet.
+/// The cost function is the paper's equation 1 with terms for its broad phase and its grid, and one for exact
+/// arithmetic, which came after it: T = N_b C_b + N_m C_m + N_s C_s + N_o C_o + N_v C_v + N_p C_p + N_u C_u + N_t C_t +
+/// N_l C_l + N_e C_e.
 struct Statistics {
-  std::uint64_t object_pairs = 0;       ///< survivors of the broad phase
+  std::uint64_t object_pairs = 0;       ///< N_o: survivors of the broad phase
   std::uint64_t bounds_updated = 0;     ///< N_b: objects whose sorted borders were written; "paper" and "raster" only
   std::uint64_t border_moves = 0;       ///< N_m: of a border past another in sorting; "paper" and "raster" only
   std::uint64_t sphere_tests = 0;       ///< N_s: pairs of objects whose bounding spheres or boxes were compared
   std::uint64_t box_tests = 0;          ///< N_v: pairs of bounding volumes tested
   std::uint64_t element_tests = 0;      ///< N_p: pairs of triangles tested; of an edge and one by "paper" and "raster"
   std::uint64_t nodes_built = 0;        ///< N_u: tree nodes made by this query
+  std::uint64_t triangles_sorted = 0;   ///< N_t: triangles below those nodes, each counted with every such node
   std::uint64_t leaf_pairs = 0;         ///< N_l: pairs of leaves that the walk could not separate
   std::uint64_t triangle_pairs = 0;     ///< pairs of triangles that the grid could not separate
   std::uint64_t exact_calls = 0;        ///< N_e: pairs of triangles that the narrow phase left undecided
-  double bounds_update_seconds = 0;     ///< C_b; not calibrated yet: always 0
+  double bounds_update_seconds = 0;     ///< C_b, calibrated on this machine; 0 unless `Options::predict_cost`
   double border_move_seconds = 0;       ///< C_m, likewise
   double sphere_test_seconds = 0;       ///< C_s, likewise
-  double box_test_seconds = 0;          ///< C_v, calibrated on this machine; 0 unless `Options::predict_cost`
+  double object_pair_seconds = 0;       ///< C_o, likewise
+  double box_test_seconds = 0;          ///< C_v, likewise
   double element_test_seconds = 0;      ///< C_p, likewise
   double node_seconds = 0;              ///< C_u, likewise
+  double sorted_triangle_seconds = 0;   ///< C_t, likewise
   double leaf_pair_seconds = 0;         ///< C_l, likewise
   double exact_call_seconds = 0;        ///< C_e, likewise
   double predicted_seconds = 0;         ///< T; 0 unless `Options::predict_cost`
-  double measured_seconds = 0;          ///< from the hierarchy to the exact stage: the part that T speaks of
+  double measured_seconds = 0;          ///< from the broad phase to the exact stage: the part that T speaks of
   double device_predicted_seconds = 0;  ///< of the device's part, by constants of its own; 0 unless `predict_cost`
   double device_seconds = 0;            ///< what the device's part took, by the clock; the counts above include it
   double cpu_seconds = 0;               ///< what the CPU's part took beside it, by the clock; 0 unless "hybrid"

@@ -29,7 +29,8 @@ struct DeviceInfo {
 /// mend.
 Result<std::vector<DeviceInfo>> devices();
 
-/// What has been measured of devices so far, by which "hybrid" splits its work: some lines of text that another run may
+/// What has been measured so far of this machine's CPU and devices, by which `Options::predict_cost` predicts and
+/// "hybrid" splits its work: some lines of text that another run may
 /// be given, so that it need not measure again. Empty: nothing yet.
 std::string calibration();
 /// Takes what another run has measured. Lines that are not understood are passed over.

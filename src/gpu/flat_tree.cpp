@@ -37,7 +37,7 @@ class Flattener {
       std::copy(node.half[i], node.half[i] + 8, made.extent + 8 * i);
     }
     flat_.nodes.push_back(made);
-    std::uint64_t nodes_made = 0;
+    hierarchy::MadeNodes nodes_made;
     for (std::uint32_t lane = 0; lane < node.size; ++lane) {
       const uint child = add(tree_.child(node, static_cast<int>(lane), nodes_made), level + 1);
       flat_.nodes[place].child[lane] = child;
@@ -121,7 +121,7 @@ class Flattener {
 
 FlatTree flatten(hierarchy::WideTree& tree, const ForEach& for_each) {
   tree.build(for_each);
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   const TreeRef root = tree.root(nodes_made);
   const Frame& frame = root.is_leaf() ? root.leaf().frame : root.node().frame;
   FlatTree flat{.root = 0, .base = {frame.origin[0], frame.origin[1], frame.origin[2]}, .reach = 0, .levels = 0};

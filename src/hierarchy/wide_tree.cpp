@@ -78,12 +78,13 @@ struct WideTree::State {
   Range range_of(const WideNode& node, int lane) const;
 
   template <class Make>
-  TreeRef make_once(std::atomic<std::uintptr_t>& slot, std::uint64_t& nodes_made, const Make& make);
+  TreeRef make_once(std::atomic<std::uintptr_t>& slot, std::size_t triangles, MadeNodes& made, const Make& make);
 };
 
 /// Lets one thread make what a slot holds; the others wait for it.
 template <class Make>
-TreeRef WideTree::State::make_once(std::atomic<std::uintptr_t>& slot, std::uint64_t& nodes_made, const Make& make) {
+TreeRef WideTree::State::make_once(std::atomic<std::uintptr_t>& slot, std::size_t triangles, MadeNodes& made,
+                                   const Make& make) {
   const auto settle = [&](std::uintptr_t bits) {
     slot.store(bits, std::memory_order_release);
     slot.notify_all();
@@ -100,7 +101,7 @@ TreeRef WideTree::State::make_once(std::atomic<std::uintptr_t>& slot, std::uint6
         settle(0);
         throw;
       }
-      ++nodes_made;
+      ++made.nodes, made.triangles += triangles;
       settle(bits);
     }
   }
@@ -194,24 +195,25 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
 WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size) : state_(std::make_unique<State>(mesh, leaf_size)) {}
 WideTree::~WideTree() = default;
 
-TreeRef WideTree::root(std::uint64_t& nodes_made, const ForEach& for_each) {
-  return state_->make_once(state_->root, nodes_made, [&] { return state_->make_root(for_each); });
+TreeRef WideTree::root(MadeNodes& made, const ForEach& for_each) {
+  return state_->make_once(state_->root, state_->source.mesh.triangles.size(), made,
+                           [&] { return state_->make_root(for_each); });
 }
 
-TreeRef WideTree::make_child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each) {
-  return state_->make_once(node.child[lane], nodes_made,
+TreeRef WideTree::make_child(WideNode& node, int lane, MadeNodes& made, const ForEach& for_each) {
+  return state_->make_once(node.child[lane], node.count[lane], made,
                            [&] { return state_->make(state_->range_of(node, lane), for_each); });
 }
 
 void WideTree::build_below(const TreeRef& top) {
-  std::uint64_t nodes_made = 0;
+  MadeNodes made;
   std::vector<TreeRef> open{top};
   while (!open.empty()) {
     const TreeRef next = open.back();
     open.pop_back();
     if (next.is_leaf()) continue;
     for (std::uint32_t lane = 0; lane < next.node().size; ++lane)
-      open.push_back(child(next.node(), static_cast<int>(lane), nodes_made));
+      open.push_back(child(next.node(), static_cast<int>(lane), made));
   }
 }
 
@@ -222,8 +224,8 @@ void WideTree::build(const ForEach& for_each) {
     [[nodiscard]] std::uint32_t count() const { return node->count[lane]; }
   };
   const auto largest_first = [](const Slot& p, const Slot& q) { return p.count() > q.count(); };
-  std::uint64_t nodes_made = 0;
-  const TreeRef top = root(nodes_made, for_each);
+  MadeNodes made;
+  const TreeRef top = root(made, for_each);
   if (top.is_leaf()) return;
   // Level by level until there is work for many threads, then below each node by itself.
   const std::uint32_t large = std::max(kLarge, static_cast<std::uint32_t>(state_->source.mesh.triangles.size() / 256));
@@ -236,15 +238,15 @@ void WideTree::build(const ForEach& for_each) {
   while (!level.empty()) {
     std::sort(level.begin(), level.end(), largest_first);
     run_each(for_each, level.size(), [&](std::size_t i) {
-      std::uint64_t made = 0;
-      child(*level[i].node, level[i].lane, made, for_each);
+      MadeNodes own;
+      child(*level[i].node, level[i].lane, own, for_each);
     });
-    for (const Slot& slot : std::exchange(level, {})) open(child(*slot.node, slot.lane, nodes_made).node());
+    for (const Slot& slot : std::exchange(level, {})) open(child(*slot.node, slot.lane, made).node());
   }
   std::sort(small.begin(), small.end(), largest_first);
   run_each(for_each, small.size(), [&](std::size_t i) {
-    std::uint64_t made = 0;
-    build_below(child(*small[i].node, small[i].lane, made));
+    MadeNodes own;
+    build_below(child(*small[i].node, small[i].lane, own));
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/for_each.hpp"
 #include "core/mesh_data.hpp"
+#include "hierarchy/walk_counts.hpp"
 #include "hierarchy/wide_leaf.hpp"
 
 /// The fast tree: eight children a node, each node with oriented axes of its own, in single precision about a local
@@ -68,14 +69,14 @@ class WideTree {
   WideTree(const WideTree&) = delete;
   WideTree& operator=(const WideTree&) = delete;
 
-  /// The root, made now if need be (`nodes_made` is raised by each node or leaf made). The mesh has at least one
+  /// The root, made now if need be (`made` counts each node or leaf made). The mesh has at least one
   /// triangle. If memory runs out, here or below, the exception passes and the tree is as it was.
-  TreeRef root(std::uint64_t& nodes_made, const ForEach& for_each = {});
+  TreeRef root(MadeNodes& made, const ForEach& for_each = {});
 
   /// The child in a lane, made now if need be.
-  TreeRef child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each = {}) {
-    const TreeRef made(node.child[lane].load(std::memory_order_acquire));
-    return made.bits() > kBusy ? made : make_child(node, lane, nodes_made, for_each);
+  TreeRef child(WideNode& node, int lane, MadeNodes& made, const ForEach& for_each = {}) {
+    const TreeRef known(node.child[lane].load(std::memory_order_acquire));
+    return known.bits() > kBusy ? known : make_child(node, lane, made, for_each);
   }
 
   /// Makes all that is not made yet.
@@ -87,7 +88,7 @@ class WideTree {
 
  private:
   static constexpr std::uintptr_t kBusy = 2;  ///< in `child`: another walk is making it
-  TreeRef make_child(WideNode& node, int lane, std::uint64_t& nodes_made, const ForEach& for_each);
+  TreeRef make_child(WideNode& node, int lane, MadeNodes& made, const ForEach& for_each);
   void build_below(const TreeRef& top);
 
   struct State;

@@ -88,7 +88,7 @@ struct Ends {
 Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, bool b_is_one, Ends ends,
              WalkCounts& counts) {
   const auto child = [&](WideTree& tree, const TreeRef& parent, int lane) {
-    return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.nodes_made, walk.for_each);
+    return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.made, walk.for_each);
   };
   for (; bits != 0; bits &= bits - 1) {
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
@@ -152,7 +152,7 @@ namespace impinge::hierarchy {
 HWY_EXPORT(advance);
 
 void WideWalk::start(std::vector<TreeRefPair>& stack, WalkCounts& counts) const {
-  const TreeRef root_a = a.root(counts.nodes_made, for_each), root_b = b.root(counts.nodes_made, for_each);
+  const TreeRef root_a = a.root(counts.made, for_each), root_b = b.root(counts.made, for_each);
   stack.push_back({root_a, root_b});
 }
 

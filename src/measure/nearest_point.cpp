@@ -90,7 +90,7 @@ class PointSearch {
       TreeRef ref;
       double lower;
     };
-    std::uint64_t made = 0;
+    hierarchy::MadeNodes made;
     std::vector<Open> open{{body_.tree->root(made), 0}};
     while (!open.empty() && !is_done()) {
       if (stop.stop_requested()) return std::nullopt;

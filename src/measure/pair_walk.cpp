@@ -21,12 +21,12 @@ using hierarchy::TreeRef;
 using hierarchy::WideLeaf;
 
 TreeRef root_of(const PlacedTree& body, const ForEach& for_each) {
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   return body.tree->root(nodes_made, for_each);
 }
 
 void step_down(const PlacedTree& body, TreeRef& ref, std::int8_t& lane, const ForEach& for_each) {
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   if (lane != NodePair::kSelf) ref = body.tree->child(ref.node(), lane, nodes_made, for_each);
   lane = NodePair::kSelf;
 }

@@ -13,7 +13,7 @@ DualWalk::DualWalk(const PlacedObbTree& a, const PlacedObbTree& b, const Box& ov
       overlap_(overlap) {}
 
 void DualWalk::start(std::vector<NodePair>& stack, hierarchy::WalkCounts& counts) const {
-  counts.nodes_made += a_.tree.prepare() + b_.tree.prepare();
+  a_.tree.prepare(counts.made), b_.tree.prepare(counts.made);
   stack.push_back({ObbTree::kRoot, ObbTree::kRoot});
 }
 
@@ -47,12 +47,12 @@ void DualWalk::advance(std::vector<NodePair>& stack, LeafPairs& leaf_pairs, std:
       leaf_pairs.push_back({&a_.tree.block(a), &b_.tree.block(b)});
     } else if (b_leaf || (!a_leaf && dot(a.box.half, a.box.half) >= dot(b.box.half, b.box.half))) {
       if (!worth_splitting(a_, a, rounding_a_)) continue;
-      const std::uint32_t child = a_.tree.children(pair.a, counts.nodes_made);
+      const std::uint32_t child = a_.tree.children(pair.a, counts.made);
       stack.push_back({child + 1, pair.b});
       stack.push_back({child, pair.b});
     } else {
       if (!worth_splitting(b_, b, rounding_b_)) continue;
-      const std::uint32_t child = b_.tree.children(pair.b, counts.nodes_made);
+      const std::uint32_t child = b_.tree.children(pair.b, counts.made);
       stack.push_back({pair.a, child + 1});
       stack.push_back({pair.a, child});
     }

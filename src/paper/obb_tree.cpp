@@ -29,16 +29,14 @@ std::size_t ObbTree::bytes() const {
   return bytes + order_.capacity() * sizeof(order_[0]);
 }
 
-std::uint32_t ObbTree::prepare() {
-  std::uint32_t made = 0;
+void ObbTree::prepare(hierarchy::MadeNodes& made) {
   std::call_once(root_made_, [&] {
     order_.resize(mesh_.triangles.size());
     std::iota(order_.begin(), order_.end(), 0u);
     const Draft root = draft(0, static_cast<std::uint32_t>(order_.size()), 0);
     publish(root, *nodes_.grow_by(1));
-    made = 1;
+    ++made.nodes, made.triangles += order_.size();
   });
-  return made;
 }
 
 ObbTree::Draft ObbTree::draft(std::uint32_t first, std::uint32_t count, std::uint32_t depth) {
@@ -59,7 +57,7 @@ void ObbTree::publish(const Draft& draft, Node& node) const {
   if (draft.count <= leaf_size_) node.children.store(kLeaf, std::memory_order_release);
 }
 
-std::uint32_t ObbTree::children(std::uint32_t index, std::uint64_t& nodes_made) {
+std::uint32_t ObbTree::children(std::uint32_t index, hierarchy::MadeNodes& made) {
   Node& node = nodes_[index];
   const auto settle = [&](std::uint32_t state) {
     node.children.store(state);
@@ -77,7 +75,7 @@ std::uint32_t ObbTree::children(std::uint32_t index, std::uint64_t& nodes_made) 
         settle(kUnsplit);
         throw;
       }
-      nodes_made += 2;
+      made.nodes += 2, made.triangles += node.count;
       settle(children);
     }
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/mesh_data.hpp"
+#include "hierarchy/walk_counts.hpp"
 #include "paper/leaf_block.hpp"
 #include "paper/obb.hpp"
 
@@ -35,7 +36,7 @@ class ObbTree {
 
   /// Makes the root if there is none yet. The mesh has at least one triangle. Returns the number of nodes made. If
   /// memory runs out, here or below, the exception passes and the tree is as it was.
-  std::uint32_t prepare();
+  void prepare(hierarchy::MadeNodes& made);
 
   [[nodiscard]] const Node& node(std::uint32_t index) const { return nodes_[index]; }
   [[nodiscard]] const LeafBlock& block(const Node& leaf) const { return blocks_[leaf.leaf]; }
@@ -45,9 +46,8 @@ class ObbTree {
     return c != kUnsplit && c != kBusy && c != kLeaf;
   }
 
-  /// The first of a node's two children, made now if need be (`nodes_made` is raised by 2 then). The node is not a
-  /// leaf.
-  std::uint32_t children(std::uint32_t index, std::uint64_t& nodes_made);
+  /// The first of a node's two children, made now if need be (`made` counts both then). The node is not a leaf.
+  std::uint32_t children(std::uint32_t index, hierarchy::MadeNodes& made);
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   /// What the tree holds in memory now.

@@ -2,20 +2,30 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/calibration.hpp"
 
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "broad/near_pairs.hpp"
 #include "impinge/collide.hpp"
 #include "impinge/devices.hpp"
+#include "impinge/scene.hpp"
+#include "paper/sweep_and_prune.hpp"
 #include "pipeline/device_part.hpp"
 #include "pipeline/mesh_state.hpp"
+#include "pipeline/pipeline.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "scene/scene_view.hpp"
 
@@ -44,30 +54,123 @@ Mesh bumpy_sphere(std::uint32_t rings) {
   return Mesh::create(std::span<const double>(xyz), triangles).value();
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+/// Others at work on the machine only ever add to a time: the quickest of these runs is the truest.
+constexpr int kRounds = 5;
+
+/// The least that each stage took in runs that do the same.
+void keep_quickest(Statistics& kept, const Statistics& run) {
+  if (kept.total_seconds == 0) return static_cast<void>(kept = run);
+  for (double Statistics::*const stage : {&Statistics::hierarchy_seconds, &Statistics::partition_seconds,
+                                          &Statistics::narrow_seconds, &Statistics::exact_seconds})
+    kept.*stage = std::min(kept.*stage, run.*stage);
+}
+
+/// Seconds; the quickest of all rounds.
+template <class Work>
+double quickest(const Work& work) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < kRounds; ++round) {
+    StageClock clock;
+    double seconds = 0;
+    work(clock);
+    clock.charge(seconds);
+    least = std::min(least, seconds);
+  }
+  return least;
+}
+
+/// A level square of 2 x 2, parted so often in either direction.
+Mesh plate(std::uint32_t parts) {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t i = 0; i <= parts; ++i) {
+    for (std::uint32_t j = 0; j <= parts; ++j) {
+      for (const double x : {2.0 * i / parts, 2.0 * j / parts, 0.0}) xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
+      if (i == parts || j == parts) continue;
+      const std::uint32_t a = i * (parts + 1) + j, b = a + 1, c = b + parts, d = c + 1;
+      triangles.insert(triangles.end(), {a, c, b, b, c, d});
+    }
+  }
+  return Mesh::create(std::span<const double>(xyz), triangles).value();
+}
+
+/// Where an object of a cloud stands, in which each of a radius of 1 meets some others; moved on a little with each
+/// step.
+constexpr int kCloudSize = 512;
+Pose cloud_pose(int i, int step) {
+  constexpr double kEdge = 12, kStep = 0.05;
+  const auto coordinate = [&](double ratio, int period) {  // a low-discrepancy sequence
+    return kEdge * std::fmod(ratio * i, 1) + (i % period == 0 ? kStep : -kStep) * step;
+  };
+  return {.t = {coordinate(0.8191725, 2), coordinate(0.6710436, 3), coordinate(0.5497005, 2)}};
+}
+
+std::vector<scene::PlacedObject> cloud(const Mesh& mesh, int step) {
+  std::vector<scene::PlacedObject> placed;
+  for (int i = 0; i < kCloudSize; ++i)
+    placed.push_back(scene::place(mesh.state().data, cloud_pose(i, step), static_cast<std::uint32_t>(i)));
+  return placed;
+}
+
+void calibrate_broad_phase(bool is_papers_way, const Mesh& mesh, schedule::CostConstants& constants) {
+  const std::vector<scene::PlacedObject> resting = cloud(mesh, 0), moved = cloud(mesh, 1);
+  const scene::SceneView view{moved, nullptr};
+  broad::ObjectPairs pairs;
+  if (!is_papers_way) {
+    broad::NearPairs near_pairs;
+    std::vector<std::uint64_t> scratch;
+    near_pairs.reserve(moved.size());
+    for (std::uint32_t i = 0; i < moved.size(); ++i) near_pairs.place(i, moved[i]);
+    near_pairs.update();
+    constants.sphere_test = quickest([&](StageClock&) { near_pairs.find(view, pairs, scratch); }) /
+                            static_cast<double>(std::max<std::size_t>(near_pairs.candidates(), 1));
+    return;
+  }
+  paper::SweepAndPrune borders;
+  const auto& counts = borders.counts();
+  borders.update({resting, nullptr});
+  const double rest = quickest([&](StageClock&) { borders.update({resting, nullptr}); });
+  constants.bounds_update = rest / static_cast<double>(counts.updated);
+  const double move = quickest([&](StageClock& clock) {
+    borders.update({resting, nullptr});
+    clock = StageClock();
+    borders.update(view);
+  });
+  constants.border_move = std::max(move - rest, 0.0) / static_cast<double>(counts.moves);
+  const std::uint64_t before = counts.sphere_tests;
+  const double search = quickest([&](StageClock&) { borders.find(view, pairs); });
+  constants.sphere_test = search * kRounds / static_cast<double>(counts.sphere_tests - before);
 }
 
 schedule::CostConstants calibrate(std::string_view backend) {
-  constexpr int kRounds = 5;
-  std::vector<double> box_test, element_test, node, leaf_pair, exact_call;
-  Pose pose;
-  pose.t = {1.2, 0.3, 0.1};
   const Options one_thread{.threads = 1, .backend = backend};
+  const auto ask = [&](const Mesh& a, const Mesh& b, const Point& t) {
+    return collide(a, {}, b, {.t = {t.x, t.y, t.z}}, one_thread).value().statistics;
+  };
+  const auto ask_twice = [&](std::uint32_t rings, const Point& t, schedule::CostRuns& runs) {
+    const Mesh mesh = bumpy_sphere(rings);  // in each round anew, so that its tree is made anew
+    keep_quickest(runs.building, ask(mesh, mesh, t));
+    keep_quickest(runs.repeated, ask(mesh, mesh, t));
+  };
+  // Surfaces that share all vertices, and surfaces that lie on each other and share none.
+  const Mesh small = bumpy_sphere(32), coarse = plate(48), fine = plate(58);
+  Scene tiny;  // objects so small that their pairs are done with at once
+  for (int i = 0; i < kCloudSize; ++i) static_cast<void>(tiny.add(bumpy_sphere(2), cloud_pose(i, 0)));
+  schedule::CostRuns light, deep;
+  Statistics same, level, at_once;
   for (int round = 0; round < kRounds; ++round) {
-    const Mesh mesh = bumpy_sphere(32);  // anew, so that its tree is made anew
-    const Statistics building = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
-    const Statistics repeated = collide(mesh, {}, mesh, pose, one_thread).value().statistics;
-    const Statistics touching = collide(mesh, {}, mesh, {}, one_thread).value().statistics;
-    const schedule::CostConstants constants = schedule::constants_from(building, repeated, touching);
-    box_test.push_back(constants.box_test);
-    element_test.push_back(constants.element_test);
-    node.push_back(constants.node);
-    leaf_pair.push_back(constants.leaf_pair);
-    exact_call.push_back(constants.exact_call);
+    ask_twice(128, {1.97, 0.1, 0.1}, light);
+    ask_twice(64, {1.2, 0.3, 0.1}, deep);
+    keep_quickest(same, ask(small, small, {}));
+    keep_quickest(level, ask(coarse, fine, {0.1, 0.1, 0}));
+    keep_quickest(at_once, tiny.collide(one_thread).value().statistics);
   }
-  return {median(box_test), median(element_test), median(node), median(leaf_pair), median(exact_call)};
+  same.exact_calls += level.exact_calls, same.exact_seconds += level.exact_seconds;
+  schedule::CostConstants constants = schedule::constants_from(light, deep, same);
+  const double begin = at_once.hierarchy_seconds - static_cast<double>(at_once.box_tests) * constants.box_test;
+  constants.object_pair = std::max(begin, 0.0) / static_cast<double>(std::max<std::uint64_t>(at_once.object_pairs, 1));
+  calibrate_broad_phase(is_papers_way(one_thread), small, constants);
+  return constants;
 }
 
 /// Questions to a device as a query would put them: the sphere against itself, a number of times.
@@ -136,7 +239,7 @@ schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::ReadyDevice>& dev
   constants.box_test = (light_seconds * p(deep) - deep_seconds * p(light)) / determinant;
   constants.element_test = (v(light) * deep_seconds - v(deep) * light_seconds) / determinant;
   if (!(constants.box_test > 0) || !(constants.element_test > 0)) {
-    const schedule::CostConstants& cpu = calibrated_constants("simd");
+    const schedule::CostConstants cpu = calibrated_constants("simd");
     const double scale = deep_seconds / schedule::predict_seconds(deep.counts, cpu);
     constants.box_test = scale * cpu.box_test, constants.element_test = scale * cpu.element_test;
     constants.leaf_pair = scale * cpu.leaf_pair;
@@ -144,12 +247,74 @@ schedule::DeviceConstants calibrate(const std::shared_ptr<gpu::ReadyDevice>& dev
   return constants;
 }
 
-struct KnownDevices {
-  std::mutex mutex;
-  std::map<std::string, schedule::DeviceConstants, std::less<>> constants;  ///< by name and driver
+std::array<double*, 5> fields(schedule::DeviceConstants& c) {
+  return {&c.question, &c.box_test, &c.element_test, &c.leaf_pair, &c.mesh_triangle};
+}
+
+std::array<double*, schedule::kCostTerms.size()> fields(schedule::CostConstants& c) {
+  std::array<double*, schedule::kCostTerms.size()> fields;
+  for (std::size_t i = 0; i < fields.size(); ++i) fields[i] = &(c.*schedule::kCostTerms[i].constant);
+  return fields;
+}
+
+/// The constants of what has been measured, by name. As text each is a line: the kind, the constants, the name.
+template <class Constants>
+class Known {
+ public:
+  explicit Known(std::string_view kind) : kind_(std::string(kind) + " ") {}
+
+  template <class Measure>
+  Constants get(const std::string& name, const Measure& measure) {
+    const std::lock_guard lock(mutex_);
+    const auto found = constants_.find(name);
+    return found != constants_.end() ? found->second : constants_[name] = measure();
+  }
+  template <class Change>
+  void change(const std::string& name, const Change& change) {
+    const std::lock_guard lock(mutex_);
+    change(constants_[name]);
+  }
+
+  std::string lines() {
+    const std::lock_guard lock(mutex_);
+    std::string text;
+    for (auto& [name, constants] : constants_) {
+      text += kind_;
+      for (const double* constant : fields(constants)) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%.6e ", *constant);
+        text += number;
+      }
+      text += name + "\n";
+    }
+    return text;
+  }
+  /// A line of another kind, or one that is not understood, is passed over.
+  void read(std::string_view line) {
+    if (!line.starts_with(kind_)) return;
+    Constants constants;
+    const char *at = line.data() + kind_.size(), *const end = line.data() + line.size();
+    for (double* const constant : fields(constants)) {
+      const auto [rest, error] = std::from_chars(at, end, *constant);
+      if (error != std::errc() || !(*constant >= 0 && *constant < 1) || rest == end) return;
+      at = rest + 1;  // a blank
+    }
+    if (!(constants.box_test > 0) || !(constants.element_test > 0)) return;
+    const std::lock_guard lock(mutex_);
+    constants_[std::string(at, end)] = constants;
+  }
+
+ private:
+  std::string kind_;
+  std::mutex mutex_;
+  std::map<std::string, Constants, std::less<>> constants_;
 };
-KnownDevices& known_devices() {
-  static KnownDevices known;
+Known<schedule::DeviceConstants>& known_devices() {
+  static Known<schedule::DeviceConstants> known("device");
+  return known;
+}
+Known<schedule::CostConstants>& known_processors() {
+  static Known<schedule::CostConstants> known("cpu");
   return known;
 }
 
@@ -158,79 +323,65 @@ std::string name_of(const gpu::ReadyDevice& device) {
   return std::string(physical.properties.deviceName) + ", " + physical.driver;
 }
 
+/// The processor's name, as it gives it itself.
+std::string processor() {
+#if defined(__x86_64__)
+  std::array<std::array<unsigned, 4>, 3> words;
+  for (unsigned i = 0; i < words.size(); ++i) {
+    auto& [a, b, c, d] = words[i];
+    if (__get_cpuid(0x80000002u + i, &a, &b, &c, &d) == 0) return "unknown";
+  }
+  const char* const text = reinterpret_cast<const char*>(words.data());
+  return std::string(text, strnlen(text, sizeof words));
+#else
+  return "unknown";
+#endif
+}
+
 /// The first line of a calibration's text. Texts of other versions begin otherwise and are ignored.
-constexpr std::string_view kCalibrationTitle = "impinge calibration 1";
+constexpr std::string_view kCalibrationTitle = "impinge calibration 2";
 
 }  // namespace
 
 schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevice>& device) {
-  KnownDevices& known = known_devices();
-  const std::string name = name_of(*device);
-  const std::lock_guard lock(known.mutex);
-  const auto found = known.constants.find(name);
-  return found != known.constants.end() ? found->second : known.constants[name] = calibrate(device);
+  return known_devices().get(name_of(*device), [&] { return calibrate(device); });
 }
 
 void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds) {
   if (!(predicted_seconds > 0) || !(seconds > 0)) return;
   const double factor = std::pow(std::clamp(seconds / predicted_seconds, 0.1, 10.0), 0.25);
-  KnownDevices& known = known_devices();
-  const std::lock_guard lock(known.mutex);
-  schedule::DeviceConstants& constants = known.constants[name_of(*device)];
-  constants.box_test *= factor, constants.element_test *= factor, constants.leaf_pair *= factor;
+  known_devices().change(name_of(*device), [&](schedule::DeviceConstants& constants) {
+    constants.box_test *= factor, constants.element_test *= factor, constants.leaf_pair *= factor;
+  });
 }
 
 std::string calibration() {
-  KnownDevices& known = known_devices();
-  const std::lock_guard lock(known.mutex);
-  if (known.constants.empty()) return {};
-  std::string text = std::string(kCalibrationTitle) + "\n";
-  for (const auto& [name, c] : known.constants) {
-    char numbers[160];
-    std::snprintf(numbers, sizeof numbers, "%.6e %.6e %.6e %.6e %.6e ", c.question, c.box_test, c.element_test,
-                  c.leaf_pair, c.mesh_triangle);
-    text += numbers + name + "\n";
-  }
-  return text;
+  const std::string lines = known_processors().lines() + known_devices().lines();
+  return lines.empty() ? lines : std::string(kCalibrationTitle) + "\n" + lines;
 }
 
 void set_calibration(std::string_view text) {
   const auto next_line = [&] {
-    std::string line(text.substr(0, text.find('\n')));
+    const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     return line;
   };
   if (next_line() != kCalibrationTitle) return;
-  KnownDevices& known = known_devices();
-  const std::lock_guard lock(known.mutex);
   while (!text.empty()) {
-    const std::string line = next_line();
-    schedule::DeviceConstants c;
-    const char* at = line.data();
-    bool is_sound = true;
-    for (double* const constant : {&c.question, &c.box_test, &c.element_test, &c.leaf_pair, &c.mesh_triangle}) {
-      const auto [end, error] = std::from_chars(at, line.data() + line.size(), *constant);
-      is_sound =
-          is_sound && error == std::errc() && *constant >= 0 && *constant < 1 && end != line.data() + line.size();
-      if (!is_sound) break;
-      at = end + 1;  // a blank
-    }
-    if (is_sound && c.box_test > 0 && c.element_test > 0)
-      known.constants[std::string(at, line.data() + line.size())] = c;
+    const std::string_view line = next_line();
+    known_processors().read(line);
+    known_devices().read(line);
   }
 }
 
-const schedule::CostConstants& calibrated_constants(std::string_view backend) {
-  if (backend == "paper" || backend == "scalar") {
-    static const schedule::CostConstants paper = calibrate("paper");
-    return paper;
-  }
-  if (backend == "raster") {  // on the device that is taken where none is named
-    static const schedule::CostConstants raster = calibrate("raster");
+schedule::CostConstants calibrated_constants(std::string_view backend) {
+  if (backend == "raster") {  // on the device that is taken where none is named, which the name of a CPU does not tell
+    static const schedule::CostConstants raster = calibrate(backend);
     return raster;
   }
-  static const schedule::CostConstants simd = calibrate("simd");
-  return simd;
+  static const std::string name = processor();
+  const std::string way = backend == "paper" || backend == "scalar" ? "paper" : "simd";
+  return known_processors().get(way + ", " + name, [&] { return calibrate(way); });
 }
 
 }  // namespace impinge

@@ -11,9 +11,9 @@
 
 namespace impinge {
 
-/// The cost function's constants of a backend on this machine, measured once a process on a small built-in scene (some
-/// milliseconds).
-const schedule::CostConstants& calibrated_constants(std::string_view backend);
+/// The cost function's constants of a backend on this machine: as another run has measured them (set_calibration), or
+/// measured now, once, on small built-in scenes (some tenths of a second).
+schedule::CostConstants calibrated_constants(std::string_view backend);
 
 /// Likewise of a device, whose programs are made ready on the way: some tenths of a second, unless it is known from
 /// before. A gpu::Failure passes.

@@ -3,7 +3,9 @@
 #include "pipeline/device_driver.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <new>
+#include <string_view>
 #include <thread>
 
 #include "core/float_environment.hpp"
@@ -15,9 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Parts of the portion that the cost function predicts. The first prediction rests on constants measured on another
-/// scene, so half of it is taken; later ones rest on this query.
-constexpr double kFirstPortion = 0.5, kNextPortion = 0.8;
 /// Time between checks of the CPU's progress.
 constexpr std::chrono::microseconds kPause{50};
 
@@ -25,6 +24,15 @@ constexpr std::chrono::microseconds kPause{50};
 /// many: it begins when so many seconds of the CPU's have gone into work that could have been shared.
 constexpr double kPatientSeconds = 0.05;
 std::atomic<double> seconds_without{0};
+
+// Where nobody asked for a device, large queries are those of so many triangles, counted with each pair of objects.
+// After so many seconds of them, or before one of so many more, a program looks once whether there is a device for
+// them, which takes some hundredths of a second.
+constexpr std::size_t kLarge = 1 << 20, kHuge = 1 << 24;
+constexpr double kSecondsBeforeLook = 0.5;
+std::atomic<double> seconds_of_auto{0};
+enum class Help : std::uint8_t { unknown, none, some };
+std::atomic<Help> help_for_auto{Help::unknown};
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -45,6 +53,26 @@ void DeviceDriver::drive(const DevicePart::Sink& sink) {
     complaint_ = "memory ran out beside " + device_name();
   }
 }
+
+bool DeviceDriver::may_help(const Query& query, const broad::ObjectPairs& pairs) {
+  if (help_for_auto == Help::none) return false;
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < pairs.size() && triangles < kHuge; ++i)
+    for (const std::uint32_t object : {pairs[i].a, pairs[i].b})
+      if (const auto* const mesh = query.view.objects[object].mesh) triangles += mesh->triangles.size();
+  if (triangles < kLarge) return false;
+  if (help_for_auto == Help::unknown) {
+    if (triangles < kHuge && seconds_of_auto < kSecondsBeforeLook) return false;
+    const char* const environment = std::getenv("IMPINGE_DEVICE");
+    const bool is_refused = environment != nullptr && std::string_view(environment) == "none";
+    const auto choice = is_refused ? gpu::Devices::Choice{.is_software = true}
+                                   : gpu::Devices::of_process().look_up(query.options.device);
+    help_for_auto = choice.is_software || !choice.complaint.empty() ? Help::none : Help::some;
+  }
+  return help_for_auto == Help::some;
+}
+
+void DeviceDriver::count_without_help(double seconds) { seconds_of_auto.fetch_add(seconds); }
 
 std::string DeviceDriver::device_name() const {
   if (!device_) return "the device";
@@ -67,30 +95,29 @@ void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatientSeconds && !is_over())
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));
-  if (is_over() || !open()) return;
+  if (is_over()) return;
+  if (!open()) {
+    if (query_.options.backend == "auto") help_for_auto = Help::none, complaint_.clear();
+    return;
+  }
   const schedule::DeviceConstants constants = calibrated_device(part_->device());
   const double threads = schedule::concurrency(query_.options.threads);
   const double mix_cpu = schedule::predict_seconds(mix_, calibrated_constants("simd")) / threads;
   const double mix_device = schedule::predict_device_seconds(mix_, constants);
   const std::size_t to_bring = part_->triangles_to_bring(work_.pieces);
-  const double upload = static_cast<double>(to_bring) * constants.mesh_triangle;
-  schedule::Speeds speeds{.question = constants.question + upload};
-  double device_done = 0, device_seconds = 0;
-  for (double portion = kFirstPortion; !is_over();) {
+  schedule::DevicePortions portions(mix_cpu / mix_device, constants.question,
+                                    static_cast<double>(to_bring) * constants.mesh_triangle);
+  while (!is_over()) {
     const double elapsed = seconds_since(work_.start), cpu_done = work_.cpu_done;
-    if (cpu_done == 0 || elapsed < constants.question) {
+    if (portions.is_early(cpu_done, elapsed)) {
       std::this_thread::sleep_for(kPause);
       continue;
     }
-    speeds.cpu = cpu_done / elapsed;
-    speeds.device = device_done > 0 ? device_done / device_seconds : speeds.cpu * mix_cpu / mix_device;
-    const double wanted = portion * schedule::device_portion(work_.row.left(), speeds);
-    const auto range = work_.row.take_front(wanted);
+    const auto range = work_.row.take_front(portions.next(work_.row.left(), cpu_done, elapsed));
     if (range.empty()) break;
     const Clock::time_point start = Clock::now();
     run(range, sink);
-    device_done += range.weight, device_seconds += std::max(seconds_since(start) - speeds.question, 1e-9);
-    speeds.question = constants.question, portion = kNextPortion;
+    portions.done(range.weight, seconds_since(start));
   }
   if (to_bring == 0) refine_calibration(device_, predict_seconds(), statistics_.device_seconds);
 }

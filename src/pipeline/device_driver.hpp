@@ -34,6 +34,11 @@ class DeviceDriver {
                std::shared_ptr<gpu::ReadyDevice> device, const Statistics& mix)
       : query_(query), pairs_(pairs), work_(work), device_(std::move(device)), mix_(mix) {}
 
+  /// Whether a query of backend "auto" should be a hybrid one: it is large, and there is a device that is hardware.
+  static bool may_help(const Query& query, const broad::ObjectPairs& pairs);
+  /// One took so long on the CPU alone.
+  static void count_without_help(double seconds);
+
   /// Sets so much of all work aside for the device, before others take from it. Without it, the device takes what it
   /// sees fit.
   void reserve(double share) { reserved_ = work_.row.take_front(share * work_.row.total()); }

@@ -64,7 +64,8 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   if (first_only_ && slices_ >= kPatientSlices) turn_over(stack);
   clock.charge(statistics.hierarchy_seconds);
   statistics.box_tests += counts.box_tests;
-  statistics.nodes_built += counts.nodes_made;
+  statistics.nodes_built += counts.made.nodes;
+  statistics.triangles_sorted += counts.made.triangles;
   statistics.leaf_pairs += leaf_pairs_.size();
   if (leaf_pairs_.empty()) return;
 

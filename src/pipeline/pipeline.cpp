@@ -26,6 +26,7 @@ namespace {
 
 void add(Statistics& sum, const Statistics& s) {
   sum.box_tests += s.box_tests, sum.element_tests += s.element_tests, sum.nodes_built += s.nodes_built;
+  sum.triangles_sorted += s.triangles_sorted;
   sum.leaf_pairs += s.leaf_pairs, sum.triangle_pairs += s.triangle_pairs, sum.exact_calls += s.exact_calls;
   sum.hierarchy_seconds += s.hierarchy_seconds, sum.partition_seconds += s.partition_seconds;
   sum.narrow_seconds += s.narrow_seconds, sum.exact_seconds += s.exact_seconds;
@@ -33,7 +34,8 @@ void add(Statistics& sum, const Statistics& s) {
 }
 
 // Where a device takes part: kManyPairs pairs of objects are enough pieces to share, and fewer are walked until there
-// are kPieces; kEnoughForAMix tests of boxes show the proportions of a query's costs.
+// are kPieces, which walks of a millisecond come to; kEnoughForAMix tests of boxes show the proportions of
+// a query's costs.
 constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 
@@ -55,7 +57,10 @@ class Pipeline {
   Result<Contacts> run() {
     StageClock total, stage = total;
     Statistics statistics;
-    if (query_.pairs == nullptr) find_pairs(statistics);
+    if (query_.pairs == nullptr)
+      find_pairs(statistics);
+    else if (query_.all_rows)
+      statistics.sphere_tests = pairs().size();  // by is_apart
     if (pairs().size() > std::numeric_limits<std::uint32_t>::max())
       return Error{Code::out_of_memory, "more than 2^32 pairs of objects may touch; cut the scene into parts"};
     prepare_states();
@@ -65,6 +70,7 @@ class Pipeline {
 
     memory_.device_found.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
+      if (options_.backend == "auto") memory_.asks_device = DeviceDriver::may_help(query_, pairs());
       if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
@@ -77,6 +83,7 @@ class Pipeline {
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
     total.charge(statistics.total_seconds);
     if (options_.predict_cost) predict(statistics);
+    if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
     contacts.statistics = statistics;
     contacts.warnings = std::move(memory_.warnings);
     return contacts;
@@ -278,7 +285,7 @@ class Pipeline {
         run(task.first_pair, worker, share);
       }
       while (task.count == 0) {
-        const auto range = work.row.take_back(work.row.left() / (8 * threads));
+        const auto range = work.row.take_back(schedule::cpu_portion(work.row.left(), threads));
         if (range.empty()) break;
         for (std::size_t i = range.end; i-- > range.begin;) {
           if (work.pieces[i].nodes.a.is_made()) worker.stack.push_back(work.pieces[i].nodes);
@@ -387,11 +394,7 @@ class Pipeline {
 
   void predict(Statistics& s) const {
     const schedule::CostConstants constants = calibrated_constants(options_.backend);
-    s.box_test_seconds = constants.box_test;
-    s.element_test_seconds = constants.element_test;
-    s.node_seconds = constants.node;
-    s.leaf_pair_seconds = constants.leaf_pair;
-    s.exact_call_seconds = constants.exact_call;
+    for (const schedule::CostTerm& term : schedule::kCostTerms) s.*term.seconds = constants.*term.constant;
     s.predicted_seconds = schedule::predict_seconds(cpu_statistics_, constants);
   }
 

@@ -62,7 +62,8 @@ void PlainStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& sta
   pair.walk.advance(stack, leaf_pairs_, kLeafPairsPerSlice, kBoxTestsPerSlice, counts);
   clock.charge(statistics.hierarchy_seconds);
   statistics.box_tests += counts.box_tests;
-  statistics.nodes_built += counts.nodes_made;
+  statistics.nodes_built += counts.made.nodes;
+  statistics.triangles_sorted += counts.made.triangles;
   statistics.leaf_pairs += leaf_pairs_.size();
 
   for (auto leaves = leaf_pairs_.begin(); leaves != leaf_pairs_.end();) {

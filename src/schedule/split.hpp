@@ -28,4 +28,28 @@ struct Speeds {
 /// How much of the work that is left the device should take so that both end together; 0: it is not worth asking.
 double device_portion(double left, const Speeds& speeds);
 
+/// How much of what is left a CPU's thread takes at once: so little that none is long at it when the rest is done.
+double cpu_portion(double left, int threads);
+
+/// What a device takes of shared work, portion by portion, so that it ends when the CPU does. Each portion is less than
+/// what the speeds of now ask for, so that the next can set right what they got wrong. In weight, and seconds.
+class DevicePortions {
+ public:
+  /// `ratio`: the device's speed over the CPU's, by the cost function. `question`: of each portion; `upload`: before
+  /// the first.
+  DevicePortions(double ratio, double question, double upload)
+      : ratio_(ratio), question_(question), delay_(question + upload) {}
+
+  /// The CPU has not done enough for its speed to be known.
+  [[nodiscard]] bool is_early(double cpu_done, double elapsed) const { return cpu_done <= 0 || elapsed < question_; }
+  /// 0: nothing is worth asking for.
+  [[nodiscard]] double next(double left, double cpu_done, double elapsed) const;
+  /// A portion is done.
+  void done(double weight, double seconds);
+
+ private:
+  double ratio_, question_, delay_;
+  double weight_ = 0, seconds_ = 0;  ///< of all portions, without what is constant
+};
+
 }  // namespace impinge::schedule

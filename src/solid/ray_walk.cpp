@@ -88,7 +88,7 @@ void visit_leaf(const hierarchy::PlacedTree& body, const WideLeaf& leaf, const V
 void walk(const hierarchy::PlacedTree& body, const Ray& ray, const TreeRef& at, const Visit& visit) {
   if (at.is_leaf()) return visit_leaf(body, at.leaf(), visit);
   WideNode& node = at.node();
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   const unsigned bits = met(in_frame(ray, node.frame), node);
   for (int lane = 0; lane < hierarchy::kWidth; ++lane)
     if ((bits >> lane & 1) != 0) walk(body, ray, body.tree->child(node, lane, nodes_made), visit);
@@ -98,7 +98,7 @@ void walk(const hierarchy::PlacedTree& body, const Ray& ray, const TreeRef& at, 
 
 void walk_ray(const hierarchy::PlacedTree& body, const Vec3& start, const Visit& visit) {
   if (body.mesh->triangles.empty()) return;
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   walk(body, ray_to(body, start), body.tree->root(nodes_made), visit);
 }
 

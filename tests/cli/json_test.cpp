@@ -48,13 +48,15 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
   EXPECT_EQ(answer.at("pairs"),
             (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));
-  EXPECT_EQ(keys(answer.at("stats")),
-            "border_move_seconds border_moves bounds_update_seconds bounds_updated box_test_seconds box_tests "
-            "broad_seconds cpu_seconds device_predicted_seconds device_seconds "
-            "element_test_seconds element_tests exact_call_seconds exact_calls exact_seconds hierarchy_seconds "
-            "leaf_pair_seconds leaf_pairs measured_seconds narrow_seconds node_seconds nodes_built object_pairs "
-            "partition_seconds predicted_seconds results_seconds sphere_test_seconds sphere_tests total_seconds "
-            "triangle_pairs");
+  EXPECT_EQ(
+      keys(answer.at("stats")),
+      "border_move_seconds border_moves bounds_update_seconds bounds_updated box_test_seconds box_tests "
+      "broad_seconds cpu_seconds device_predicted_seconds device_seconds "
+      "element_test_seconds element_tests exact_call_seconds exact_calls exact_seconds hierarchy_seconds "
+      "leaf_pair_seconds leaf_pairs measured_seconds narrow_seconds node_seconds nodes_built object_pair_seconds "
+      "object_pairs "
+      "partition_seconds predicted_seconds results_seconds sorted_triangle_seconds sphere_test_seconds sphere_tests "
+      "total_seconds triangle_pairs triangles_sorted");
   for (const auto& item : answer.at("stats").items()) EXPECT_TRUE(item.value().is_number()) << item.key();
 }
 

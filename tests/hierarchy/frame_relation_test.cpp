@@ -54,7 +54,7 @@ using test::Rational3;
 /// Of all nodes and leaves.
 std::vector<Frame> frames_of(hierarchy::WideTree& tree) {
   std::vector<Frame> frames;
-  std::uint64_t made = 0;
+  hierarchy::MadeNodes made;
   std::vector<hierarchy::TreeRef> open{tree.root(made)};
   while (!open.empty()) {
     const hierarchy::TreeRef next = open.back();

@@ -55,7 +55,7 @@ class TreePair {
     /// All leaves, made now.
     [[nodiscard]] std::vector<const hierarchy::WideLeaf*> leaves() const {
       std::vector<const hierarchy::WideLeaf*> found;
-      std::uint64_t made = 0;
+      hierarchy::MadeNodes made;
       std::vector<hierarchy::TreeRef> open{tree.root(made)};
       while (!open.empty()) {
         const hierarchy::TreeRef next = open.back();

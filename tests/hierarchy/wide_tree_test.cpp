@@ -92,19 +92,19 @@ class Inspection {
       : mesh_(mesh), leaf_size_(leaf_size), tree_(mesh, leaf_size), times_in_leaf_(mesh.triangles.size()) {}
 
   void run() {
-    std::uint64_t made = 0;
+    hierarchy::MadeNodes made;
     const TreeRef root = tree_.root(made);
-    EXPECT_EQ(made, 1u);
+    EXPECT_EQ(made.nodes, 1u);
     EXPECT_EQ(tree_.root(made).bits(), root.bits());
-    EXPECT_EQ(made, 1u);
+    EXPECT_EQ(made.nodes, 1u);
     ASSERT_NO_FATAL_FAILURE(inspect(root, static_cast<std::uint32_t>(times_in_leaf_.size()), made));
-    EXPECT_EQ(made, nodes_ + leaves_);
+    EXPECT_EQ(made.nodes, nodes_ + leaves_);
     EXPECT_EQ(times_in_leaf_, std::vector<std::uint32_t>(times_in_leaf_.size(), 1));
   }
 
  private:
   /// The triangles below.
-  std::vector<std::uint32_t> inspect(const TreeRef& ref, std::uint32_t count, std::uint64_t& made) {
+  std::vector<std::uint32_t> inspect(const TreeRef& ref, std::uint32_t count, hierarchy::MadeNodes& made) {
     std::vector<std::uint32_t> ids;
     if (ref.is_leaf()) {
       ++leaves_;
@@ -124,9 +124,9 @@ class Inspection {
     for (std::uint32_t lane = 0; lane < node.size; ++lane) {
       EXPECT_GT(node.count[lane], 0u);
       const TreeRef child = tree_.child(node, static_cast<int>(lane), made);
-      const std::uint64_t made_before = made;
+      const std::uint64_t made_before = made.nodes;
       EXPECT_EQ(tree_.child(node, static_cast<int>(lane), made).bits(), child.bits());
-      EXPECT_EQ(made, made_before);
+      EXPECT_EQ(made.nodes, made_before);
       const auto below = inspect(child, node.count[lane], made);
       if (testing::Test::HasFailure()) return ids;
       expect_in_box(node, lane, below);
@@ -284,7 +284,7 @@ TEST(WideTree, IsTrueForExponentiallySpacedTriangles) {
 
 std::uint32_t depth_of(WideTree& tree, const TreeRef& ref) {
   if (ref.is_leaf()) return 0;
-  std::uint64_t made = 0;
+  hierarchy::MadeNodes made;
   std::uint32_t deepest = 0;
   for (std::uint32_t lane = 0; lane < ref.node().size; ++lane)
     deepest = std::max(deepest, depth_of(tree, tree.child(ref.node(), static_cast<int>(lane), made)));
@@ -300,7 +300,7 @@ TEST(WideTree, IsOfBoundedDepth) {
   }
   const Mesh mesh = test::mesh_of(numbers);
   WideTree tree(test::numbers_of(mesh), 1);
-  std::uint64_t made = 0;
+  hierarchy::MadeNodes made;
   const std::uint32_t depth = depth_of(tree, tree.root(made));
   EXPECT_GT(depth, 20u);
   EXPECT_LE(depth, 20u + 6u);  // 8^6 > 48000
@@ -322,7 +322,7 @@ struct Surface {
 };
 Surface leaf_surface(const Mesh& mesh) {
   WideTree tree(test::numbers_of(mesh), 16);
-  std::uint64_t made = 0;
+  hierarchy::MadeNodes made;
   std::vector<TreeRef> open{tree.root(made)};
   Surface surface;
   while (!open.empty()) {
@@ -374,9 +374,9 @@ TEST(WideTree, TakesLittleMemoryOnceItIsWhole) {
     tree.build([](std::size_t count, const auto& body) {
       for (std::size_t i = 0; i < count; ++i) body(i);
     });
-    std::uint64_t made = 0;
+    hierarchy::MadeNodes made;
     tree.root(made);
-    EXPECT_EQ(made, 0u);
+    EXPECT_EQ(made.nodes, 0u);
     EXPECT_LT(tree.bytes(), 80 * mesh.triangle_count()) << triangles;
   }
 }
@@ -390,7 +390,7 @@ void on_threads(std::size_t n, const Body& body) {
 }
 
 /// Makes all in an order of its own.
-void make_shuffled(WideTree& tree, std::uint64_t seed, std::uint64_t& made) {
+void make_shuffled(WideTree& tree, std::uint64_t seed, hierarchy::MadeNodes& made) {
   scenes::Random random(seed);
   std::vector<TreeRef> open{tree.root(made)};
   while (!open.empty()) {
@@ -409,12 +409,12 @@ TEST(WideTree, IsTheSameHoweverItIsMade) {
   const std::string expected = test::bytes_of(plain);
   for (std::uint64_t round = 0; round < 5; ++round) {
     WideTree shared(test::numbers_of(mesh), 16);
-    std::vector<std::uint64_t> made(4);
+    std::vector<hierarchy::MadeNodes> made(4);
     on_threads(4, [&](std::size_t i) { make_shuffled(shared, 4 * round + i, made[i]); });
     WideTree alone(test::numbers_of(mesh), 16);
-    std::uint64_t made_alone = 0;
+    hierarchy::MadeNodes made_alone;
     make_shuffled(alone, 100 + round, made_alone);
-    EXPECT_EQ(made[0] + made[1] + made[2] + made[3], made_alone);
+    EXPECT_EQ(made[0].nodes + made[1].nodes + made[2].nodes + made[3].nodes, made_alone.nodes);
     ASSERT_TRUE(test::bytes_of(shared) == expected);
     ASSERT_TRUE(test::bytes_of(alone) == expected);
   }

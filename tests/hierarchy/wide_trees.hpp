@@ -18,7 +18,7 @@ inline std::string bytes_of(hierarchy::WideTree& tree) {
   std::string bytes;
   const auto put = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(value)); };
   const auto put_frame = [&](const hierarchy::Frame& frame) { put(frame.origin), put(frame.axes), put(frame.radius); };
-  std::uint64_t made = 0;
+  hierarchy::MadeNodes made;
   std::vector<hierarchy::TreeRef> open{tree.root(made)};
   while (!open.empty()) {
     const hierarchy::TreeRef next = open.back();

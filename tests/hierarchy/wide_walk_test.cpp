@@ -259,13 +259,13 @@ TEST(WideWalk, OfThreadsThatShareItsStackIsWhole) {
       }
       const std::lock_guard lock(mutex);
       leaf_pairs.insert(leaf_pairs.end(), own.begin(), own.end());
-      counts.box_tests += own_counts.box_tests, counts.nodes_made += own_counts.nodes_made;
+      counts.box_tests += own_counts.box_tests, counts.made.nodes += own_counts.made.nodes;
     };
     std::thread other(work);
     work();
     other.join();
     EXPECT_EQ(test::triangles_of(leaf_pairs), expected);
-    EXPECT_EQ(counts.nodes_made, plain.nodes_made);
+    EXPECT_EQ(counts.made.nodes, plain.made.nodes);
     EXPECT_EQ(counts.box_tests, plain.box_tests);
   }
 }

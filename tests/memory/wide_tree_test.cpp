@@ -22,17 +22,17 @@ TEST(WideTree, IsWholeInTheEndHoweverOftenMemoryRanOut) {
   int failures = 0;
   for (long allowed = 0; allowed < 40; ++allowed) {
     hierarchy::WideTree tree(test::numbers_of(mesh), 16);
-    std::uint64_t made = 0;
+    hierarchy::MadeNodes made;
     std::vector<hierarchy::TreeRef> open;
     // One after the other, each tried with as few allocations as it takes.
     const auto insist = [&](const auto& make) {
       for (long granted = allowed % 5;; ++granted) {
         countdown = granted;
         try {
-          const std::uint64_t before = made;
+          const std::uint64_t before = made.nodes;
           const hierarchy::TreeRef ref = make();
           countdown = -1;
-          EXPECT_EQ(made, before + 1);
+          EXPECT_EQ(made.nodes, before + 1);
           return ref;
         } catch (const std::bad_alloc&) {
           countdown = -1;

@@ -71,7 +71,7 @@ TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
 /// Only nodes that reach the region have been split.
 void expect_split_in_region(paper::ObbTree& tree, const MeshData& mesh, const Pose& pose, const Box& region) {
   std::vector<std::uint32_t> open{paper::ObbTree::kRoot};
-  std::uint64_t nodes_made = 0;
+  hierarchy::MadeNodes nodes_made;
   while (!open.empty()) {
     const std::uint32_t index = open.back();
     open.pop_back();
@@ -94,7 +94,7 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
       ASSERT_TRUE(walked.reached() || expected.empty());
       hierarchy::WalkCounts counts;
       const TrianglePairs found = pairs_of(walked_whole(walked.walk(), counts));
-      EXPECT_EQ(counts.nodes_made, walked.tree_a.node_count() + walked.tree_b.node_count());
+      EXPECT_EQ(counts.made.nodes, walked.tree_a.node_count() + walked.tree_b.node_count());
       expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
       expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
       for (const test::Contact& contact : expected) ASSERT_TRUE(found.contains({contact[2], contact[3]}));
@@ -160,7 +160,7 @@ TEST(DualWalk, MayBeCutIntoSlices) {
       if (middle != stack.begin()) stacks.emplace_back(stack.begin(), middle);
       if (middle != stack.end()) stacks.emplace_back(middle, stack.end());
     }
-    EXPECT_EQ(counts.nodes_made, 0u);
+    EXPECT_EQ(counts.made.nodes, 0u);
     EXPECT_EQ(pairs_of(leaf_pairs), expected);
   }
 }

@@ -16,17 +16,18 @@ namespace impinge::test {
 inline std::size_t expect_whole_tree(const MeshData& mesh, std::uint32_t leaf_size) {
   paper::ObbTree tree(mesh, leaf_size);
   const auto n = static_cast<std::uint32_t>(mesh.triangles.size());
-  std::uint64_t nodes_made = tree.prepare();
-  EXPECT_EQ(nodes_made, 1u);
-  EXPECT_EQ(tree.prepare(), 0u);
+  hierarchy::MadeNodes made;
+  tree.prepare(made), tree.prepare(made);
+  EXPECT_EQ(made.nodes, 1u);
+  EXPECT_EQ(made.triangles, n);
   const std::uint32_t deepest = 40 + std::bit_width(n) + 1;
   std::vector<std::uint32_t> times_in_leaf(n);
   std::vector<std::uint32_t> open{paper::ObbTree::kRoot};
-  std::size_t nodes = 0;
+  std::size_t nodes = 0, triangles = 0;
   while (!open.empty()) {
     const std::uint32_t index = open.back();
     open.pop_back();
-    ++nodes;
+    ++nodes, triangles += tree.node(index).count;
     const paper::Node& node = tree.node(index);
     EXPECT_GT(node.count, 0u);
     EXPECT_LE(node.depth, deepest);
@@ -38,14 +39,15 @@ inline std::size_t expect_whole_tree(const MeshData& mesh, std::uint32_t leaf_si
     }
     EXPECT_GT(node.count, leaf_size);
     EXPECT_FALSE(paper::ObbTree::is_split(node));
-    const std::uint32_t child = tree.children(index, nodes_made);
+    const std::uint32_t child = tree.children(index, made);
     EXPECT_TRUE(paper::ObbTree::is_split(node));
-    EXPECT_EQ(tree.children(index, nodes_made), child);
+    EXPECT_EQ(tree.children(index, made), child);
     EXPECT_EQ(tree.node(child).count + tree.node(child + 1).count, node.count);
     open.insert(open.end(), {child, child + 1});
     if (testing::Test::HasFailure()) return nodes;
   }
-  EXPECT_EQ(nodes, nodes_made);
+  EXPECT_EQ(nodes, made.nodes);
+  EXPECT_EQ(triangles, made.triangles);
   EXPECT_EQ(nodes, tree.node_count());
   EXPECT_EQ(times_in_leaf, std::vector<std::uint32_t>(n, 1));
   return nodes;

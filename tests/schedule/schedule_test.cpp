@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cfenv>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <thread>
 
@@ -143,38 +144,60 @@ TEST(ForEach, RoundsToNearest) {
   EXPECT_TRUE(mode.is_untouched());
 }
 
-TEST(Cost, IsEquationOneWithTermsForTheGridAndExactArithmetic) {
+TEST(Cost, IsEquationOneWithTermsForTheBroadPhaseTheGridAndExactArithmetic) {
   Statistics s;
+  s.bounds_updated = 3, s.border_moves = 5, s.sphere_tests = 13, s.triangles_sorted = 17, s.object_pairs = 19;
   s.box_tests = 1000, s.element_tests = 200, s.nodes_built = 30, s.leaf_pairs = 7, s.exact_calls = 11;
-  EXPECT_DOUBLE_EQ(schedule::predict_seconds(s, {2e-7, 5e-8, 1e-5, 3e-6, 4e-7}),
-                   1000 * 2e-7 + 200 * 5e-8 + 30 * 1e-5 + 7 * 3e-6 + 11 * 4e-7);
-  s.hierarchy_seconds = 1, s.partition_seconds = 2, s.narrow_seconds = 4, s.exact_seconds = 8;
-  s.broad_seconds = 100, s.results_seconds = 100, s.total_seconds = 100;
-  EXPECT_DOUBLE_EQ(schedule::modelled_seconds(s), 15);
+  const schedule::CostConstants constants{.bounds_update = 1e-7,
+                                          .border_move = 3e-7,
+                                          .sphere_test = 2e-8,
+                                          .object_pair = 6e-7,
+                                          .box_test = 2e-7,
+                                          .element_test = 5e-8,
+                                          .node = 1e-5,
+                                          .sorted_triangle = 4e-8,
+                                          .leaf_pair = 3e-6,
+                                          .exact_call = 4e-7};
+  EXPECT_DOUBLE_EQ(schedule::predict_seconds(s, constants), 3 * 1e-7 + 5 * 3e-7 + 13 * 2e-8 + 1000 * 2e-7 + 200 * 5e-8 +
+                                                                30 * 1e-5 + 17 * 4e-8 + 19 * 6e-7 + 7 * 3e-6 +
+                                                                11 * 4e-7);
+  s.broad_seconds = 16, s.hierarchy_seconds = 1, s.partition_seconds = 2, s.narrow_seconds = 4, s.exact_seconds = 8;
+  s.results_seconds = 100, s.total_seconds = 100;
+  EXPECT_DOUBLE_EQ(schedule::modelled_seconds(s), 31);
 }
 
-TEST(Cost, ConstantsExplainTheRunsTheyWereReadFrom) {
-  Statistics building, repeated, touching;
-  repeated.box_tests = building.box_tests = 500;
-  repeated.element_tests = building.element_tests = 100;
-  repeated.hierarchy_seconds = 1e-3, building.hierarchy_seconds = 5e-3;
-  repeated.narrow_seconds = building.narrow_seconds = 2e-3;
-  repeated.exact_seconds = building.exact_seconds = 1e-3;
-  building.nodes_built = 40;
-  repeated.leaf_pairs = building.leaf_pairs = 20;
-  repeated.partition_seconds = building.partition_seconds = 6e-3;
-  repeated.exact_calls = building.exact_calls = 4;
+TEST(Cost, ConstantsAreReadOffRunsThatTheyWouldExplain) {
+  const double box_test = 2e-6, element_test = 2e-5, leaf_pair = 3e-4, node = 1e-4, sorted_triangle = 4e-8;
+  const auto runs = [&](std::uint64_t nodes, std::uint64_t triangles) {
+    Statistics repeated;
+    repeated.box_tests = 500, repeated.element_tests = 100, repeated.leaf_pairs = 20;
+    repeated.hierarchy_seconds = 500 * box_test;
+    repeated.narrow_seconds = 100 * element_test;
+    repeated.partition_seconds = 20 * leaf_pair;
+    Statistics building = repeated;
+    building.nodes_built = nodes, building.triangles_sorted = triangles;
+    building.hierarchy_seconds += static_cast<double>(nodes) * node + static_cast<double>(triangles) * sorted_triangle;
+    return schedule::CostRuns{building, repeated};
+  };
+  Statistics touching;
   touching.exact_calls = 8, touching.exact_seconds = 2e-3;
-  const schedule::CostConstants c = schedule::constants_from(building, repeated, touching);
-  EXPECT_DOUBLE_EQ(c.box_test, 1e-3 / 500);
-  EXPECT_DOUBLE_EQ(c.element_test, 2e-3 / 100);
-  EXPECT_DOUBLE_EQ(c.node, 4e-3 / 40);
-  EXPECT_DOUBLE_EQ(c.leaf_pair, 6e-3 / 20);
-  EXPECT_DOUBLE_EQ(c.exact_call, 2e-3 / 8);
-  for (const Statistics& s : {building, repeated})
-    EXPECT_NEAR(schedule::predict_seconds(s, c), schedule::modelled_seconds(s), 1e-12);
-  const schedule::CostConstants none = schedule::constants_from({}, {}, {});
-  EXPECT_EQ(none.box_test + none.element_test + none.node + none.leaf_pair + none.exact_call, 0);
+  const schedule::CostRuns light = runs(10, 50000), deep = runs(400, 90000);
+  const schedule::CostConstants c = schedule::constants_from(light, deep, touching);
+  EXPECT_NEAR(c.box_test, box_test, 1e-12);
+  EXPECT_NEAR(c.element_test, element_test, 1e-12);
+  EXPECT_NEAR(c.leaf_pair, leaf_pair, 1e-12);
+  EXPECT_NEAR(c.exact_call, 2e-3 / 8, 1e-12);
+  EXPECT_NEAR(c.node, node, 1e-12);
+  EXPECT_NEAR(c.sorted_triangle, sorted_triangle, 1e-12);
+  // Runs that noise has made contradict each other give constants that are not negative, and explain both together.
+  schedule::CostRuns noisy = light;
+  noisy.building.hierarchy_seconds *= 100;
+  for (const schedule::CostConstants& odd :
+       {schedule::constants_from(noisy, deep, touching), schedule::constants_from(light, runs(400, 0), touching),
+        schedule::constants_from({}, {}, {})}) {
+    EXPECT_GE(odd.node, 0);
+    EXPECT_GE(odd.sorted_triangle, 0);
+  }
 }
 
 TEST(Cost, IsPredictedWhenAskedFor) {
@@ -185,14 +208,16 @@ TEST(Cost, IsPredictedWhenAskedFor) {
   EXPECT_EQ(plain.predicted_seconds, 0);
   EXPECT_EQ(plain.box_test_seconds, 0);
   const Statistics s = collide(ball, {}, ball, pose, {.predict_cost = true})->statistics;
-  EXPECT_GT(s.box_test_seconds, 0);
-  EXPECT_GT(s.element_test_seconds, 0);
-  EXPECT_GT(s.node_seconds, 0);
-  EXPECT_GT(s.leaf_pair_seconds, 0);
-  EXPECT_GT(s.exact_call_seconds, 0);
-  EXPECT_DOUBLE_EQ(s.predicted_seconds,
-                   schedule::predict_seconds(s, {s.box_test_seconds, s.element_test_seconds, s.node_seconds,
-                                                 s.leaf_pair_seconds, s.exact_call_seconds}));
+  double sum = 0;
+  for (const schedule::CostTerm& term : schedule::kCostTerms) {
+    EXPECT_TRUE(std::isfinite(s.*term.seconds));
+    sum += static_cast<double>(s.*term.count) * s.*term.seconds;
+  }
+  for (const auto constant : {&Statistics::box_test_seconds, &Statistics::element_test_seconds,
+                              &Statistics::leaf_pair_seconds, &Statistics::exact_call_seconds})
+    EXPECT_GT(s.*constant, 0);
+  EXPECT_GT(s.node_seconds + s.sorted_triangle_seconds, 0);
+  EXPECT_DOUBLE_EQ(s.predicted_seconds, sum);
   EXPECT_DOUBLE_EQ(s.measured_seconds, schedule::modelled_seconds(s));
   EXPECT_GT(s.total_seconds, 0);
 }
@@ -262,21 +287,118 @@ TEST(DevicePortion, EndsWhenTheCpuDoes) {
   EXPECT_EQ(schedule::device_portion(100, {.cpu = 1, .device = 0, .question = 0}), 0);
 }
 
+/// When both sides of a hybrid query end, on clocks of their own: the CPU's threads do a weight of 1 a second each, and
+/// the device takes the time that it is told to.
+struct Ends {
+  double cpu = 0, device = 0, device_weight = 0;
+};
+struct Race {
+  double device_speed, question;
+  int threads = 1;
+  double misjudged = 1;  ///< the speed that the cost function predicts over the true one
+};
+Ends run(const Race& race, const std::vector<double>& weights) {
+  schedule::TwoEnded row(weights);
+  schedule::DevicePortions portions(race.misjudged * race.device_speed / race.threads, race.question, 0);
+  std::vector<std::pair<double, double>> finished;  // when, and what it weighed
+  std::vector<double> free(static_cast<std::size_t>(race.threads));
+  double device_free = 0;
+  bool is_device_over = false;
+  Ends ends;
+  while (!free.empty() || !is_device_over) {
+    const auto next = std::min_element(free.begin(), free.end());
+    if (next != free.end() && (is_device_over || *next <= device_free)) {
+      const auto range = row.take_back(schedule::cpu_portion(row.left(), race.threads));
+      if (range.empty()) {
+        free.erase(next);
+        continue;
+      }
+      ends.cpu = std::max(ends.cpu, *next += range.weight);
+      finished.emplace_back(*next, range.weight);
+      continue;
+    }
+    double cpu_done = 0;
+    for (const auto& [when, weight] : finished) cpu_done += when <= device_free ? weight : 0;
+    if (row.left() == 0) {
+      is_device_over = true;
+    } else if (portions.is_early(cpu_done, device_free)) {
+      device_free += 5e-5;
+    } else {
+      const auto range = row.take_front(portions.next(row.left(), cpu_done, device_free));
+      const double seconds = race.question + range.weight / race.device_speed;
+      is_device_over = range.empty();
+      if (is_device_over) continue;
+      ends.device = device_free += seconds;
+      ends.device_weight += range.weight;
+      portions.done(range.weight, seconds);
+    }
+  }
+  return ends;
+}
+
+TEST(DevicePortions, LetBothSidesEndTogether) {
+  test::Seeded seeded(5);
+  for (const double speed : {1 / 20.0, 1 / 5.0, 1 / 2.0, 1.0, 2.0, 5.0, 20.0}) {
+    for (const double misjudged : {0.5, 1.0, 2.0}) {
+      for (const int threads : {1, 2}) {  // more share single pieces with each other, too
+        for (const double question : {0.0, 2e-4}) {
+          std::vector<double> weights(1024);  // a second of one thread's work
+          for (double& weight : weights) weight = seeded.random.integer(1, 10) / (5.5 * 1024);
+          const Ends ends = run({speed * threads, question, threads, misjudged}, weights);
+          EXPECT_LT(std::abs(ends.cpu - ends.device), 0.1 * std::max(ends.cpu, ends.device))
+              << speed << ' ' << misjudged << ' ' << threads << ' ' << question << ": " << ends.cpu << ' '
+              << ends.device;
+        }
+      }
+    }
+  }
+}
+
+/// As many pieces as one pair of objects is cut into.
+TEST(DevicePortions, LetBothSidesOfOnePairEndTogether) {
+  const std::vector<double> weights(256, 1 / 256.0);
+  for (const double speed : {1 / 20.0, 1.0, 20.0}) {
+    const Ends ends = run({speed, 2e-4, 1, 1}, weights);
+    EXPECT_LT(std::abs(ends.cpu - ends.device), 0.1 * std::max(ends.cpu, ends.device)) << speed;
+  }
+}
+
+TEST(DevicePortions, AreNoneWhereADeviceGainsNothing) {
+  const std::vector<double> weights(1024, 1 / 1024.0);
+  EXPECT_EQ(run({.device_speed = 20, .question = 2}, weights).device_weight, 0);
+  EXPECT_GT(run({.device_speed = 20, .question = 0.1}, weights).device_weight, 0.5);
+}
+
 /// What is kept in a file comes back, and what is no calibration is passed over.
 TEST(Calibration, IsTextThatComesBack) {
-  const std::string title = "impinge calibration 1\n";
-  set_calibration(title + "1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
+  const std::string title = "impinge calibration 2\n";
+  set_calibration(title + "device 1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
   const std::string text = calibration();
   EXPECT_NE(text.find(" A device, of some driver 1.2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("2.000000e-09"), std::string::npos) << text;
   for (const std::string& other :
-       {std::string(), std::string("nonsense"), std::string("impinge calibration 2\n1 1 1 1 1 B\n"), title + "1 2 3",
+       {std::string(), std::string("nonsense"), std::string("impinge calibration 1\n1 1 1 1 1 B\n"), title + "1 2 3",
         title + "nan 1e-9 1e-9 0 0 B\n", title + "-1 1e-9 1e-9 0 0 B\n", title + "1e-5 0 1e-9 0 0 B\n",
         title + "1e-5 1e-9 1e300 0 0 B\n", title + std::string(5000, '\n'), title + std::string(3, '\0')})
     set_calibration(other);
   EXPECT_EQ(calibration(), text);
   set_calibration(text);
   EXPECT_EQ(calibration(), text);
+}
+
+TEST(Calibration, OfTheCpuComesBackToo) {
+  const Mesh ball = test::mesh_of(scenes::bumpy_grid(4, 4));
+  const auto box_test_seconds = [&] {
+    return collide(ball, {}, ball, {}, {.backend = "simd", .predict_cost = true})->statistics.box_test_seconds;
+  };
+  const double measured = box_test_seconds();
+  std::string text = calibration();
+  const std::size_t line = text.find("cpu "), name = text.find(" simd, ", line);
+  ASSERT_NE(name, std::string::npos) << text;
+  text.replace(line, name - line, "cpu 0 0 1e-9 2e-9 0.25 3e-9 4e-9 5e-9 6e-9 7e-9");
+  set_calibration(text);
+  EXPECT_EQ(box_test_seconds(), 0.25);
+  EXPECT_LT(measured, 0.25);
 }
 
 }  // namespace
