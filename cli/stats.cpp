@@ -48,6 +48,17 @@ void print_statistics(const Statistics& s, Sink& sink) {
               cost("e: pairs of triangles left to exact arithmetic", s.exact_calls, s.exact_call_seconds),
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
+  if (s.images_drawn > 0) {
+    sink.write("\nImage space\n");
+    print_rows(sink, {{"", text, {}}, {"", number, {}}},
+               {{"images drawn", grouped(s.images_drawn)},
+                {"of them begun while an earlier one was under way", grouped(s.images_overlapped)},
+                {"of them with a test that the occlusion query saw", grouped(s.images_read)},
+                {"time that the device had an image", duration(s.device_seconds)},
+                {"of it, while the CPU made other batches", duration(s.device_seconds - s.device_wait_seconds)},
+                {"and while it waited", duration(s.device_wait_seconds)}});
+    return;
+  }
   if (s.device_seconds == 0) return;
   sink.write("\nSides (by the clock; the counts above are both sides' together, T is the CPU's)\n");
   print_rows(sink, {{"side", text, {}}, {"predicted", number, {}}, {"time", number, {}}},

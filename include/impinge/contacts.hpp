@@ -33,6 +33,9 @@ struct Statistics {
   std::uint64_t leaf_pairs = 0;         ///< N_l: pairs of leaves that the walk could not separate
   std::uint64_t triangle_pairs = 0;     ///< pairs of triangles that the grid could not separate
   std::uint64_t exact_calls = 0;        ///< N_e: pairs of triangles that the narrow phase left undecided
+  std::uint64_t images_drawn = 0;       ///< images of tests of edges and triangles; "raster" only
+  std::uint64_t images_overlapped = 0;  ///< of them, those begun while the device still had an earlier one
+  std::uint64_t images_read = 0;        ///< of them, those whose occlusion query saw a test that is not certainly apart
   double bounds_update_seconds = 0;     ///< C_b, calibrated on this machine; 0 unless `Options::predict_cost`
   double border_move_seconds = 0;       ///< C_m, likewise
   double sphere_test_seconds = 0;       ///< C_s, likewise
@@ -47,6 +50,7 @@ struct Statistics {
   double measured_seconds = 0;          ///< from the broad phase to the exact stage: the part that T speaks of
   double device_predicted_seconds = 0;  ///< of the device's part, by constants of its own; 0 unless `predict_cost`
   double device_seconds = 0;            ///< what the device's part took, by the clock; the counts above include it
+  double device_wait_seconds = 0;       ///< of these, while the CPU did nothing but wait for it; "raster" only
   double cpu_seconds = 0;               ///< what the CPU's part took beside it, by the clock; 0 unless "hybrid"
   double broad_seconds = 0;
   double hierarchy_seconds = 0;

@@ -60,6 +60,8 @@ void Crew<Stages>::give_back(Worker<Stages>& worker) {
 
 template <class Stages>
 void Crew<Stages>::release() {
+  if constexpr (std::is_same_v<Stages, PlainStages>)
+    for (Worker<Stages>* worker : at_work_) worker->stages.release();
   idle_.clear(), at_work_.clear();
 }
 

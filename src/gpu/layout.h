@@ -24,7 +24,7 @@ IMPINGE_CONSTANT(kSweptTogether, 4);        // pairs of leaves that a workgroup 
 IMPINGE_CONSTANT(kLeafBit, 0x80000000u);    // in a reference: a leaf, not a node
 IMPINGE_CONSTANT(kUnsureBit, 0x80000000u);  // in Hit::a: left to exact arithmetic
 IMPINGE_CONSTANT(kNoHit, 0xFFFFFFFFu);      // Hit::pair of a place that nothing was written to
-IMPINGE_CONSTANT(kRasterWidth, 2048);       // tests in a row of an image; its edge texture has two texels a test
+IMPINGE_CONSTANT(kRasterWidth, 2048);       // edges in a row of an image; its edge texture has two texels an edge
 IMPINGE_CONSTANT(kRasterHeight, 16);
 IMPINGE_CONSTANT(kTestApart, 0);  // as paper::Verdict
 IMPINGE_CONSTANT(kTestUnsure, 1);
@@ -110,12 +110,14 @@ struct WalkConfig {
   uint only_sweep;   // for `plan.comp`: the walk's steps are over
 };
 
-/// In one image of backend "raster": tests of one triangle that follow one another in a row. The triangle's second and
-/// third corner as seen from the first, each coordinate within `error`.
+/// In one image of backend "raster": a triangle, and edges of one leaf that follow one another in a row. Its first
+/// corner is seen from the leaf's origin, the other two from the first; each coordinate is within `error`, and
+/// multiplied by `scale` those of the edges have the same unit.
 struct RasterRun {
-  float a[3], b[3];
-  float error;
-  uint first, count;
+  float corner[3], a[3], b[3];
+  float scale, error;
+  uint first, count;  // places in the image
+  uint verdict;       // where the first one's verdict goes
 };
 
 /// A trial of the device's arithmetic: four numbers, and what it makes of them (shaders/probe.comp).

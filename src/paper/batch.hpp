@@ -30,6 +30,7 @@ struct ElementTest {
 struct Batch {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::uint32_t> leaves;  ///< the first edge of each leaf, whose edges follow one another
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<ElementTest> tests;  ///< those with the same triangle follow one another
   std::vector<CandidatePair> pairs;
@@ -38,7 +39,7 @@ struct Batch {
     const auto& t = triangles[i];
     return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
   }
-  void clear() { vertices.clear(), edges.clear(), triangles.clear(), tests.clear(), pairs.clear(); }
+  void clear() { vertices.clear(), edges.clear(), leaves.clear(), triangles.clear(), tests.clear(), pairs.clear(); }
 };
 
 /// What certified floating point says of an edge and a triangle, or of two triangles. In order of precedence: a pair of

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "paper/backend.hpp"
+#include "paper/scalar.hpp"
 
 namespace impinge::paper {
 namespace {

@@ -26,6 +26,7 @@ const Partitioner::PosedLeaf& Partitioner::posed(PosedLeaves& leaves, const Leaf
   PosedLeaf& posed = leaves[reinterpret_cast<std::uintptr_t>(&leaf) / sizeof(LeafBlock) % leaves.size()];
   if (posed.leaf == &leaf) return posed;
   posed = {&leaf, static_cast<std::uint32_t>(batch.edges.size()), static_cast<std::uint32_t>(batch.triangles.size())};
+  batch.leaves.push_back(posed.first_edge);
   const auto first_vertex = static_cast<std::uint32_t>(batch.vertices.size());
   batch.vertices.resize(batch.vertices.size() + leaf.vertices.size());
   Vec3* const vertices = batch.vertices.data() + first_vertex;

@@ -66,8 +66,8 @@ class Partitioner {
   std::vector<Box> edge_boxes_, triangle_boxes_;  ///< of the batch's
   // Of the leaf pair at hand:
   Elements in_a_, in_b_;
-  std::array<std::uint64_t, 64> edges_of_cells_;  ///< a set of edges each, a bit for an edge
-  std::vector<std::uint32_t> candidates_;         ///< by (triangle of a, triangle of b)
+  std::array<std::uint64_t, 64> edges_of_cells_{};  ///< a set of edges each, a bit for an edge
+  std::vector<std::uint32_t> candidates_;           ///< by (triangle of a, triangle of b)
 };
 
 }  // namespace impinge::paper

@@ -3,6 +3,7 @@
 #include "paper/raster.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -18,17 +19,16 @@ namespace {
 static_assert(static_cast<uint>(Verdict::no) == kTestApart && static_cast<uint>(Verdict::unsure) == kTestUnsure &&
               static_cast<uint>(Verdict::crossing) == kTestCrossing);
 
-constexpr std::uint32_t kPlaces = kRasterWidth * kRasterHeight;
-constexpr std::uint32_t kTexelsPerTest = 2;
-
-/// Two texels of the edge texture: the ends, and how far off each is.
-struct EdgeTexels {
-  float from[3], from_error;
-  float to[3], to_error;
-};
-static_assert(sizeof(EdgeTexels) == std::size_t{kTexelsPerTest} * Image::kTexelBytes);
+constexpr std::uint32_t kPlaces = kRasterWidth * kRasterHeight, kNoPlace = ~0u;
+constexpr std::uint32_t kTexelsPerEdge = 2;
+constexpr std::uint32_t kTestsPerFrame = kPlaces;
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+int exponent_of(double reach) {
+  int exponent = 0;
+  std::frexp(reach, &exponent);
+  return exponent;
+}
 
 /// Returns how far off the floats are. The offset is a difference, rounded once: by 2^-53 of itself, then to float by
 /// 2^-24, or it is taken for zero below 2^-126. The rest of the factor is room for the rounding of the largest and of
@@ -38,6 +38,55 @@ float write_scaled(const Vec3& offset, double scale, float to[3]) {
   to[1] = static_cast<float>(offset.y * scale);
   to[2] = static_cast<float>(offset.z * scale);
   return static_cast<float>(largest(offset) * scale) * 0x1.01p-24f + 0x1p-120f;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+/// Two texels of the edge texture: the ends, and how far off each is.
+struct EdgeTexels {
+  float from[3], from_error;
+  float to[3], to_error;
+};
+static_assert(sizeof(EdgeTexels) == std::size_t{kTexelsPerEdge} * Image::kTexelBytes);
+
+/// What the edges of a leaf are seen from.
+const Vec3& origin_of(const Batch& batch, std::uint32_t first_edge) {
+  return batch.vertices[batch.edges[first_edge][0]];
+}
+
+/// A leaf's edges, scaled so that no coordinate is above 1, by 2^-e; returns e. World coordinates are below 2^300 and
+/// multiples of 2^-358 (contract 1.3), so are their rounded differences but for a factor of 2, and no scaling of those
+/// leaves the range of doubles.
+int write_edges(const Batch& batch, std::uint32_t first, std::size_t end, EdgeTexels* to) {
+  const Vec3& origin = origin_of(batch, first);
+  const auto end_of = [&](std::size_t edge, int side) { return batch.vertices[batch.edges[edge][side]] - origin; };
+  double reach = 0;
+  for (std::size_t edge = first; edge < end; ++edge)
+    reach = std::max({reach, largest(end_of(edge, 0)), largest(end_of(edge, 1))});
+  const int exponent = exponent_of(reach);
+  const double scale = std::ldexp(1.0, -exponent);
+  for (std::size_t edge = first; edge < end; ++edge, ++to) {
+    EdgeTexels texels;  // written as a whole, for the memory may not be cached
+    texels.from_error = write_scaled(end_of(edge, 0), scale, texels.from);
+    texels.to_error = write_scaled(end_of(edge, 1), scale, texels.to);
+    *to = texels;
+  }
+  return exponent;
+}
+
+/// Scaled so that no coordinate is above 1/2, nor one of the leaf's edges, whose scale was 2^-exponent: then none is
+/// above 1 as seen from the triangle's corner.
+RasterRun triangle_as_seen(const Batch& batch, std::uint32_t triangle, std::uint32_t first_edge, int exponent) {
+  const Triangle t = batch.triangle(triangle);
+  const Vec3 corner = t[0] - origin_of(batch, first_edge), a = t[1] - t[0], b = t[2] - t[0];
+  const int common = std::max(exponent, exponent_of(std::max({largest(corner), largest(a), largest(b)}))) + 1;
+  const double scale = std::ldexp(1.0, -common);
+  RasterRun run{.scale = static_cast<float>(std::ldexp(1.0, exponent - common))};
+  run.error =
+      std::max({write_scaled(corner, scale, run.corner), write_scaled(a, scale, run.a), write_scaled(b, scale, run.b)});
+  return run;
 }
 
 }  // namespace
@@ -58,103 +107,105 @@ bool OcclusionQuery::has_seen_any() const {
   return samples != 0;
 }
 
+RasterBackend::Frame::Frame(const Drawing& drawing)
+    : edges(drawing.device(), kTexelsPerEdge * kRasterWidth, kRasterHeight),
+      edge_upload(drawing.device(), kPlaces * sizeof(EdgeTexels), Buffer::Use::upload),
+      run_upload(drawing.device(), kTestsPerFrame * sizeof(RasterRun), Buffer::Use::upload),
+      runs(drawing.device(), kTestsPerFrame * sizeof(RasterRun), Buffer::Use::device),
+      found(drawing.device(), kTestsPerFrame * sizeof(uint), Buffer::Use::device),
+      readback(drawing.device(), kTestsPerFrame * sizeof(uint), Buffer::Use::readback),
+      query(drawing.device()),
+      bindings(drawing, edges, runs, found),
+      commands(drawing.device()) {}
+
 RasterBackend::RasterBackend(const Drawing& drawing)
-    : drawing_(drawing),
-      edges_(drawing.device(), kTexelsPerTest * kRasterWidth, kRasterHeight),
-      edge_upload_(drawing.device(), kPlaces * sizeof(EdgeTexels), Buffer::Use::upload),
-      run_upload_(drawing.device(), kPlaces * sizeof(RasterRun), Buffer::Use::upload),
-      runs_(drawing.device(), kPlaces * sizeof(RasterRun), Buffer::Use::device),
-      found_(drawing.device(), kPlaces * sizeof(uint), Buffer::Use::device),
-      readback_(drawing.device(), kPlaces * sizeof(uint), Buffer::Use::readback),
-      query_(drawing.device()),
-      bindings_(drawing, edges_, runs_, found_),
-      commands_(drawing.device()) {}
+    : drawing_(drawing), frames_{Frame(drawing), Frame(drawing), Frame(drawing)} {}
 
 void RasterBackend::submit(const Batch& batch) {
-  batch_ = &batch;
-  verdicts_.clear();
-  if (!batch.tests.empty()) start_image();
+  UnderWay& work = under_way_[submitted_++ % under_way_.size()];
+  work.batch = &batch, work.drawn = 0;
+  work.verdicts.clear();
+  while (work.drawn < batch.tests.size()) {
+    if (started_ - collected_ == frames_.size()) collect_frame();
+    start_frame(work);
+  }
 }
 
 std::span<const Verdict> RasterBackend::wait() {
-  while (verdicts_.size() < batch_->tests.size()) {
-    collect_image();
-    if (verdicts_.size() < batch_->tests.size()) start_image();
-  }
-  return verdicts_;
+  const UnderWay& work = under_way_[returned_++ % under_way_.size()];
+  while (work.verdicts.size() < work.batch->tests.size()) collect_frame();
+  return work.verdicts;
 }
 
-void RasterBackend::start_image() {
-  const std::size_t begin = verdicts_.size(), end = std::min<std::size_t>(begin + kPlaces, batch_->tests.size());
-  places_ = static_cast<std::uint32_t>(end - begin);
-  const std::uint32_t runs = lay_out(begin, end);
-  commands_.start([&](VkCommandBuffer commands) {
-    edges_.fill(commands, edge_upload_, (places_ + kRasterWidth - 1) / kRasterWidth);
-    copy(commands, run_upload_, 0, runs_, 0, runs * sizeof(RasterRun));
-    vkCmdFillBuffer(commands, found_.handle(), 0, places_ * sizeof(uint), kTestUnsure);
+void RasterBackend::start_frame(UnderWay& work) {
+  Frame& frame = frames_[started_ % frames_.size()];
+  const Extent used = lay_out(frame, work);
+  if (started_ == collected_) busy_since_ = std::chrono::steady_clock::now();
+  frame.commands.start([&](VkCommandBuffer commands) {
+    frame.edges.fill(commands, frame.edge_upload, used.rows);
+    copy(commands, frame.run_upload, 0, frame.runs, 0, used.runs * sizeof(RasterRun));
+    vkCmdFillBuffer(commands, frame.found.handle(), 0, frame.tests * sizeof(uint), kTestUnsure);
     barrier(commands);
-    drawing_.draw(commands, bindings_.set(), runs, asks_first_ ? query_.handle() : VK_NULL_HANDLE);
-    if (!asks_first_) read_back(commands);
+    drawing_.draw(commands, frame.bindings.set(), used.runs, frame.query.handle());
+    barrier(commands);
+    copy(commands, frame.found, 0, frame.readback, 0, frame.tests * sizeof(uint));
+    hand_to_host(commands);
   });
+  ++counts_.images_drawn;
+  if (started_++ > collected_) ++counts_.images_overlapped;
 }
 
-/// Tests in their order, a place each: a row's end and a change of triangle end a run. Each run is seen from its
-/// triangle's first corner, scaled by a power of two so that no coordinate is above 1. World coordinates are below
-/// 2^300 and multiples of 2^-358 (contract 1.3), so are their rounded differences but for a factor of 2, and no
-/// scaling of those leaves the range of doubles.
-std::uint32_t RasterBackend::lay_out(std::size_t begin, std::size_t end) {
-  const Batch& batch = *batch_;
-  auto* const texels = edge_upload_.mapped<EdgeTexels>();
-  auto* const runs = run_upload_.mapped<RasterRun>();
-  std::uint32_t count = 0;
-  for (std::size_t i = begin, next = begin; i < end; i = next) {
-    const std::size_t row_end = std::min(end, begin + ((i - begin) / kRasterWidth + 1) * kRasterWidth);
-    const std::uint32_t triangle = batch.tests[i].triangle;
-    const Triangle t = batch.triangle(triangle);
-    const Vec3 a = t[1] - t[0], b = t[2] - t[0];
-    const auto end_of = [&](std::size_t test, int side) {
-      return batch.vertices[batch.edges[batch.tests[test].edge][side]] - t[0];
-    };
-    double reach = std::max(largest(a), largest(b));
-    for (; next < row_end && batch.tests[next].triangle == triangle; ++next)
-      reach = std::max({reach, largest(end_of(next, 0)), largest(end_of(next, 1))});
-    int exponent = 0;
-    std::frexp(reach, &exponent);
-    const double scale = std::ldexp(1.0, -exponent);
-
-    RasterRun run{.first = static_cast<uint>(i - begin), .count = static_cast<uint>(next - i)};
-    const float error_a = write_scaled(a, scale, run.a), error_b = write_scaled(b, scale, run.b);
-    run.error = std::max(error_a, error_b);
+/// Tests of one triangle with edges that follow one another become a run. A leaf lies in one row, so no run is cut.
+RasterBackend::Extent RasterBackend::lay_out(Frame& frame, UnderWay& work) {
+  const Batch& batch = *work.batch;
+  leaf_places_.assign(batch.leaves.size(), {kNoPlace, 0});
+  auto* const texels = frame.edge_upload.mapped<EdgeTexels>();
+  auto* const runs = frame.run_upload.mapped<RasterRun>();
+  const std::size_t begin = work.drawn, end = std::min<std::size_t>(begin + kTestsPerFrame, batch.tests.size());
+  std::uint32_t free_place = 0, count = 0;
+  while (work.drawn < end) {
+    const ElementTest& first = batch.tests[work.drawn];
+    const auto leaf = std::upper_bound(batch.leaves.begin(), batch.leaves.end(), first.edge) - 1;
+    const std::size_t leaf_end = leaf + 1 == batch.leaves.end() ? batch.edges.size() : leaf[1];
+    LeafPlace& place = leaf_places_[static_cast<std::size_t>(leaf - batch.leaves.begin())];
+    if (place.first == kNoPlace) {
+      const auto size = static_cast<std::uint32_t>(leaf_end - *leaf);
+      assert(size <= kRasterWidth);
+      if (free_place % kRasterWidth + size > kRasterWidth) free_place += kRasterWidth - free_place % kRasterWidth;
+      if (free_place + size > kPlaces) break;
+      place = {free_place, write_edges(batch, *leaf, leaf_end, texels + free_place)};
+      free_place += size;
+    }
+    RasterRun run = triangle_as_seen(batch, first.triangle, *leaf, place.exponent);
+    run.first = place.first + first.edge - *leaf;
+    run.verdict = static_cast<uint>(work.drawn - begin);
+    do {
+      ++run.count, ++work.drawn;
+    } while (work.drawn < end && batch.tests[work.drawn].triangle == first.triangle &&
+             batch.tests[work.drawn].edge == first.edge + run.count && first.edge + run.count < leaf_end);
     runs[count++] = run;
-    for (std::size_t test = i; test < next; ++test) {
-      EdgeTexels edge;
-      edge.from_error = write_scaled(end_of(test, 0), scale, edge.from);
-      edge.to_error = write_scaled(end_of(test, 1), scale, edge.to);
-      texels[test - begin] = edge;
-    }
   }
-  return count;
+  frame.work = &work;
+  frame.tests = static_cast<std::uint32_t>(work.drawn - begin);
+  return {count, (free_place + kRasterWidth - 1) / kRasterWidth};
 }
 
-void RasterBackend::read_back(VkCommandBuffer commands) {
-  barrier(commands);
-  copy(commands, found_, 0, readback_, 0, places_ * sizeof(uint));
-  hand_to_host(commands);
-}
-
-void RasterBackend::collect_image() {
-  commands_.wait();
-  if (asks_first_) {
-    if (!query_.has_seen_any()) {
-      verdicts_.resize(verdicts_.size() + places_, Verdict::no);
-      return;
-    }
-    commands_.start([&](VkCommandBuffer commands) { read_back(commands); });
-    commands_.wait();
+void RasterBackend::collect_frame() {
+  Frame& frame = frames_[collected_ % frames_.size()];
+  const auto before = std::chrono::steady_clock::now();
+  frame.commands.wait();
+  const bool is_any_left = frame.query.has_seen_any();
+  counts_.wait_seconds += seconds_since(before);
+  if (++collected_ == started_) counts_.device_seconds += seconds_since(busy_since_);
+  std::vector<Verdict>& verdicts = frame.work->verdicts;
+  if (!is_any_left) {
+    verdicts.resize(verdicts.size() + frame.tests, Verdict::no);
+    return;
   }
-  const uint* const found = readback_.mapped<const uint>();
-  for (std::uint32_t i = 0; i < places_; ++i)
-    verdicts_.push_back(found[i] <= kTestCrossing ? static_cast<Verdict>(found[i]) : Verdict::unsure);
+  ++counts_.images_read;
+  const uint* const found = frame.readback.mapped<const uint>();
+  for (std::uint32_t i = 0; i < frame.tests; ++i)
+    verdicts.push_back(found[i] <= kTestCrossing ? static_cast<Verdict>(found[i]) : Verdict::unsure);
 }
 
 std::unique_ptr<Drawing> make_raster_drawing(Device& device) {
@@ -200,19 +251,19 @@ std::string probe_arithmetic(Device& device) {
 
 /// One edge of many pierces the triangle, the first, one in the midst, the last, or none.
 std::string probe_query(const Drawing& drawing) {
-  constexpr std::size_t kTests = 3000;
+  constexpr std::uint32_t kTests = 3000, kLeafSize = 1000;
   Batch batch;
   batch.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};
   batch.triangles = {{0, 1, 2}};
-  batch.edges = {{4, 5}, {3, 4}};
+  for (std::uint32_t i = 0; i < kTests; ++i) batch.tests.push_back({.edge = i, .triangle = 0});
+  for (std::uint32_t i = 0; i < kTests; i += kLeafSize) batch.leaves.push_back(i);
   RasterBackend backend(drawing);
-  backend.ask_first(true);
-  for (const std::size_t at : {std::size_t{0}, kTests / 2, kTests - 1, kTests}) {
-    batch.tests.assign(kTests, {.edge = 0, .triangle = 0});
-    if (at < kTests) batch.tests[at].edge = 1;
+  for (const std::uint32_t at : {0u, kTests / 2, kTests - 1, kTests}) {
+    batch.edges.assign(kTests, {4, 5});
+    if (at < kTests) batch.edges[at] = {3, 4};
     backend.submit(batch);
     const std::span<const Verdict> found = backend.wait();
-    for (std::size_t i = 0; i < kTests; ++i)
+    for (std::uint32_t i = 0; i < kTests; ++i)
       if (found[i] != (i == at ? Verdict::crossing : Verdict::no)) return "it does not draw what it is told to";
   }
   return {};

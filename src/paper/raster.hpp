@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/drawing.hpp"
-#include "paper/backend.hpp"
+#include "paper/batch.hpp"
 
 namespace impinge::paper {
 
@@ -30,36 +33,73 @@ class OcclusionQuery {
   VkQueryPool pool_ = VK_NULL_HANDLE;
 };
 
-/// The paper's image space (section 3.4): the batch's tests are the texels of an image, edges lie in a texture, a
-/// triangle is a quad over the texels of the edges that it is tested against, and fragments are the tests. Every call
-/// may throw a gpu::Failure; after one it is of no more use.
-class RasterBackend final : public Backend {
+/// What a RasterBackend did since it was asked last.
+struct RasterCounts {
+  std::uint64_t images_drawn = 0;
+  std::uint64_t images_overlapped = 0;  ///< of them, those begun while an earlier one was under way
+  std::uint64_t images_read = 0;        ///< whose occlusion query had seen a test that is not certainly apart
+  double device_seconds = 0;  ///< from the first image's start until the last one's end was noticed, by the clock
+  double wait_seconds = 0;    ///< of these, while the caller waited for it
+};
+
+/// The paper's image space (section 3.4). Each edge of a batch lies once in a texture, leaf by leaf; a triangle is
+/// drawn as quads over the edges that it is tested against, and the fragments are the tests. An occlusion query tells
+/// whether any test is left, and only then are verdicts read. Each batch is an image, or several if it is large; the
+/// device draws while the caller makes the next batches. Every call may throw a gpu::Failure; after one it is of no
+/// more use.
+class RasterBackend {
  public:
+  static constexpr std::size_t kMostBatches = 3;  ///< that may be under way
+
   explicit RasterBackend(const gpu::Drawing& drawing);
 
-  /// From now on an occlusion query tells first whether anything is left of an image; where nothing is, no verdict is
-  /// read. The verdicts are the same.
-  void ask_first(bool does) { asks_first_ = does; }
-
-  void submit(const Batch& batch) override;
-  std::span<const Verdict> wait() override;
+  /// Starts on the batch's tests. The batch stays as it is until `wait` has returned its verdicts. Its leaves have at
+  /// most kRasterWidth edges each.
+  void submit(const Batch& batch);
+  /// A verdict for each test of the batch that was submitted first of those under way. They stay until the next call.
+  std::span<const Verdict> wait();
+  RasterCounts take_counts() { return std::exchange(counts_, {}); }
 
  private:
-  void start_image();
-  std::uint32_t lay_out(std::size_t begin, std::size_t end);
-  void collect_image();
-  void read_back(VkCommandBuffer commands);
+  /// A batch, the verdicts that have arrived so far, and how many of its tests lie in frames.
+  struct UnderWay {
+    const Batch* batch = nullptr;
+    std::vector<Verdict> verdicts;
+    std::size_t drawn = 0;
+  };
+  /// An image and what drawing it needs.
+  struct Frame {
+    explicit Frame(const gpu::Drawing& drawing);
+    gpu::Image edges;
+    gpu::Buffer edge_upload, run_upload, runs, found, readback;
+    OcclusionQuery query;
+    gpu::DrawingBindings bindings;
+    UnderWay* work = nullptr;
+    std::uint32_t tests = 0;
+    gpu::Commands commands;  // the last, so that it ends before the others go
+  };
+  /// Where a leaf's edges begin in the image that is laid out, and their unit, 2^exponent.
+  struct LeafPlace {
+    std::uint32_t first;
+    int exponent;
+  };
+  /// What is used of a frame.
+  struct Extent {
+    std::uint32_t runs, rows;
+  };
+
+  void start_frame(UnderWay& work);
+  Extent lay_out(Frame& frame, UnderWay& work);
+  void collect_frame();
 
   const gpu::Drawing& drawing_;
-  gpu::Image edges_;
-  gpu::Buffer edge_upload_, run_upload_, runs_, found_, readback_;
-  OcclusionQuery query_;
-  gpu::DrawingBindings bindings_;
-  gpu::Commands commands_;  // the last, so that it ends before the others go
-  bool asks_first_ = false;
-  const Batch* batch_ = nullptr;
-  std::uint32_t places_ = 0;  ///< taken in the image at work
-  std::vector<Verdict> verdicts_;
+  std::array<Frame, kMostBatches> frames_;
+  std::uint64_t started_ = 0, collected_ = 0;  ///< frames
+  std::array<UnderWay, kMostBatches> under_way_;
+  std::uint64_t submitted_ = 0, returned_ = 0;  ///< batches
+  std::vector<LeafPlace> leaf_places_;
+  RasterCounts counts_;
+  std::chrono::steady_clock::time_point busy_since_;
 };
 
 /// The tests' shader.

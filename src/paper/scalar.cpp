@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include "paper/scalar.hpp"
+
 #include "core/vec3.hpp"
-#include "paper/backend.hpp"
 
 namespace impinge::paper {
 namespace {
@@ -46,28 +47,19 @@ Verdict test_edge(const Vec3& from, const Vec3& to, const Triangle& t, const Cer
   return side_from * side_to < 0 && s0 * s1 * s2 != 0 ? Verdict::crossing : Verdict::unsure;
 }
 
-class ScalarBackend final : public Backend {
- public:
-  void submit(const Batch& batch) override {
-    verdicts_.clear();
-    for (std::size_t i = 0; i < batch.tests.size();) {
-      const std::uint32_t triangle = batch.tests[i].triangle;
-      const Triangle t = batch.triangle(triangle);
-      const CertifiedNormal plane(t[1] - t[0], t[2] - t[0]);
-      for (; i < batch.tests.size() && batch.tests[i].triangle == triangle; ++i) {
-        const auto& edge = batch.edges[batch.tests[i].edge];
-        verdicts_.push_back(test_edge(batch.vertices[edge[0]], batch.vertices[edge[1]], t, plane));
-      }
-    }
-  }
-  std::span<const Verdict> wait() override { return verdicts_; }
-
- private:
-  std::vector<Verdict> verdicts_;
-};
-
 }  // namespace
 
-std::unique_ptr<Backend> make_scalar_backend() { return std::make_unique<ScalarBackend>(); }
+void test_edges(const Batch& batch, std::vector<Verdict>& verdicts) {
+  verdicts.clear();
+  for (std::size_t i = 0; i < batch.tests.size();) {
+    const std::uint32_t triangle = batch.tests[i].triangle;
+    const Triangle t = batch.triangle(triangle);
+    const CertifiedNormal plane(t[1] - t[0], t[2] - t[0]);
+    for (; i < batch.tests.size() && batch.tests[i].triangle == triangle; ++i) {
+      const auto& edge = batch.edges[batch.tests[i].edge];
+      verdicts.push_back(test_edge(batch.vertices[edge[0]], batch.vertices[edge[1]], t, plane));
+    }
+  }
+}
 
 }  // namespace impinge::paper

@@ -30,7 +30,9 @@ void add(Statistics& sum, const Statistics& s) {
   sum.leaf_pairs += s.leaf_pairs, sum.triangle_pairs += s.triangle_pairs, sum.exact_calls += s.exact_calls;
   sum.hierarchy_seconds += s.hierarchy_seconds, sum.partition_seconds += s.partition_seconds;
   sum.narrow_seconds += s.narrow_seconds, sum.exact_seconds += s.exact_seconds;
+  sum.images_drawn += s.images_drawn, sum.images_overlapped += s.images_overlapped, sum.images_read += s.images_read;
   sum.device_seconds += s.device_seconds, sum.device_predicted_seconds += s.device_predicted_seconds;
+  sum.device_wait_seconds += s.device_wait_seconds;
 }
 
 // Where a device takes part: kManyPairs pairs of objects are enough pieces to share, and fewer are walked until there
@@ -354,8 +356,22 @@ class Pipeline {
   }
 
   void run_slice(const typename Stages::Pair& pair, std::uint32_t object_pair, bool fresh, Worker<Stages>& w) {
-    w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
-    collect(w.collector, object_pair, w.stages.contacts());
+    if constexpr (std::is_same_v<Stages, PlainStages>) {
+      w.stages.run_slice(pair, object_pair, fresh, w.stack, w.clock, w.statistics);
+      collect_finished(w);
+    } else {
+      w.stages.run_slice(pair, fresh, w.stack, w.clock, w.statistics);
+      collect(w.collector, object_pair, w.stages.contacts());
+    }
+  }
+
+  /// Of the plain stages, whose batches may end after their pair's slice.
+  void collect_finished(Worker<Stages>& w) {
+    std::span<const results::ContactKey> contacts = w.stages.contacts();
+    for (const results::Run& run : w.stages.runs()) {
+      collect(w.collector, run.object_pair, contacts.first(run.count));
+      contacts = contacts.subspan(run.count);
+    }
   }
 
   void collect(results::Collector& to, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
@@ -373,8 +389,13 @@ class Pipeline {
 
   Contacts gather(Statistics& statistics) {
     memory_.collectors.clear(), memory_.keys.clear();
-    for (const Worker<Stages>* worker : crew_.at_work()) {
-      if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
+    for (Worker<Stages>* worker : crew_.at_work()) {
+      if constexpr (std::is_same_v<Stages, PlainStages>) {
+        worker->clock = {};
+        worker->stages.finish(worker->clock, worker->statistics);
+        collect_finished(*worker);
+        warn(worker->stages.complaint());
+      }
       add(statistics, worker->statistics);
       memory_.collectors.push_back(&worker->collector);
     }

@@ -51,8 +51,9 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(
       keys(answer.at("stats")),
       "border_move_seconds border_moves bounds_update_seconds bounds_updated box_test_seconds box_tests "
-      "broad_seconds cpu_seconds device_predicted_seconds device_seconds "
+      "broad_seconds cpu_seconds device_predicted_seconds device_seconds device_wait_seconds "
       "element_test_seconds element_tests exact_call_seconds exact_calls exact_seconds hierarchy_seconds "
+      "images_drawn images_overlapped images_read "
       "leaf_pair_seconds leaf_pairs measured_seconds narrow_seconds node_seconds nodes_built object_pair_seconds "
       "object_pairs "
       "partition_seconds predicted_seconds results_seconds sorted_triangle_seconds sphere_test_seconds sphere_tests "

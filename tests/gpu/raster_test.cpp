@@ -8,8 +8,11 @@
 #include <cmath>
 #include <iostream>
 
+#include "impinge/collide.hpp"
 #include "impinge/predicates.hpp"
+#include "paper/scalar.hpp"
 #include "pipeline/ready_device.hpp"
+#include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
 #include "tests/gpu/environment.hpp"
 
@@ -75,6 +78,7 @@ struct Maker {
       return static_cast<std::uint32_t>(batch.vertices.size() - 1);
     };
     batch.triangles.push_back({vertex(corners[0]), vertex(corners[1]), vertex(corners[2])});
+    batch.leaves.push_back(static_cast<std::uint32_t>(batch.edges.size()));
     for (int tests = random.integer(1, 70); tests > 0; --tests) {
       double weight[3] = {random.unit(), random.unit(), random.unit()};
       for (int zeros = random.integer(0, 2); zeros > 0; --zeros) weight[random.integer(0, 2)] = 0;
@@ -96,15 +100,24 @@ struct Maker {
   }
 };
 
-std::vector<Verdict> verdicts_of(const Batch& batch, bool ask_first) {
+struct Drawn {
+  std::vector<Verdict> verdicts;
+  paper::RasterCounts counts;
+};
+
+/// All at once, as far as they find room.
+std::vector<Drawn> draw(const std::vector<Batch>& batches) {
   const auto opened = gpu::Devices::of_process().choose("").opened;
   auto raster = opened->take_raster();
-  raster->ask_first(ask_first);
-  raster->submit(batch);
-  const auto found = raster->wait();
-  std::vector<Verdict> verdicts(found.begin(), found.end());
+  std::vector<Drawn> drawn(batches.size());
+  for (std::size_t i = 0, waited = 0; waited < batches.size(); ++waited) {
+    for (; i < batches.size() && i < waited + paper::RasterBackend::kMostBatches; ++i) raster->submit(batches[i]);
+    const auto found = raster->wait();
+    drawn[waited].verdicts.assign(found.begin(), found.end());
+    drawn[waited].counts = raster->take_counts();
+  }
   opened->give_back(std::move(raster));
-  return verdicts;
+  return drawn;
 }
 
 TEST(Raster, NeverContradictsExactArithmetic) {
@@ -113,9 +126,8 @@ TEST(Raster, NeverContradictsExactArithmetic) {
     test::Seeded seeded(11);
     Batch batch;  // of more than one image
     while (batch.tests.size() < 40'000) Maker{seeded.random, family}.append_run(batch);
-    const std::vector<Verdict> found = verdicts_of(batch, false);
+    const std::vector<Verdict> found = draw({batch})[0].verdicts;
     ASSERT_EQ(found.size(), batch.tests.size());
-    EXPECT_EQ(found, verdicts_of(batch, true));
     std::size_t count[3] = {};
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& ends = batch.edges[batch.tests[i].edge];
@@ -149,12 +161,84 @@ TEST(Raster, IsCertainOfWhatIsPlain) {
                         at(2, 2, 3), at(2, 2, 1), at(7, 7, -2), at(7, 7, 3)};
       batch.triangles = {{0, 1, 2}};
       batch.edges = {{3, 4}, {5, 4}, {6, 7}};
+      batch.leaves = {0};
       for (std::uint32_t edge = 0; edge < 3; ++edge) batch.tests.push_back({.edge = edge, .triangle = 0});
       const std::vector<Verdict> expected{Verdict::crossing, Verdict::no, Verdict::no};
-      EXPECT_EQ(verdicts_of(batch, false), expected);
-      EXPECT_EQ(verdicts_of(batch, true), expected);
+      EXPECT_EQ(draw({batch})[0].verdicts, expected);
     }
   }
+}
+
+/// A leaf's edges against many triangles, some edges and some triangles left out: quads that lie over each other, of
+/// any length. In two images where `tests` is large.
+Batch crossed_leaf(Random& random, std::size_t tests) {
+  Batch batch;
+  for (std::uint32_t edge = 0; edge < 97; ++edge) {
+    if (edge == 0 || edge == 40) batch.leaves.push_back(edge);
+    const double x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+    batch.vertices.insert(batch.vertices.end(), {{x, y, -1}, {x + random.uniform(-1, 1), y, 1}});
+    batch.edges.push_back({2 * edge, 2 * edge + 1});
+  }
+  while (batch.tests.size() < tests) {
+    const auto first = static_cast<std::uint32_t>(batch.vertices.size());
+    for (int corner = 0; corner < 3; ++corner)
+      batch.vertices.push_back({random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-0.5, 0.5)});
+    for (std::uint32_t edge = 0; edge < batch.edges.size(); ++edge)
+      if (random.integer(0, 5) > 0)
+        batch.tests.push_back({.edge = edge, .triangle = static_cast<std::uint32_t>(batch.triangles.size())});
+    batch.triangles.push_back({first, first + 1, first + 2});
+  }
+  return batch;
+}
+
+TEST(Raster, BatchesThatAreUnderWayTogetherAreAnsweredInOrder) {
+  test::Seeded seeded(12);
+  std::vector<Batch> batches;
+  for (const std::size_t tests : {100, 0, 80'000, 1, 40'000, 3000, 0, 70'000, 200})
+    batches.push_back(crossed_leaf(seeded.random, tests));
+  const std::vector<Drawn> drawn = draw(batches);
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    ASSERT_EQ(drawn[i].verdicts.size(), batches[i].tests.size()) << "batch " << i;
+    std::vector<Verdict> expected;
+    paper::test_edges(batches[i], expected);
+    // Both certify what is plain; where they differ one of them is unsure.
+    std::size_t certain = 0;
+    for (std::size_t test = 0; test < expected.size(); ++test) {
+      if (drawn[i].verdicts[test] == Verdict::unsure || expected[test] == Verdict::unsure) continue;
+      ASSERT_EQ(drawn[i].verdicts[test], expected[test]) << "batch " << i << ", test " << test;
+      ++certain;
+    }
+    EXPECT_GE(certain, expected.size() * 99 / 100);
+  }
+}
+
+/// Verdicts are read where the query saw a test that is not certainly apart, and nowhere else.
+TEST(Raster, TheOcclusionQueryDecidesWhetherVerdictsAreRead) {
+  test::Seeded seeded(13);
+  Batch crossed = crossed_leaf(seeded.random, 1000), apart = crossed;
+  for (const auto& triangle : apart.triangles)
+    for (const std::uint32_t corner : triangle) apart.vertices[corner].z += 16;
+  const std::vector<Drawn> drawn = draw({apart, crossed, apart});
+  std::uint64_t images = 0, overlapped = 0, read = 0;
+  for (const auto& [verdicts, counts] : drawn)
+    images += counts.images_drawn, overlapped += counts.images_overlapped, read += counts.images_read;
+  EXPECT_EQ(images, 3u);
+  EXPECT_EQ(overlapped, 2u);
+  EXPECT_EQ(read, 1u);
+  for (const std::size_t i : {0, 2})
+    EXPECT_EQ(std::count(drawn[i].verdicts.begin(), drawn[i].verdicts.end(), Verdict::no), std::ssize(apart.tests));
+  EXPECT_NE(drawn[1].verdicts, drawn[0].verdicts);
+}
+
+/// The CPU makes the next batches while the device draws.
+TEST(Raster, AQueryOfManyBatchesHasSeveralUnderWay) {
+  const Mesh mesh = test::mesh_of(scenes::torus_knot_of(4000));
+  const Contacts contacts = collide(mesh, {}, mesh, {.t = {0.1, 0, 0}}, {.threads = 1, .backend = "raster"}).value();
+  const Statistics& s = contacts.statistics;
+  EXPECT_GE(s.images_drawn, 3u);
+  EXPECT_GE(s.images_overlapped, s.images_drawn / 2);
+  EXPECT_GT(s.device_seconds, s.device_wait_seconds);
+  EXPECT_EQ(contacts.hash, collide(mesh, {}, mesh, {.t = {0.1, 0, 0}}, {.backend = "paper"})->hash);
 }
 
 /// Devices that compute without drawing, or whose fragments write nowhere, are told apart before anything is drawn.

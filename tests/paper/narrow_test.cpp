@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "paper/backend.hpp"
 #include "paper/decide.hpp"
+#include "paper/scalar.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "tests/paper/batches.hpp"
@@ -37,10 +37,10 @@ Verdict verdict(const Segment& edge, const Triangle& t) {
   batch.vertices.insert(batch.vertices.end(), edge.begin(), edge.end());
   batch.edges.push_back({3, 4});
   batch.tests.push_back({0, 0, ElementTest::kNone, ElementTest::kNone});
-  const auto backend = paper::make_scalar_backend();
-  backend->submit(batch);
-  EXPECT_EQ(backend->wait().size(), 1u);
-  return backend->wait()[0];
+  std::vector<Verdict> verdicts;
+  paper::test_edges(batch, verdicts);
+  EXPECT_EQ(verdicts.size(), 1u);
+  return verdicts[0];
 }
 
 /// What `crossing` claims: an end strictly on either side, the line strictly through the interior.
@@ -134,12 +134,9 @@ TEST(Scalar, DecidesPlainCases) {
 /// against brute force.
 void expect_true_batch(const test::LeavesOf& leaves, Partition partition, const std::vector<test::Contact>& expected) {
   const Batch batch = leaves.batch(partition);
-  const auto backend = paper::make_scalar_backend();
-  backend->submit(batch);
-  const std::vector<Verdict> tests(backend->wait().begin(), backend->wait().end());
+  std::vector<Verdict> tests{Verdict::crossing};
+  paper::test_edges(batch, tests);
   ASSERT_EQ(tests.size(), batch.tests.size());
-  backend->submit(batch);
-  ASSERT_TRUE(std::equal(tests.begin(), tests.end(), backend->wait().begin(), backend->wait().end()));
   std::vector<Verdict> pairs{Verdict::crossing};
   paper::fold(batch, tests, pairs);
   ASSERT_EQ(pairs.size(), batch.pairs.size());
