@@ -22,16 +22,16 @@ struct TrianglePair {
 /// arithmetic, which came after it: T = N_b C_b + N_m C_m + N_s C_s + N_o C_o + N_v C_v + N_p C_p + N_u C_u + N_t C_t +
 /// N_l C_l + N_e C_e.
 struct Statistics {
-  std::uint64_t object_pairs = 0;       ///< N_o: survivors of the broad phase
+  std::uint64_t object_pairs = 0;       ///< N_o: survivors of the broad phase; `collide_poses`: all rows
   std::uint64_t bounds_updated = 0;     ///< N_b: objects whose sorted borders were written; "paper" and "raster" only
   std::uint64_t border_moves = 0;       ///< N_m: of a border past another in sorting; "paper" and "raster" only
-  std::uint64_t sphere_tests = 0;       ///< N_s: pairs of objects whose bounding spheres or boxes were compared
+  std::uint64_t sphere_tests = 0;       ///< N_s: pairs of objects whose bounds were compared, but for `collide`'s one
   std::uint64_t box_tests = 0;          ///< N_v: pairs of bounding volumes tested
   std::uint64_t element_tests = 0;      ///< N_p: pairs of triangles tested; of an edge and one by "paper" and "raster"
   std::uint64_t nodes_built = 0;        ///< N_u: tree nodes made by this query
   std::uint64_t triangles_sorted = 0;   ///< N_t: triangles below those nodes, each counted with every such node
   std::uint64_t leaf_pairs = 0;         ///< N_l: pairs of leaves that the walk could not separate
-  std::uint64_t triangle_pairs = 0;     ///< pairs of triangles that the grid could not separate
+  std::uint64_t triangle_pairs = 0;     ///< pairs of triangles that the partition could not separate
   std::uint64_t exact_calls = 0;        ///< N_e: pairs of triangles that the narrow phase left undecided
   std::uint64_t images_drawn = 0;       ///< images of tests of edges and triangles; "raster" only
   std::uint64_t images_overlapped = 0;  ///< of them, those begun while the device still had an earlier one

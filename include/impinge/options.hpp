@@ -23,7 +23,8 @@ inline constexpr std::uint8_t kTouching = 1 << static_cast<int>(Kind::touching);
 inline constexpr std::uint8_t kCoplanar = 1 << static_cast<int>(Kind::coplanar);
 inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
-/// How the triangles of two leaves are parted before they are tested against each other.
+/// How the CPU parts the triangles of two leaves before they are tested against each other. A device sweeps, but for
+/// "raster", whose tests the CPU prepares.
 enum class Partition : std::uint8_t {
   automatic,  ///< `grid` with the backends "paper" and "raster", which are the paper's way; else `sweep`, which is
               ///< faster
@@ -61,7 +62,7 @@ struct Options {
   ///   "hybrid"  a device and the CPU together, so that both end at once
   std::string_view backend = "auto";
   /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says,
-  /// or else the first.
+  /// or else the first that can be used. Error: `no_device` if there are devices, but none of that name.
   std::string_view device{};
   /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself, by the cost
   /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.

@@ -26,8 +26,8 @@ constexpr double kPatientSeconds = 0.05;
 std::atomic<double> seconds_without{0};
 
 // Where nobody asked for a device, large queries are those of so many triangles, counted with each pair of objects.
-// After so many seconds of them, or before one of so many more, a program looks once whether there is a device for
-// them, which takes some hundredths of a second.
+// After so many seconds of queries of any size, or before one of so many more, a program looks once whether there is a
+// device for them, which takes some hundredths of a second.
 constexpr std::size_t kLarge = 1 << 20, kHuge = 1 << 24;
 constexpr double kSecondsBeforeLook = 0.5;
 std::atomic<double> seconds_of_auto{0};

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -46,15 +48,46 @@ TEST(Readme, ShowsTheExampleThatIsCompiledAndRun) {
   EXPECT_EQ(shown[0], example);
 }
 
+/// What links into a page can lead to: what has an id, and its headings, whose anchors are in lower case with hyphens
+/// for blanks and no other punctuation.
+std::set<std::string> anchors_of(const std::string& text) {
+  std::set<std::string> anchors;
+  const std::regex id(R"re(<a id="([^"]*)">)re");
+  for (std::sregex_iterator it(text.begin(), text.end(), id), end; it != end; ++it) anchors.insert((*it)[1]);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t level = line.find_first_not_of('#');
+    if (level == 0 || level == std::string::npos || line[level] != ' ') continue;
+    std::string anchor;
+    for (const char c : line.substr(level + 1)) {
+      if (c == ' ') anchor += '-';
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+        anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
 TEST(Readme, LinksLeadSomewhere) {
-  for (const auto* page : {"README.md", "docs/README.md", "docs/contract.md", "CHANGELOG.md"}) {
+  std::vector<std::filesystem::path> pages{"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "src/README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back("docs" / entry.path().filename());
+  EXPECT_GT(pages.size(), 14U);
+  const std::regex link(R"(\]\(([^)#:]*)(?:#([^)]*))?\))");
+  int sections = 0;
+  for (const auto& page : pages) {
     const std::string text = text_of(kSource / page);
-    const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-      const auto target = (kSource / page).parent_path() / (*it)[1].str();
+      const bool is_here = (*it)[1].length() == 0;
+      const auto target = kSource / (is_here ? page : page.parent_path() / (*it)[1].str());
       EXPECT_TRUE(std::filesystem::exists(target)) << page << " leads to " << (*it)[1];
+      if (!(*it)[2].matched || target.extension() != ".md") continue;
+      ++sections;
+      EXPECT_TRUE(anchors_of(text_of(target)).contains((*it)[2])) << page << " leads to " << (*it)[0];
     }
   }
+  EXPECT_GT(sections, 5);  // the reader of headings works
 }
 
 /// The numbers of the contract's clauses that a text cites, as in "contract 3.2", "contract 1.1 and 2.3", "contract 3".
