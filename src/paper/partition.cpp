@@ -115,6 +115,7 @@ void Partitioner::stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& 
       const std::uint32_t t = of_triangles.first_triangle + triangle.index;
       std::uint64_t near = 0;
       for_each_bit(triangle.cells, [&](std::uint32_t cell) { near |= edges_of_cells_[cell]; });
+      shared_cells_ += static_cast<std::uint64_t>(std::popcount(near));
       for_each_bit(near, [&](std::uint32_t i) {
         const std::uint32_t e = edges[first + i].index;
         if (partition_ != Partition::all && !overlap(edge_boxes_[of_edges.first_edge + e], triangle_boxes_[t])) return;

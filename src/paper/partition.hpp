@@ -35,6 +35,9 @@ class Partitioner {
   /// To be called when the batch has been cleared, or the objects change.
   void restart();
 
+  /// How many pairs of an edge and a triangle have shared a cell, whether their boxes met or not.
+  [[nodiscard]] std::uint64_t shared_cells() const { return shared_cells_; }
+
  private:
   /// A leaf whose elements are in the batch.
   struct PosedLeaf {
@@ -62,6 +65,7 @@ class Partitioner {
   std::uint32_t candidate(const PosedLeaf& a, std::uint32_t ta, const PosedLeaf& b, std::uint32_t tb, Batch& batch);
 
   Partition partition_;
+  std::uint64_t shared_cells_ = 0;
   PosedLeaves posed_a_, posed_b_;
   std::vector<Box> edge_boxes_, triangle_boxes_;  ///< of the batch's
   // Of the leaf pair at hand:

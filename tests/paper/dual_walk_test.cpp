@@ -104,7 +104,8 @@ TEST(DualWalk, ReachesEveryPairThatTouchesAtMostOnce) {
   EXPECT_GT(touching, 10000u);
 }
 
-/// An L's box stands askew and sticks out of its bounds. A long strip passes beneath the bounds through the box.
+/// An L's box stands askew and sticks out of its bounds. A long strip passes beneath the bounds through the box. A
+/// query makes the nodes that the walk makes, no more.
 TEST(DualWalk, SplitsNodesInTheRegionAlone) {
   scenes::MeshData corner = scenes::grid(30, 2, 0.33, [](int i, int) { return i * 0.01; });
   const auto first = static_cast<std::uint32_t>(corner.vertex_count());
@@ -127,6 +128,11 @@ TEST(DualWalk, SplitsNodesInTheRegionAlone) {
     walked_whole(walked.walk(), counts);
     expect_split_in_region(walked.tree_a, walked.a, walked.pose_a, walked.overlap);
     expect_split_in_region(walked.tree_b, walked.b, walked.pose_b, walked.overlap);
+    const std::vector<Mesh> fresh = test::meshes_of(scene, 2);
+    const Contacts contacts = collide(fresh[scene.objects[0].mesh], walked.pose_a, fresh[scene.objects[1].mesh],
+                                      walked.pose_b, {.threads = 1, .backend = "paper"})
+                                  .value();
+    EXPECT_EQ(contacts.statistics.nodes_built, counts.made.nodes);
   }
   EXPECT_GT(reached, 40);
 }

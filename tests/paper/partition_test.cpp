@@ -96,6 +96,25 @@ TEST(Partition, LetsEveryTouchingPairGoOnOnce) {
   EXPECT_EQ(tests[Partition::automatic], tests[Partition::grid]);
 }
 
+/// Two equal strips of 32 squares in one plane. No element is longer than a square, and more than half of them are as
+/// long as that along the strip, so the cells' length is between half a square's and a whole one's. An element is then
+/// in up to 3 cells, which the edges of at most 5 squares reach, less than a quarter of them all.
+TEST(Partition, FormsPairsOfWhatSharesACellAlone) {
+  const test::LeavesOf leaves({{scenes::flat_grid(32, 1)}, {{.mesh = 0}, {.mesh = 0, .pose = {.t = {0.25, 0.25, 0}}}}},
+                              64);
+  const auto shared_cells = [&](Partition how) {
+    paper::Partitioner partitioner(how);
+    Batch batch;
+    partitioner.append(leaves.pairs()[0], leaves.placed(), batch);
+    EXPECT_GE(partitioner.shared_cells(), batch.tests.size());
+    return partitioner.shared_cells();
+  };
+  EXPECT_EQ(shared_cells(Partition::all), 2u * 129 * 64);
+  EXPECT_EQ(shared_cells(Partition::sweep), 2u * 129 * 64);
+  EXPECT_LT(shared_cells(Partition::grid), 2u * 129 * 64 / 4);
+  EXPECT_GT(shared_cells(Partition::grid), 0u);
+}
+
 /// A leaf that comes again keeps its posed elements; what is streamed is the same as with nothing kept.
 TEST(Partition, KeepsAPosedLeafWithoutChangingAnything) {
   test::Seeded seeded(2);
