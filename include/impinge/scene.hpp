@@ -55,6 +55,7 @@ class Scene {
 
   /// Finds out anew which objects are near each other, after some were added, moved or removed, on up to `threads`
   /// threads (0: all there are). Without it `collide` does so in a copy each time: the answer is the same, only slower.
+  /// (The backends "paper" and "raster" have no use for it: what they keep of the last query is in the workspace.)
   /// Errors: `bad_option`.
   Result<void> update(int threads = 0);
 
