@@ -61,8 +61,9 @@ struct Options {
   ///             rasterizer
   ///   "hybrid"  a device and the CPU together, so that both end at once
   std::string_view backend = "auto";
-  /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says,
-  /// or else the first that can be used. Error: `no_device` if there are devices, but none of that name.
+  /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says
+  /// (the same, or "none"), or else the first that can be used. Error: `no_device` if there are devices, but none of
+  /// that name.
   std::string_view device{};
   /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself, by the cost
   /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.

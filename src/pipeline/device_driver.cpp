@@ -3,7 +3,6 @@
 #include "pipeline/device_driver.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <new>
 #include <string_view>
 #include <thread>
@@ -34,6 +33,12 @@ std::atomic<double> seconds_of_auto{0};
 enum class Help : std::uint8_t { unknown, none, some };
 std::atomic<Help> help_for_auto{Help::unknown};
 
+/// Whether there is such a device, unless it is found to fail, and it is no program on the CPU.
+bool is_worth_asking(std::string_view device) {
+  const gpu::Devices::Choice choice = gpu::Devices::of_process().look_up(device);
+  return choice.complaint.empty() && !choice.is_software;
+}
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
@@ -63,11 +68,7 @@ bool DeviceDriver::may_help(const Query& query, const broad::ObjectPairs& pairs)
   if (triangles < kLarge) return false;
   if (help_for_auto == Help::unknown) {
     if (triangles < kHuge && seconds_of_auto < kSecondsBeforeLook) return false;
-    const char* const environment = std::getenv("IMPINGE_DEVICE");
-    const bool is_refused = environment != nullptr && std::string_view(environment) == "none";
-    const auto choice = is_refused ? gpu::Devices::Choice{.is_software = true}
-                                   : gpu::Devices::of_process().look_up(query.options.device);
-    help_for_auto = choice.is_software || !choice.complaint.empty() ? Help::none : Help::some;
+    help_for_auto = is_worth_asking(query.options.device) ? Help::some : Help::none;
   }
   return help_for_auto == Help::some;
 }
@@ -91,7 +92,7 @@ bool DeviceDriver::open() {
 // The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is
 // then left would take it longer than the constant time of a portion on the device.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
-  if (gpu::Devices::of_process().look_up(query_.options.device).is_software) return;
+  if (!is_worth_asking(query_.options.device)) return;
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatientSeconds && !is_over())
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));

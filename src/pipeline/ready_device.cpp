@@ -147,10 +147,11 @@ Devices::Choice Devices::look_up(std::string_view name) { return choose(name, fa
 
 Devices::Choice Devices::choose(std::string_view name, bool may_open) {
   const std::lock_guard lock(mutex_);
-  look();
   const char* const environment = std::getenv("IMPINGE_DEVICE");
   const bool is_from_environment = name.empty() && environment != nullptr;
   if (is_from_environment) name = environment;
+  if (is_from_environment && name == "none") return {nullptr, "IMPINGE_DEVICE is 'none'"};
+  look();
   if (slots_.empty()) return {nullptr, instance_->complaint()};
   if (name.empty()) {
     for (Slot& slot : slots_) {

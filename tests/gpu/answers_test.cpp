@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -301,6 +302,13 @@ TEST_P(ByItself, AProgramOnTheCpuIsGivenNothing) {
   const test::WithLimits not_declared_hardware({});
   claim(kQuick);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(ask(GetParam()).statistics.device_seconds, 0);
+}
+
+TEST_P(ByItself, NoneInTheEnvironmentIsGivenNothing) {
+  claim(kQuick);
+  setenv("IMPINGE_DEVICE", "none", 1);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(ask(GetParam()).statistics.device_seconds, 0);
+  unsetenv("IMPINGE_DEVICE");
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ByItself, testing::Values("hybrid", "auto"),

@@ -50,6 +50,8 @@ says err "no device 'voodoo'"
 says err llvmpipe
 status 2 env IMPINGE_DEVICE=9 "$program" check "$engine" --backend hybrid
 says err IMPINGE_DEVICE
+status 1 env IMPINGE_DEVICE=none "$program" check "$engine" --backend hybrid --device-share 1
+says err "IMPINGE_DEVICE is 'none'"
 
 export VK_ICD_FILENAMES=/nonexistent.json VK_DRIVER_FILES=/nonexistent.json
 status 2 "$program" devices
