@@ -72,6 +72,7 @@ void bench_main(const Arguments& arguments) {
   benchmark::Shutdown();
   collector.table(benchmark::kNanosecond).write(arguments.folder, "micro");
   collector.table(benchmark::kMillisecond).write(arguments.folder, "broad");
+  border_moves(arguments.quick ? 10 : 50).write(arguments.folder, "border_moves");
 }
 
 }  // namespace impinge::bench

@@ -22,11 +22,12 @@ namespace {
 /// its size a frame along each axis, and turns back at the cube's sides.
 class DriftingCrowd {
  public:
-  explicit DriftingCrowd(int n) : side_(3 * std::cbrt(n)), mesh_(make_mesh(scenes::uv_sphere(8, 6))) {
+  explicit DriftingCrowd(int n, double speed = 1) : side_(3 * std::cbrt(n)), mesh_(make_mesh(scenes::uv_sphere(8, 6))) {
     scenes::Random random(6);
     for (const scenes::PlacedObject& object : scenes::scattered(random, scenes::uv_sphere(8, 6), n, side_).objects) {
       poses_.push_back(object.pose);
-      velocities_.push_back({random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)});
+      const double most = 0.02 * speed;
+      velocities_.push_back({random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)});
     }
     objects_.resize(poses_.size());
     place([](std::uint32_t, const scene::PlacedObject&) {});
@@ -173,6 +174,25 @@ std::vector<scene::PlacedObject> crossing_pipes(int n) {
 }
 
 }  // namespace
+
+Table border_moves(int frames) {
+  Table table({"speed", "moves a frame", "ms a frame"});
+  for (const double speed : {0.0, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
+    DriftingCrowd crowd(10'000, speed);
+    paper::SweepAndPrune borders;
+    borders.update({crowd.objects()});
+    std::vector<double> seconds;
+    std::uint64_t moves = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+      crowd.move();
+      crowd.place([](std::uint32_t, const scene::PlacedObject&) {});
+      seconds.push_back(seconds_of([&] { borders.update({crowd.objects()}); }));
+      moves += borders.counts().moves;
+    }
+    table.add({digits(speed), count(moves / static_cast<std::uint64_t>(frames)), milliseconds(median(seconds))});
+  }
+  return table;
+}
 
 void register_broad_benchmarks(int objects) {
   for (const int n : {1000, 10000, objects}) add_frames(n);

@@ -30,7 +30,7 @@ std::uint64_t count_overlaps(const std::vector<Border>& borders) {
 }  // namespace
 
 void SweepAndPrune::sort(std::vector<Border>& borders) {
-  const std::size_t most_moves = 16 * borders.size();  // beyond that sorting anew is faster
+  const std::size_t most_moves = 64 * borders.size();  // beyond that sorting anew is faster
   std::size_t moves = 0;
   for (std::size_t i = 1; i < borders.size() && moves < most_moves; ++i) {
     const Border border = borders[i];
