@@ -23,6 +23,6 @@ io::Model read_model(const Assembly& assembly);
 /// The model as a scene whose trees are not yet built; objects that share a mesh go on sharing it.
 Scene fresh_scene(const io::Model& model, const TreeConfig& tree = {});
 /// The same of numbers.
-Scene fresh_scene(const scenes::PlacedScene& placed);
+Scene fresh_scene(const scenes::PlacedScene& placed, const TreeConfig& tree = {});
 
 }  // namespace impinge::bench

@@ -31,9 +31,9 @@ Scene fresh_scene(const io::Model& model, const TreeConfig& tree) {
   return scene;
 }
 
-Scene fresh_scene(const scenes::PlacedScene& placed) {
+Scene fresh_scene(const scenes::PlacedScene& placed, const TreeConfig& tree) {
   std::vector<Mesh> meshes;
-  for (const scenes::MeshData& data : placed.meshes) meshes.push_back(make_mesh(data));
+  for (const scenes::MeshData& data : placed.meshes) meshes.push_back(make_mesh(data, tree));
   Scene scene;
   for (const scenes::PlacedObject& object : placed.objects)
     must(scene.add(meshes[object.mesh], object.pose, object.group));

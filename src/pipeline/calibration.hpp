@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
-#include "pipeline/ready_device.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/split.hpp"
 
 namespace impinge {
 
+namespace gpu {
+class ReadyDevice;
+}  // namespace gpu
+
 /// The cost function's constants of a backend on this machine: as another run has measured them (set_calibration), or
-/// measured now, once, on small built-in scenes (some tenths of a second).
-schedule::CostConstants calibrated_constants(std::string_view backend);
+/// measured now, once, on small built-in scenes (some tenths of a second). With trees of that leaf size; 0: the
+/// backend's own.
+schedule::CostConstants calibrated_constants(std::string_view backend, std::uint32_t leaf_size = 0);
 
 /// Likewise of a device, whose programs are made ready on the way: some tenths of a second, unless it is known from
 /// before. A gpu::Failure passes.

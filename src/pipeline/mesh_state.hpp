@@ -18,11 +18,16 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   MeshState(MeshData numbers, const TreeConfig& tree_config)
       : data(std::move(numbers)),
         config(tree_config),
-        tree(data, config.leaf_size > 0 ? config.leaf_size : kPlainLeafSize),
+        tree(data, config.leaf_size > 0                    ? config.leaf_size
+                   : data.triangles.size() <= kPlainDirect ? kPlainDirect
+                                                           : kPlainLeafSize),
         wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize) {}
 
-  // What is fastest (docs/performance.md).
-  static constexpr std::uint32_t kPlainLeafSize = 4, kWideLeafSize = 16;
+  // Where the cost function is least (tests/schedule by counts, docs/performance.md by the clock). The paper's way
+  // tests a mesh of up to kPlainDirect triangles directly, as one leaf. The wide tree, which measures distances too,
+  // does so only up to its leaf size: beyond it collisions would gain as long as the tree is not made, and distances
+  // lose.
+  static constexpr std::uint32_t kPlainLeafSize = 4, kPlainDirect = 128, kWideLeafSize = 16;
 
   const MeshData data;
   const TreeConfig config;

@@ -10,7 +10,9 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "impinge/collide.hpp"
 #include "impinge/devices.hpp"
@@ -220,6 +222,73 @@ TEST(Cost, IsPredictedWhenAskedFor) {
   EXPECT_DOUBLE_EQ(s.predicted_seconds, sum);
   EXPECT_DOUBLE_EQ(s.measured_seconds, schedule::modelled_seconds(s));
   EXPECT_GT(s.total_seconds, 0);
+}
+
+/// The constants that depend on the leaf size, in ns, as bench_cost has measured them (docs/benchmarks.md).
+struct OfLeafSize {
+  std::uint32_t leaf_size;
+  double box_test, element_test, node, sorted_triangle, leaf_pair;
+};
+constexpr OfLeafSize kSimd[] = {{4, 1.95, 6.16, 1049, 17.2, 83.7},
+                                {16, 2.47, 6.15, 1004, 17.5, 82.6},
+                                {32, 2.34, 6.00, 0, 22.5, 144},
+                                {64, 3.32, 6.14, 0, 22.4, 306}};
+constexpr OfLeafSize kPaper[] = {{4, 49.1, 39.3, 237, 27.3, 696},
+                                 {16, 49.8, 38.6, 636, 27.2, 2379},
+                                 {32, 50.2, 38.9, 1328, 27.1, 3865},
+                                 {128, 54.9, 40.9, 11313, 25.6, 12994}};
+
+/// T of two copies of a mesh, by what a walk counts: of the first question, and of the same again.
+struct Costs {
+  double first, again;
+  Statistics counts;  ///< of the latter
+};
+Costs costs(const scenes::MeshData& data, const Pose& pose, std::uint32_t leaf_size, std::string_view backend,
+            const OfLeafSize& constants) {
+  const Mesh mesh = test::mesh_of(data, leaf_size);
+  const auto ask = [&] { return collide(mesh, {}, mesh, pose, {.threads = 1, .backend = backend})->statistics; };
+  const auto t = [&](const Statistics& s) {
+    return schedule::predict_seconds(s, {.box_test = constants.box_test,
+                                         .element_test = constants.element_test,
+                                         .node = constants.node,
+                                         .sorted_triangle = constants.sorted_triangle,
+                                         .leaf_pair = constants.leaf_pair});
+  };
+  const Statistics first = ask(), again = ask();
+  EXPECT_GT(first.nodes_built, again.nodes_built);
+  return {t(first), t(again), again};
+}
+
+/// Within a tenth, of a question that finds the trees made.
+TEST(Cost, IsLeastAtTheLeafSizesThatAreTaken) {
+  const auto expect_least = [](std::string_view backend, std::span<const OfLeafSize> sizes, const OfLeafSize& taken) {
+    const scenes::MeshData knot = scenes::torus_knot_of(9612);
+    for (const Pose& pose : {Pose{.t = {0.3, 0.2, 0.1}}, Pose{.t = {3, 1, 1}}}) {
+      const Costs own = costs(knot, pose, 0, backend, taken);
+      EXPECT_GT(own.counts.leaf_pairs, 10u);
+      for (const OfLeafSize& size : sizes) {
+        const Costs other = costs(knot, pose, size.leaf_size, backend, size);
+        EXPECT_LT(own.again, 1.1 * other.again) << backend << ", leaf size " << size.leaf_size;
+        EXPECT_EQ(own.counts.box_tests == other.counts.box_tests, size.leaf_size == taken.leaf_size);
+      }
+    }
+  };
+  expect_least("simd", kSimd, kSimd[1]);
+  expect_least("paper", kPaper, kPaper[0]);
+}
+
+/// The paper's way makes no tree of a mesh whose triangles are sooner tested, as one leaf.
+TEST(Cost, IsLeastWhereSmallMeshesAreTestedDirectly) {
+  const Pose pose{.t = {1.2, 0.9, 0.7}};
+  for (const auto& [stacks, size] : {std::pair(3, kPaper[2]), std::pair(9, kPaper[3])}) {
+    const scenes::MeshData sphere = scenes::uv_sphere(8, stacks);
+    const Costs direct = costs(sphere, pose, 0, "paper", size), tree = costs(sphere, pose, 4, "paper", kPaper[0]);
+    EXPECT_EQ(direct.counts.leaf_pairs, 1u);
+    EXPECT_GT(tree.counts.leaf_pairs, 1u);
+    EXPECT_LT(direct.first, tree.first) << stacks;
+    EXPECT_LT(direct.again, tree.again) << stacks;
+  }
+  EXPECT_GT(costs(scenes::uv_sphere(8, 17), pose, 0, "paper", kPaper[0]).counts.leaf_pairs, 1u);
 }
 
 // --- the split between CPU and device
