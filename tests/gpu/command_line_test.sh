@@ -30,7 +30,7 @@ status 0 env IMPINGE_DEVICE=0 "$program" devices
 
 status 1 "$program" check "$engine" --quiet --backend paper --json "$folder/paper.json"
 for way in '--backend gpu' '--backend gpu --device LLVMpipe' '--backend hybrid' '--backend hybrid --device-share 0.5' \
-  '--backend hybrid --device-share 1'; do
+  '--backend hybrid --device-share 1' '--backend raster' '--backend auto'; do
   # shellcheck disable=SC2086
   status 1 "$program" check "$engine" --quiet $way --json "$folder/other.json"
   [ "$(hash_of "$folder/paper.json")" = "$(hash_of "$folder/other.json")" ] || fail "$way: another hash"
