@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -15,14 +14,16 @@
 #include <string_view>
 #include <thread>
 
+#include "bench/device.hpp"
 #include "bench/support.hpp"
-#include "impinge/devices.hpp"
 #include "impinge/version.hpp"
 
 namespace impinge::bench {
 namespace {
 
-constexpr const char* kHelp = R"(Measures impinge on the CPU, on a GPU and on both at once, and prints one table.
+constexpr const char* kHelp =
+    R"(Measures impinge on the CPU, on a GPU and on both at once, the paper's experiment in image space too, and prints one
+table.
 
   impinge-gpu-figures [--quick] [--software] [--device DEVICE] [--only TEXT]
 
@@ -86,49 +87,10 @@ double free_gigabytes() {
   return 0;
 }
 
-/// The device to be measured, or why there is none.
-struct Target {
-  std::string option;  ///< of `Options::device`; empty: none
-  std::string line;    ///< of the table's head
-};
+constexpr std::array<std::string_view, 4> kBackends{"simd", "gpu", "hybrid", "raster"};
 
-std::string in_lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
-bool is_named(const DeviceInfo& device, std::size_t place, const std::string& wanted) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  if (error == std::errc() && end == wanted.data() + wanted.size()) return number == place;
-  return in_lower_case(device.name).find(in_lower_case(wanted)) != std::string::npos;
-}
-
-Target choose(const Wishes& wishes) {
-  const auto list = devices();
-  if (!list) return {"", "none (" + list.error().message + ")"};
-  const char* const environment = std::getenv("IMPINGE_DEVICE");
-  const std::string wanted = wishes.device.empty() && environment != nullptr ? environment : wishes.device;
-  std::string complaints;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const DeviceInfo& device = (*list)[i];
-    if (!wanted.empty() && !is_named(device, i, wanted)) continue;
-    if (!device.is_certified) {
-      complaints += (complaints.empty() ? "" : "; ") + device.name + ": " + device.complaint;
-      continue;
-    }
-    const std::string name = device.name + ", driver " + device.driver + ", " +
-                             digits(1e-9 * static_cast<double>(device.memory_bytes)) + " GB";
-    if (device.type != DeviceInfo::Type::cpu) return {std::to_string(i), name};
-    if (wishes.allows_software) return {std::to_string(i), name + " (**software driver, not a GPU**)"};
-    return {"", name + " (a software driver: not measured)"};
-  }
-  if (!wanted.empty() && complaints.empty()) fail("there is no device '" + wanted + "'");
-  return {"", "none that may be used (" + complaints + ")"};
-}
-
-constexpr std::array<std::string_view, 3> kBackends{"simd", "gpu", "hybrid"};
+/// How many of them are asked: "raster", the paper's image space, in the paper's cases alone.
+std::size_t backends_for(const Case& entry) { return entry.is_papers ? kBackends.size() : kBackends.size() - 1; }
 
 double sum(const std::vector<Statistics>& queries, double Statistics::*time) {
   double seconds = 0;
@@ -157,36 +119,37 @@ struct Measured {
 
 class Report {
  public:
-  Report(const Wishes& wishes, std::size_t cases) : wishes_(wishes), target_(choose(wishes)), cases_(cases) {}
+  Report(const Wishes& wishes, std::size_t cases)
+      : wishes_(wishes), target_(choose_device(wishes.device, wishes.allows_software)), cases_(cases) {}
 
   void head() const {
     std::printf("Machine: %s, %u cores; device: %s; impinge %s\n\n", processor().c_str(),
                 std::thread::hardware_concurrency(), target_.line.c_str(), IMPINGE_VERSION);
     std::printf("Command: `%s`\n\n", wishes_.command.c_str());
-    line({"case", "triangles", "contacts", "simd ms", "gpu ms", "hybrid ms", "hybrid / better", "CPU predicted ms",
-          "CPU ms", "device predicted ms", "device ms"});
-    line({"---", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:"});
+    line({"case", "triangles", "contacts", "simd ms", "gpu ms", "hybrid ms", "raster ms", "hybrid / better",
+          "CPU predicted ms", "CPU ms", "device predicted ms", "device ms"});
+    line({"---", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:", "---:"});
   }
 
   void add(const Case& entry) {
     ++case_;
     if (entry.gigabytes > free_gigabytes()) {
       notes_.insert(entry.name + ": left out, for it takes " + digits(entry.gigabytes) + " GB of memory");
-      return line({entry.name, "-", "-", kNone, kNone, kNone, "-", "-", "-", "-", "-"});
+      return line({entry.name, "-", "-", kNone, kNone, kNone, "-", "-", "-", "-", "-", "-"});
     }
     progress(entry.name + ": make it");
     const Question question = entry.make();
-    const std::vector<Measured> measured = measure(entry.name, question);
+    const std::vector<Measured> measured = measure(entry, question);
     std::vector<std::string> cells{entry.name, question.triangles,
                                    grouped(measured[0].answer.contacts / static_cast<std::uint64_t>(question.queries))};
     for (std::size_t i = 0; i < kBackends.size(); ++i)
-      cells.push_back(cell(measured, i, milliseconds(time(measured, i) / question.queries)));
+      cells.push_back(cell(entry, measured, i, milliseconds(time(measured, i) / question.queries)));
     const bool is_whole = has(measured, 1) && has(measured, 2);
     cells.push_back(is_whole ? digits(time(measured, 2) / std::min(time(measured, 0), time(measured, 1))) : "-");
     for (const std::string& side : is_whole ? predicted(question) : std::vector<std::string>(4, "-"))
       cells.push_back(side);
     line(cells);
-    if (entry.is_rated) rates(measured, question.triangles);
+    if (entry.is_rated) rates(entry, measured, question.triangles);
   }
 
   void foot() const {
@@ -197,7 +160,7 @@ class Report {
     if (target_.option.empty()) {
       std::printf("Not measured: there is no GPU to measure on.\n");
     } else {
-      std::printf("The answers of simd, gpu and hybrid are the same in every case.\n");
+      std::printf("The answers of all backends are the same in every case.\n");
     }
     for (const std::string& note : notes_) std::printf("Note: %s.\n", note.c_str());
   }
@@ -212,25 +175,27 @@ class Report {
   static double time(const std::vector<Measured>& measured, std::size_t backend) {
     return backend < measured.size() ? median(measured[backend].seconds) : 0;
   }
-  static std::string cell(const std::vector<Measured>& measured, std::size_t backend, std::string figure) {
+  static std::string cell(const Case& entry, const std::vector<Measured>& measured, std::size_t backend,
+                          std::string figure) {
+    if (backend >= backends_for(entry)) return "-";
     if (backend >= measured.size()) return kNone;
     return has(measured, backend) ? std::move(figure) : "left to the CPU";
   }
 
-  std::vector<Measured> measure(const std::string& name, const Question& question) {
+  std::vector<Measured> measure(const Case& entry, const Question& question) {
     // Enough for a median, but no case takes the whole evening.
     const int most = wishes_.is_quick ? 3 : 9, least = 3;
     constexpr double kEnough = 10;  // seconds
-    std::vector<Measured> measured(target_.option.empty() ? 1 : kBackends.size());
+    std::vector<Measured> measured(target_.option.empty() ? 1 : backends_for(entry));
     double spent = 0;
     for (int repeat = -1; repeat < most && (repeat < least || spent < kEnough); ++repeat) {
       for (std::size_t i = 0; i < measured.size(); ++i) {
         const bool counts = repeat >= 0;  // the first one uploads meshes and compiles shaders
         const std::string turn = counts ? std::to_string(repeat + 1) : "warm-up";
-        progress(name + ": " + std::string(kBackends[i]) + ", " + turn);
+        progress(entry.name + ": " + std::string(kBackends[i]) + ", " + turn);
         Measured& backend = measured[i];
         backend.answer = question.ask(options(kBackends[i]), backend.workspace);
-        compare(name, measured[0].answer, backend.answer, kBackends[i]);
+        compare(entry.name, measured[0].answer, backend.answer, kBackends[i]);
         if (!counts) continue;
         backend.seconds.push_back(backend.answer.seconds);
         backend.device_seconds.push_back(sum(backend.answer.statistics, &Statistics::device_seconds));
@@ -256,7 +221,7 @@ class Report {
     return sides(question.ask(with, workspace).statistics);
   }
 
-  void rates(const std::vector<Measured>& measured, const std::string& triangles) const {
+  void rates(const Case& entry, const std::vector<Measured>& measured, const std::string& triangles) const {
     const auto row = [&](const char* name, auto seconds_of) {
       std::vector<std::string> cells{name, triangles, "-"};
       for (std::size_t i = 0; i < kBackends.size(); ++i) {
@@ -265,7 +230,7 @@ class Report {
         double pairs = 0;
         if (seconds)
           for (const Statistics& s : measured[i].answer.statistics) pairs += static_cast<double>(s.triangle_pairs);
-        cells.push_back(cell(measured, i, seconds ? digits(1e-6 * pairs / *seconds) : "-"));
+        cells.push_back(cell(entry, measured, i, seconds ? digits(1e-6 * pairs / *seconds) : "-"));
       }
       cells.insert(cells.end(), 5, "-");
       line(cells);
@@ -296,7 +261,7 @@ class Report {
   }
 
   const Wishes& wishes_;
-  Target target_;
+  TargetDevice target_;
   std::size_t cases_, case_ = 0;
   std::set<std::string> notes_;
   bool is_watched_ = isatty(STDERR_FILENO) == 1;

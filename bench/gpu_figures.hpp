@@ -34,6 +34,7 @@ struct Question {
 struct Case {
   std::string name;
   std::function<Question()> make;  ///< when its turn has come: large meshes do not wait in memory
+  bool is_papers = false;          ///< of the paper's experiment: asked in image space too
   bool is_rated = false;           ///< pairs of triangles tested a second are given as well
   double gigabytes = 0;            ///< of memory that it takes, if many
 };

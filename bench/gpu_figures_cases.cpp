@@ -5,6 +5,7 @@
 
 #include "bench/crowd.hpp"
 #include "bench/gpu_figures.hpp"
+#include "bench/mutual_motion.hpp"
 #include "bench/rough_sheets.hpp"
 #include "bench/support.hpp"
 #include "impinge/collide.hpp"
@@ -95,11 +96,12 @@ Case narrow(int n, bool are_needles) {
 }
 
 /// The paper's experiment, its equation 6: two bodies in mutual motion, the time of a detection.
-Case paper(int triangles, int steps) {
-  return {.name = "paper: mutual motion, a detection", .make = [=] {
-            const Mesh mesh = make_mesh(scenes::torus_knot_of(triangles));
-            return pair_question(mesh, scenes::small_steps(mesh, steps));
-          }};
+Case paper(int triangles, bool is_quick) {
+  return {
+      .name = "paper: mutual motion, a detection",
+      .make =
+          [=] { return pair_question(make_mesh(scenes::torus_knot_of(triangles)), mutual_motion(is_quick ? 67 : 1)); },
+      .is_papers = true};
 }
 
 /// As bench_pairs has them.
@@ -234,7 +236,7 @@ void Answer::add(const Contacts& found, Options::Find find) {
 std::vector<Case> figure_cases(bool is_quick) {
   std::vector<Case> cases;
   for (const bool are_needles : {true, false}) cases.push_back(narrow(is_quick ? 512 : 8192, are_needles));
-  for (const int triangles : {968, 3162, 5200, 7590, 9612}) cases.push_back(paper(triangles, is_quick ? 2 : 100));
+  for (const int triangles : kPaperSizes) cases.push_back(paper(triangles, is_quick));
   for (const int triangles : is_quick ? std::vector{70'000} : std::vector{70'000, 1'000'000}) {
     cases.push_back(light(triangles));
     cases.push_back(deep(triangles));

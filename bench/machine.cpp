@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "bench/device.hpp"
 #include "bench/ours.hpp"
 #include "bench/support.hpp"
 #include "impinge/version.hpp"
@@ -57,6 +58,9 @@ Table describe_machine() {
   table.add(
       {"Embree", std::string(IMPINGE_EMBREE_VERSION) + " as Debian compiled it; the triangle test by -march=native"});
   table.add({"CGAL", std::string(CGAL_VERSION_STR) + " headers by -march=native"});
+  std::string device = choose_device().line;
+  std::erase(device, ',');
+  table.add({"device", device});
   table.add({"load average at the start", load.substr(0, load.find(' '))});
   return table;
 }

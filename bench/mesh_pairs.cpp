@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/mesh_pairs.hpp"
 
-#include <fstream>
-#include <sstream>
-
+#include "bench/mutual_motion.hpp"
 #include "bench/support.hpp"
 #include "impinge/collide.hpp"
 #include "scenes/shapes.hpp"
@@ -43,7 +41,7 @@ Subject elongated(Subject subject) {
 
 std::vector<Subject> paper_subjects() {
   std::vector<Subject> subjects;
-  for (const int triangles : {968, 3162, 5200, 7590, 9612}) subjects.push_back(torus_knot_subject(triangles));
+  for (const int triangles : kPaperSizes) subjects.push_back(torus_knot_subject(triangles));
   return subjects;
 }
 
@@ -65,28 +63,6 @@ std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int po
   std::vector<scenes::PosePair> pairs;
   for (int i = 0; i < poses; ++i) pairs.push_back(random_pose(random, mesh, depth, thickness));
   return pairs;
-}
-
-std::vector<scenes::PosePair> published_poses(const std::string& file) {
-  const auto path = std::filesystem::path(IMPINGE_POSES_DIR) / file;
-  std::ifstream rows(path);
-  if (!rows) fail("cannot read " + path.string());
-  std::vector<scenes::PosePair> poses;
-  for (std::string row; std::getline(rows, row);) {
-    if (row.empty() || row[0] == '#' || row[0] == 's') continue;  // a remark, or the columns' names
-    std::vector<double> numbers;
-    std::istringstream cells(row);
-    for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::strtod(cell.c_str(), nullptr));
-    if (numbers.size() != 25) fail(path.string() + ": a row is not a step and twice R and t: " + row);
-    scenes::PosePair pair;
-    auto next = numbers.begin() + 1;
-    for (Pose* pose : {&pair.a, &pair.b}) {
-      for (double& entry : pose->R) entry = *next++;
-      for (double& entry : pose->t) entry = *next++;
-    }
-    poses.push_back(pair);
-  }
-  return poses;
 }
 
 }  // namespace impinge::bench

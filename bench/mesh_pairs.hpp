@@ -25,7 +25,7 @@ Subject demo_subject(const std::string& file);
 /// Ten times as long along (1, 1, 1): a shape that boxes along the axes fit badly.
 Subject elongated(Subject subject);
 
-/// The five of the paper's Table 1, whose counts a torus knot has to within one triangle.
+/// Torus knots of `kPaperSizes`.
 std::vector<Subject> paper_subjects();
 
 enum class Depth : std::uint8_t {
@@ -38,8 +38,5 @@ const char* name_of(Depth depth);
 
 /// The same poses in every run.
 std::vector<scenes::PosePair> random_poses(const Mesh& mesh, Depth depth, int poses, double thickness = 1);
-
-/// The poses of a file that the repository keeps (bench/poses): a step a row, R and t of both bodies.
-std::vector<scenes::PosePair> published_poses(const std::string& file);
 
 }  // namespace impinge::bench

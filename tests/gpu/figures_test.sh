@@ -27,7 +27,7 @@ number='[0-9]+(\.[0-9]+)?'
 
 # has_rows TABLE WHAT: one for each case, two more for each case that is rated.
 has_rows() {
-  has "$1" '^\| case \| triangles \| contacts \| simd ms \| gpu ms \| hybrid ms \| hybrid / better \|' 1 "$2"
+  has "$1" '^\| case \| triangles \| contacts \| simd ms \| gpu ms \| hybrid ms \| raster ms \| hybrid / better \|' 1 "$2"
   has "$1" '^\| narrow stage: ' 2 "$2"
   has "$1" '^\| its pairs of triangles tested, ' 4 "$2"
   has "$1" '^\| paper: mutual motion' 5 "$2"
@@ -36,21 +36,23 @@ has_rows() {
   has "$1" '^\| [0-9,]+ moving bodies' 1 "$2"
   has "$1" '^\| sheets, (from raw vertices|meshes resident) ' 2 "$2"
   has "$1" '^\| .* \|$' $((rows + 2)) "$2"
-  has "$1" '^\| .*(\| [^|]+){10}\|$' $((rows + 2)) "$2"
+  has "$1" '^\| .*(\| [^|]+){11}\|$' $((rows + 2)) "$2"
 }
 
 software=$("$program" --quick --software 2>/dev/null) || fail 'it does not end well on a software driver'
 has_rows "$software" 'with --software'
 has "$software" 'software driver, not a GPU' 1 'with --software'
 has "$software" 'Command: `impinge-gpu-figures --quick --software`' 1 'with --software'
-has "$software" 'The answers of simd, gpu and hybrid are the same in every case' 1 'with --software'
-timed="\\| $number \\| $number \\| $number \\| $number \\| "
-has "$software" "^\\| (narrow|paper|pair|[0-9]|sheets).* $timed" 16 'with --software'
+has "$software" 'The answers of all backends are the same in every case' 1 'with --software'
+timed="\\| $number \\| $number \\| $number \\| "
+has "$software" "^\\| paper: .* $timed$number \\| $number \\| " 5 'with --software'
+has "$software" "^\\| (narrow|pair|[0-9]|sheets).* $timed- \\| $number \\| " 11 'with --software'
 has "$software" 'not measured|left to the CPU' 0 'with --software'
 
 default=$("$program" --quick 2>/dev/null) || fail 'it does not end well without --software'
 has_rows "$default" 'without --software'
 has "$default" '\| not measured \| not measured \| - \|' 20 'without --software'
+has "$default" '^\| paper: .*(\| not measured ){3}\|' 5 'without --software'
 has "$default" 'are the same in every case' 0 'without --software'
 
 none=$(VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere "$program" --quick --software --only sheets 2>/dev/null) ||
