@@ -21,11 +21,11 @@ Disagreement differences(std::span<const Contact> exact, std::span<const Contact
 }
 
 double seconds_of_rounds(const Contestant& contestant, std::size_t questions, int rounds) {
-  const double seconds = seconds_of([&] {
+  const auto work = [&] {
     for (int round = 0; round < rounds; ++round)
       for (std::size_t i = 0; i < questions; ++i) contestant.ask(i);
-  });
-  return seconds / rounds;
+  };
+  return (contestant.waits ? wall_seconds_of(work) : seconds_of(work)) / rounds;
 }
 
 std::vector<std::string> with_figures(std::vector<std::string> columns) {

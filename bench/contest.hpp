@@ -18,6 +18,7 @@ struct Contestant {
   std::string name;
   std::function<void(std::size_t)> ask;                ///< answers a question, counted from 0: what is timed
   std::function<std::vector<TrianglePair>()> pairs{};  ///< the answer to the last question, sorted
+  bool waits = false;                                  ///< for a device: timed by wall clock
 };
 
 /// How often everything is repeated: until the time is used up, but within these bounds.
@@ -33,7 +34,7 @@ struct Times {
 
 /// Each contestant answers all questions in a row, then the next one does; who begins changes with each repeat. What is
 /// quick answers them several times in a repeat, so that the clock's own time does not show. A first round is not
-/// counted. Processor time of the calling thread.
+/// counted. Processor time of the calling thread; wall clock for a contestant that waits.
 std::vector<Times> contest(std::span<const Contestant> contestants, std::size_t questions, const Effort& effort);
 
 /// How far an answer is from the exact one.

@@ -2,9 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "bench/pair_contestants.hpp"
 
+#include <cstdlib>
+
+#include "bench/device.hpp"
 #include "bench/ours.hpp"
 #include "bench/peers/cgal.hpp"
 #include "bench/peers/common.hpp"
+#ifdef IMPINGE_BENCH_RAPID
+#include "bench/peers/rapid.hpp"
+#endif
+#ifdef IMPINGE_BENCH_PQP
+#include "bench/peers/pqp.hpp"
+#endif
 
 namespace impinge::bench {
 namespace {
@@ -16,7 +25,8 @@ std::vector<TrianglePair> some_pair_if(bool touches) {
   return {};
 }
 
-/// With a workspace, as a caller who asks again and again would.
+/// With a workspace, as a caller who asks again and again would. A device's work must not be done by the CPU in its
+/// stead, which a warning tells.
 Contestant impinge_contestant(const std::string& name, const Copies& copies, const Poses& poses,
                               const Options& options) {
   struct State {
@@ -30,14 +40,26 @@ Contestant impinge_contestant(const std::string& name, const Copies& copies, con
             state->workspace.recycle(std::move(state->answer));
             state->answer = must(collide(copies.mesh, poses[i].a, copies.mesh, poses[i].b, options, &state->workspace));
           },
-          [state, first] { return first ? some_pair_if(!state->answer.triangles.empty()) : state->answer.triangles; }};
+          [state, first, name] {
+            if (!state->answer.warnings.empty()) fail(name + ": " + state->answer.warnings.front());
+            return first ? some_pair_if(!state->answer.triangles.empty()) : state->answer.triangles;
+          }};
 }
 
-template <class Fcl>
-Contestant fcl_contestant(const char* name, Fcl& fcl, const Poses& poses, bool first) {
+/// FCL's, RAPID's or PQP's model, against itself.
+template <class Tree>
+Contestant tree_contestant(const char* name, Tree& tree, const Poses& poses, bool first) {
   const std::size_t limit = first ? 1 : std::numeric_limits<std::size_t>::max();
-  return {name, [&, limit](std::size_t i) { fcl.collide(poses[i].a, fcl, poses[i].b, limit); },
-          [&, first] { return first ? some_pair_if(!fcl.pairs().empty()) : fcl.pairs(); }};
+  return {name, [&, limit](std::size_t i) { tree.collide(poses[i].a, tree, poses[i].b, limit); },
+          [&, first] { return first ? some_pair_if(!tree.pairs().empty()) : tree.pairs(); }};
+}
+
+/// The same with a tree of its own, made now.
+template <class Tree>
+Contestant new_tree_contestant(const char* name, const Copies& copies, const Poses& poses, bool first) {
+  const auto tree = std::make_shared<Tree>(copies.data);
+  const Contestant contestant = tree_contestant(name, *tree, poses, first);
+  return {name, [tree, contestant](std::size_t i) { contestant.ask(i); }, [contestant] { return contestant.pairs(); }};
 }
 
 /// The second body's boxes are built anew for each pose, in the frame of the first, before anything is timed.
@@ -98,11 +120,34 @@ std::vector<Contestant> pair_contestants(Copies& copies, const Poses& poses, con
   quick.find = plain.find = find;
   std::vector<Contestant> contestants{impinge_contestant("impinge", copies, poses, quick),
                                       impinge_contestant("impinge paper", copies, poses, plain),
-                                      fcl_contestant("FCL", copies.fcl, poses, question.first),
-                                      fcl_contestant("FCL native", copies.fcl_native, poses, question.first)};
+                                      tree_contestant("FCL", copies.fcl, poses, question.first),
+                                      tree_contestant("FCL native", copies.fcl_native, poses, question.first)};
   if (!question.first) contestants.push_back(embree_with_refit(copies, poses));
   if (!question.first && question.query_alone) contestants.push_back(embree_query_alone(copies, poses));
   if (question.query_alone) contestants.push_back(cgal_query_alone(copies, poses, question.first));
+#ifdef IMPINGE_BENCH_RAPID
+  contestants.push_back(new_tree_contestant<RapidMesh>("RAPID", copies, poses, question.first));
+#endif
+#ifdef IMPINGE_BENCH_PQP
+  contestants.push_back(new_tree_contestant<PqpMesh>("PQP", copies, poses, question.first));
+#endif
+  return contestants;
+}
+
+std::vector<Contestant> paper_contestants(Copies& copies, const Poses& poses) {
+  static const bool allows_software = std::getenv("IMPINGE_BENCH_SOFTWARE") != nullptr;
+  static const TargetDevice device = choose_device("", allows_software);
+  std::vector<Contestant> contestants = pair_contestants(copies, poses);
+  contestants.push_back(new_tree_contestant<FclSameFlagsMesh>("FCL same flags", copies, poses, false));
+  if (device.option.empty()) return contestants;
+  for (const char* const backend : {"raster", "gpu", "hybrid"}) {
+    Options options{.threads = 1, .backend = backend, .device = device.option};
+    // By itself it gives nothing to a software driver.
+    if (allows_software) options.device_share = 0.5;
+    const std::string name = std::string("impinge ") + backend + (allows_software ? " (tried out)" : "");
+    contestants.push_back(impinge_contestant(name, copies, poses, options));
+    contestants.back().waits = true;
+  }
   return contestants;
 }
 

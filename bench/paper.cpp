@@ -16,7 +16,7 @@ void bench_main(const Arguments& arguments) {
   ContestTable table({"mesh", "triangles"});
   for (const Subject& subject : paper_subjects()) {
     Copies copies(subject.data);
-    table.add({subject.name, count(copies.mesh.triangle_count())}, pair_contestants(copies, poses),
+    table.add({subject.name, count(copies.mesh.triangle_count())}, paper_contestants(copies, poses),
               exact_answers(copies.mesh, poses), effort);
   }
   table.write(arguments.folder, "paper");

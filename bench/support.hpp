@@ -54,7 +54,7 @@ double seconds_of(const Work& work) {
   return thread_seconds() - start;
 }
 
-/// Wall clock, for work that waits for a child process.
+/// Wall clock, for work that waits for a child process or a device.
 template <class Work>
 double wall_seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();

@@ -40,6 +40,15 @@ inline Pose relative(const Pose& a, const Pose& b) {
   return result;
 }
 
+/// A pose as RAPID and PQP take it, which do not promise to leave it as it is.
+struct RowsAndPlace {
+  explicit RowsAndPlace(const Pose& pose) {
+    std::copy(pose.R.begin(), pose.R.end(), &rows[0][0]);
+    std::copy(pose.t.begin(), pose.t.end(), place);
+  }
+  double rows[3][3], place[3];
+};
+
 /// In the order of `Contacts`.
 inline std::vector<TrianglePair> sorted(std::vector<TrianglePair> pairs) {
   std::sort(pairs.begin(), pairs.end(),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// Compiled twice, once for each FclBuild (IMPINGE_BENCH_FCL_BUILD), into libraries of their own.
+// Compiled once for each FclBuild (IMPINGE_BENCH_FCL_BUILD), into libraries of their own.
 #include "bench/peers/fcl.hpp"
 
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>

@@ -14,8 +14,9 @@
 namespace impinge::bench {
 
 enum class FclBuild : std::uint8_t {
-  debian,  ///< the library that Debian compiled, for any processor of the architecture
-  native,  ///< the same headers, compiled by -O3 for this very processor
+  debian,      ///< the library that Debian compiled, for any processor of the architecture
+  same_flags,  ///< the same headers, compiled as impinge is: -O3, for any processor unless the build says otherwise
+  native,      ///< the same headers, compiled by -O3 for this very processor
 };
 
 /// FCL's mesh with its tree of oriented boxes, `BVHModel<OBB<double>>`, asked for pairs of triangles and for nothing
@@ -39,8 +40,10 @@ class FclMesh {
 };
 
 using FclDebianMesh = FclMesh<FclBuild::debian>;
+using FclSameFlagsMesh = FclMesh<FclBuild::same_flags>;
 using FclNativeMesh = FclMesh<FclBuild::native>;
 extern template class FclMesh<FclBuild::debian>;
+extern template class FclMesh<FclBuild::same_flags>;
 extern template class FclMesh<FclBuild::native>;
 
 }  // namespace impinge::bench

@@ -16,15 +16,22 @@ from targets import TARGETS
 STYLES = {
     "impinge": ("#0072B2", "o", "-"),
     "impinge paper": ("#56B4E9", "o", "--"),
+    "impinge raster": ("#000000", "o", ":"),
+    "impinge gpu": ("#0072B2", "*", ":"),
+    "impinge hybrid": ("#56B4E9", "*", "-."),
     "FCL": ("#D55E00", "s", "-"),
+    "FCL same flags": ("#D55E00", "s", ":"),
     "FCL native": ("#E69F00", "s", "--"),
+    "RAPID": ("#000000", "X", "-"),
+    "PQP": ("#999999", "P", "-"),
     "Embree query alone": ("#009E73", "^", "-"),
     "Embree with refit": ("#009E73", "v", "--"),
     "CGAL query alone": ("#CC79A7", "D", "-"),
     "CGAL": ("#CC79A7", "D", "-"),
 }
-LABELS = {"impinge paper": "impinge, the paper's way", "FCL": "FCL, OBB tree",
-          "FCL native": "FCL, compiled for this machine",
+LABELS = {"impinge paper": "impinge, the paper's way", "impinge raster": "impinge, image space",
+          "impinge gpu": "impinge on a GPU", "impinge hybrid": "impinge, CPU and GPU", "FCL": "FCL, OBB tree",
+          "FCL same flags": "FCL, compiled as impinge is", "FCL native": "FCL, compiled for this machine",
           "Embree query alone": "Embree, query alone", "Embree with refit": "Embree, with refit",
           "CGAL query alone": "CGAL, exact kernel, query alone"}
 
