@@ -139,6 +139,9 @@ std::vector<Contestant> paper_contestants(Copies& copies, const Poses& poses) {
   static const TargetDevice device = choose_device("", allows_software);
   std::vector<Contestant> contestants = pair_contestants(copies, poses);
   contestants.push_back(new_tree_contestant<FclSameFlagsMesh>("FCL same flags", copies, poses, false));
+  Options without_grid = paper_way();
+  without_grid.partition = Partition::sweep;
+  contestants.push_back(impinge_contestant("impinge paper without grid", copies, poses, without_grid));
   if (device.option.empty()) return contestants;
   for (const char* const backend : {"raster", "gpu", "hybrid"}) {
     Options options{.threads = 1, .backend = backend, .device = device.option};

@@ -32,9 +32,9 @@ struct PairQuestion {
 std::vector<Contestant> pair_contestants(Copies& copies, const std::vector<scenes::PosePair>& poses,
                                          const PairQuestion& question = {});
 
-/// The same in the paper's experiment, with FCL compiled by the flags of impinge itself and the backends that need a
-/// device. Those are asked where there is one that is hardware; IMPINGE_BENCH_SOFTWARE=1 takes a software driver too,
-/// to see whether everything works, and says so in their names.
+/// The same in the paper's experiment, with FCL compiled by the flags of impinge itself, the paper's way without its
+/// grid, and the backends that need a device. Those are asked where there is one that is hardware;
+/// IMPINGE_BENCH_SOFTWARE=1 takes a software driver too, to see whether everything works, and says so in their names.
 std::vector<Contestant> paper_contestants(Copies& copies, const std::vector<scenes::PosePair>& poses);
 
 /// The exact answers in the form of a `PairQuestion` with `first`: some pair where there is one.
