@@ -21,9 +21,8 @@
 namespace impinge::bench {
 namespace {
 
-constexpr const char* kHelp =
-    R"(Measures impinge on the CPU, on a GPU and on both at once, the paper's experiment in image space too, and prints one
-table.
+constexpr const char* kHelp = R"(Measures impinge on the CPU, on a GPU and on both at once, and prints one table; the
+paper's experiment in image space too.
 
   impinge-gpu-figures [--quick] [--software] [--device DEVICE] [--only TEXT]
 
