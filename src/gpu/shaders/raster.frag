@@ -19,8 +19,10 @@ layout(location = 0) flat in uint run_index;
 // An edge's end, seen from the triangle's first corner. Scaling is by a power of two, which is exact but for underflow,
 // by less than 2^-126.
 vec3 seen_from_corner(vec3 end, RasterRun run) {
-  precise vec3 scaled = end * run.scale;
-  return minus(scaled, vec3(run.corner[0], run.corner[1], run.corner[2]));
+  precise float x = end.x * run.scale;
+  precise float y = end.y * run.scale;
+  precise float z = end.z * run.scale;
+  return minus(vec3(x, y, z), vec3(run.corner[0], run.corner[1], run.corner[2]));
 }
 
 void main() {
