@@ -54,27 +54,61 @@ struct BoxSide {
   int size;
 };
 
-/// The boxes of a node, or of a leaf as a node of one box. `own` is memory for what is not there to be pointed to.
-HWY_INLINE void open(const TreeRef& ref, float scale, Boxes& own, BoxSide& side) {
-  if (!ref.is_leaf()) {
-    const WideNode& node = ref.node();
-    side.center = node.center, side.half = node.half, side.size = static_cast<int>(node.size);
-    if (scale == 1) return;
-    for (int i = 0; i < 3; ++i) {
-      for (int lane = 0; lane < kWidth; ++lane) {
-        own.center[i][lane] = scale * node.center[i][lane];
-        own.half[i][lane] = lane < side.size ? scale * node.half[i][lane] : kNoBox;
-      }
+/// The boxes of a node's children. `own` is memory for what is not there to be pointed to.
+HWY_INLINE void open(const WideNode& node, float scale, Boxes& own, BoxSide& side) {
+  side.center = node.center, side.half = node.half, side.size = static_cast<int>(node.size);
+  if (scale == 1) return;
+  for (int i = 0; i < 3; ++i) {
+    for (int lane = 0; lane < kWidth; ++lane) {
+      own.center[i][lane] = scale * node.center[i][lane];
+      own.half[i][lane] = lane < side.size ? scale * node.half[i][lane] : kNoBox;
     }
-  } else {
-    for (int i = 0; i < 3; ++i) {
-      std::fill_n(own.center[i], kWidth, 0.0f);
-      std::fill_n(own.half[i], kWidth, kNoBox);
-      own.half[i][0] = scale * ref.leaf().half[i];
-    }
-    side.size = 1;
   }
   side.center = own.center, side.half = own.half;
+}
+
+/// A leaf's box, or one that holds all those of a node's children. Three sums of numbers that are at most |lo| + |hi|,
+/// each off by 2^-24 of that at most, make the half extent; it is made larger by more.
+HWY_INLINE void keep_whole(const TreeRef& ref, float scale, Boxes& own, BoxSide& side) {
+  const hn::CappedTag<float, kWidth> d;
+  for (int i = 0; i < 3; ++i) {
+    float center = 0, half = 0;
+    if (ref.is_leaf()) {
+      half = ref.leaf().half[i];
+    } else {
+      const WideNode& node = ref.node();
+      auto lo = hn::Set(d, -kNoBox), hi = hn::Set(d, kNoBox);  // which lanes without a child leave as they are
+      for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
+        const auto middle = hn::Load(d, node.center[i] + lane), reach = hn::Load(d, node.half[i] + lane);
+        lo = hn::Min(lo, hn::Sub(middle, reach)), hi = hn::Max(hi, hn::Add(middle, reach));
+      }
+      const float least = hn::GetLane(hn::MinOfLanes(d, lo)), greatest = hn::GetLane(hn::MaxOfLanes(d, hi));
+      center = 0.5f * (least + greatest);
+      half = 0.5f * (greatest - least) + 0x1p-21f * (std::abs(least) + std::abs(greatest));
+    }
+    std::fill_n(own.center[i], kWidth, 0.0f);
+    std::fill_n(own.half[i], kWidth, kNoBox);
+    own.center[i][0] = scale * center, own.half[i][0] = scale * half;
+  }
+  side.center = own.center, side.half = own.half, side.size = 1;
+}
+
+/// Whose children are held against the other's box or boxes: those of both, or where one node is much the larger, its
+/// own alone. (Twice as large is where that begins to gain; 1.5 times is no better.)
+struct Opening {
+  bool a, b;
+};
+HWY_INLINE Opening opening_of(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
+  if (ref_a.is_leaf() || ref_b.is_leaf()) return {!ref_a.is_leaf(), !ref_b.is_leaf()};
+  const float a = frame_of(ref_a).radius, b = static_cast<float>(trees.scale) * frame_of(ref_b).radius;
+  return {2 * a >= b, 2 * b >= a};
+}
+
+/// A leaf, and a node of less than half its size.
+HWY_INLINE bool is_leaf_against_smaller(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
+  if (ref_a.is_leaf() == ref_b.is_leaf()) return false;
+  const float a = frame_of(ref_a).radius, b = static_cast<float>(trees.scale) * frame_of(ref_b).radius;
+  return ref_a.is_leaf() ? 2 * b < a : 2 * a < b;
 }
 
 // Let x be a shared point in A's frame and y, in B's, the same as B has it; |x| <= r_a, |y| <= r_b (in A's unit) in
@@ -92,17 +126,27 @@ HWY_INLINE float slack_of(const FrameRelation& relation, const TreeRelation& tre
   return (0x1p-15f + 8 * defect) * r_b + 0x1p-19f * (radius_a + far) + 2 * static_cast<float>(trees.error) + 0x1p-100f;
 }
 
-/// The boxes of both, in A's unit, each mapped to the other's frame with the slack that this takes.
-HWY_INLINE void open_both(const TreeRef& ref_a, const TreeRef& ref_b, const FrameRelation& relation,
-                          const TreeRelation& trees, Boxes& own_a, Boxes& own_b, BoxSide& a, BoxSide& b) {
-  open(ref_a, 1, own_a, a), open(ref_b, static_cast<float>(trees.scale), own_b, b);
-  const float slack = slack_of(relation, trees, frame_of(ref_a).radius, frame_of(ref_b).radius);
+/// A's boxes mapped to B's frame, or B's to A's.
+HWY_INLINE void map_to_other(BoxSide& side, bool is_a, const FrameRelation& relation, float slack) {
   const auto& C = relation.columns;
   const float to_a[3][3] = {{C[0][0], C[1][0], C[2][0]}, {C[0][1], C[1][1], C[2][1]}, {C[0][2], C[1][2], C[2][2]}};
   const float to_b[3][3] = {{C[0][0], C[0][1], C[0][2]}, {C[1][0], C[1][1], C[1][2]}, {C[2][0], C[2][1], C[2][2]}};
   constexpr float kNone[3] = {0, 0, 0};
-  map_boxes(a.center, a.half, to_b, relation.c, kNone, slack, a.mapped);
-  map_boxes(b.center, b.half, to_a, kNone, relation.c, slack, b.mapped);
+  if (is_a) {
+    map_boxes(side.center, side.half, to_b, relation.c, kNone, slack, side.mapped);
+  } else {
+    map_boxes(side.center, side.half, to_a, kNone, relation.c, slack, side.mapped);
+  }
+}
+
+/// The boxes of both, in A's unit, each mapped to the other's frame with the slack that this takes.
+HWY_INLINE void open_both(const TreeRef& ref_a, const TreeRef& ref_b, Opening opening, const FrameRelation& relation,
+                          const TreeRelation& trees, Boxes& own_a, Boxes& own_b, BoxSide& a, BoxSide& b) {
+  const auto scale = static_cast<float>(trees.scale);
+  opening.a ? open(ref_a.node(), 1, own_a, a) : keep_whole(ref_a, 1, own_a, a);
+  opening.b ? open(ref_b.node(), scale, own_b, b) : keep_whole(ref_b, scale, own_b, b);
+  const float slack = slack_of(relation, trees, frame_of(ref_a).radius, frame_of(ref_b).radius);
+  map_to_other(a, true, relation, slack), map_to_other(b, false, relation, slack);
 }
 
 }  // namespace impinge::hierarchy::HWY_NAMESPACE

@@ -14,6 +14,7 @@
 #include <hwy/highway.h>
 
 #include "core/mask_bits-inl.hpp"
+#include "hierarchy/leaf_against_box-inl.hpp"
 #include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,18 +61,37 @@ HWY_INLINE std::uint64_t nearest_of(std::uint64_t bits, const BoxSide& one, cons
 struct Overlaps {
   std::uint64_t bits;
   std::uint64_t nearest;  ///< the closest of them, if asked for
-  bool b_is_one;          ///< B is the one side: a leaf, whose only box is held against the other's eight
+  Opening opening;        ///< B is the one side where it is not opened
 };
+
+/// Whether a leaf has a triangle that may touch the whole of a much smaller node: one that is opened to its leaves
+/// before a large triangle would be looked at.
+bool leaf_may_meet_node(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees) {
+  const bool leaf_is_a = pair.a.is_leaf();
+  const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();
+  const auto scale = static_cast<float>(trees.scale);
+  BoxSide node;
+  Boxes own;
+  leaf_is_a ? keep_whole(pair.b, scale, own, node) : keep_whole(pair.a, 1, own, node);
+  map_to_other(node, !leaf_is_a, relation, slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius));
+  const auto& [center, half] = node.mapped;
+  const float middle[3] = {center[0][0], center[1][0], center[2][0]}, reach[3] = {half[0][0], half[1][0], half[2][0]};
+  return square_gap(leaf, leaf_is_a ? 1 : scale, middle, reach) == 0;
+}
 
 Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees,
                      bool with_nearest, WalkCounts& counts) {
+  Overlaps result{0, 0, opening_of(pair.a, pair.b, trees)};
+  if (is_leaf_against_smaller(pair.a, pair.b, trees) && !leaf_may_meet_node(pair, relation, trees)) {
+    ++counts.box_tests;
+    return result;
+  }
   BoxSide a, b;
   Boxes own_a, own_b;
-  open_both(pair.a, pair.b, relation, trees, own_a, own_b, a, b);
+  open_both(pair.a, pair.b, result.opening, relation, trees, own_a, own_b, a, b);
   counts.box_tests += static_cast<std::uint64_t>(a.size) * static_cast<std::uint64_t>(b.size);
 
-  Overlaps result{0, 0, pair.b.is_leaf()};
-  const BoxSide &one = result.b_is_one ? b : a, &lanes = result.b_is_one ? a : b;
+  const BoxSide &one = result.opening.b ? a : b, &lanes = result.opening.b ? b : a;
   const unsigned filled = (1u << lanes.size) - 1;
   for (int i = 0; i < one.size; ++i) result.bits |= std::uint64_t{overlapping(one, i, lanes) & filled} << (kWidth * i);
   if (with_nearest) result.nearest = nearest_of(result.bits, one, lanes);
@@ -85,14 +105,15 @@ struct Ends {
 };
 
 /// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack.
-Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, bool b_is_one, Ends ends,
+Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, Opening opening, Ends ends,
              WalkCounts& counts) {
-  const auto child = [&](WideTree& tree, const TreeRef& parent, int lane) {
-    return parent.is_leaf() ? parent : tree.child(parent.node(), lane, counts.made, walk.for_each);
+  const auto child = [&](WideTree& tree, const TreeRef& parent, bool is_open, int lane) {
+    return is_open ? tree.child(parent.node(), lane, counts.made, walk.for_each) : parent;
   };
   for (; bits != 0; bits &= bits - 1) {
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
-    const TreeRef a = child(walk.a, pair.a, b_is_one ? lane : one), b = child(walk.b, pair.b, b_is_one ? one : lane);
+    const TreeRef a = child(walk.a, pair.a, opening.a, opening.b ? one : lane),
+                  b = child(walk.b, pair.b, opening.b, opening.b ? lane : one);
     const bool both_leaves = a.is_leaf() && b.is_leaf();
     // Written to both lists, and kept in one: a branch could not be predicted.
     *ends.open = {a, b};
@@ -134,9 +155,9 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     stack.resize(open + found), leaf_pairs.resize(leaves + found);
     Ends ends{stack.data() + open, leaf_pairs.data() + leaves};
     for (std::size_t i = 0; i < size; ++i) {
-      const auto& [bits, nearest, b_is_one] = overlaps[i];
-      ends = descend(walk, block[i], bits & ~nearest, b_is_one, ends, counts);
-      if (nearest != 0) ends = descend(walk, block[i], nearest, b_is_one, ends, counts);
+      const auto& [bits, nearest, opening] = overlaps[i];
+      ends = descend(walk, block[i], bits & ~nearest, opening, ends, counts);
+      if (nearest != 0) ends = descend(walk, block[i], nearest, opening, ends, counts);
     }
     stack.resize(static_cast<std::size_t>(ends.open - stack.data()));
     leaf_pairs.resize(static_cast<std::size_t>(ends.leaves - leaf_pairs.data()));

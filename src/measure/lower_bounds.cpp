@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "core/mask_bits-inl.hpp"
+#include "hierarchy/leaf_against_box-inl.hpp"
 #include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,14 +53,17 @@ HWY_INLINE V gap(D d, V distance, V reach) {
   return hn::Min(hn::Max(hn::Sub(distance, reach), hn::Zero(d)), hn::Set(d, kFar));
 }
 
-HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees, float limit,
-                          BoxBounds& bounds) {
+HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_both, const TreeRelation& trees,
+                          float limit, BoxBounds& bounds) {
   const FrameRelation relation = hierarchy::HWY_NAMESPACE::relate_frames(frame_of(ref_a), frame_of(ref_b), trees);
   BoxSide a, b;
   Boxes own_a, own_b;
-  hierarchy::HWY_NAMESPACE::open_both(ref_a, ref_b, relation, trees, own_a, own_b, a, b);
-  bounds.bits = 0, bounds.b_is_one = ref_b.is_leaf();
-  const BoxSide &one = bounds.b_is_one ? b : a, &lanes = bounds.b_is_one ? a : b;
+  using hierarchy::HWY_NAMESPACE::Opening;
+  const auto opening =
+      of_both ? Opening{!ref_a.is_leaf(), !ref_b.is_leaf()} : hierarchy::HWY_NAMESPACE::opening_of(ref_a, ref_b, trees);
+  hierarchy::HWY_NAMESPACE::open_both(ref_a, ref_b, opening, relation, trees, own_a, own_b, a, b);
+  bounds.bits = 0, bounds.opens_a = opening.a, bounds.opens_b = opening.b;
+  const BoxSide &one = bounds.opens_b ? a : b, &lanes = bounds.opens_b ? b : a;
   const unsigned filled = (1u << lanes.size) - 1;
   const float shrink = shrink_of(trees), most = square_of(limit, shrink);
   const hn::CappedTag<float, kWidth> d;
@@ -81,6 +85,19 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, const Tree
       bits |= mask_bits(d, hn::Le(square, hn::Set(d, most))) << lane;
     }
     bounds.bits |= std::uint64_t{bits & filled} << (kWidth * i);
+  }
+  if (!hierarchy::HWY_NAMESPACE::is_leaf_against_smaller(ref_a, ref_b, trees)) return;
+  // The leaf's one box says little: its triangles are compared with the boxes of the other's children.
+  const WideLeaf& leaf = ref_a.is_leaf() ? ref_a.leaf() : ref_b.leaf();
+  const float scale = ref_a.is_leaf() ? 1 : static_cast<float>(trees.scale);
+  for (std::uint64_t left = bounds.bits; left != 0; left &= left - 1) {
+    const int lane = std::countr_zero(left);
+    const auto& [center, half] = lanes.mapped;
+    const float middle[3] = {center[0][lane], center[1][lane], center[2][lane]};
+    const float reach[3] = {half[0][lane], half[1][lane], half[2][lane]};
+    const float square = hierarchy::HWY_NAMESPACE::square_gap(leaf, scale, middle, reach);
+    bounds.lower[0][lane] = std::max(bounds.lower[0][lane], shrink * std::sqrt(square));
+    if (square > most) bounds.bits &= ~(std::uint64_t{1} << lane);
   }
 }
 
@@ -222,9 +239,9 @@ namespace impinge::measure {
 HWY_EXPORT(bound_boxes);
 HWY_EXPORT(bound_triangles);
 
-void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, const hierarchy::TreeRelation& relation,
-                 float limit, BoxBounds& bounds) {
-  HWY_DYNAMIC_DISPATCH(bound_boxes)(a, b, relation, limit, bounds);
+void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, bool of_both,
+                 const hierarchy::TreeRelation& relation, float limit, BoxBounds& bounds) {
+  HWY_DYNAMIC_DISPATCH(bound_boxes)(a, b, of_both, relation, limit, bounds);
 }
 
 void bound_triangles(const hierarchy::WideLeaf& a, const hierarchy::WideLeaf& b,

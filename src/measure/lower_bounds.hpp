@@ -14,13 +14,15 @@ namespace impinge::measure {
 
 struct BoxBounds {
   std::uint64_t bits;  ///< bit 8 i + j: box i of the one side and j of the other may be within the limit
-  bool b_is_one;       ///< B is the one side: a leaf, whose only box is compared with the other's eight
+  bool opens_a,
+      opens_b;  ///< by its children's boxes, or by one for the whole; the one side is B if it is whole, else A
   alignas(64) float lower[hierarchy::kWidth][hierarchy::kWidth];
 };
 
-/// The bounds of the children of two nodes; a leaf is its own only child.
-void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, const hierarchy::TreeRelation& relation,
-                 float limit, BoxBounds& bounds);
+/// The bounds of the children of two nodes, `of_both`, or else of the much larger one's alone where there is one. A
+/// leaf has none.
+void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, bool of_both,
+                 const hierarchy::TreeRelation& relation, float limit, BoxBounds& bounds);
 
 /// The greatest number of triangles in a leaf (TreeConfig).
 inline constexpr int kMostInLeaf = 256;

@@ -33,9 +33,7 @@ void step_down(const PlacedTree& body, TreeRef& ref, std::int8_t& lane, const Fo
 
 int size_of(const TreeRef& ref) { return ref.is_leaf() ? 1 : static_cast<int>(ref.node().size); }
 
-std::int8_t lane_of(const TreeRef& parent, int lane) {
-  return parent.is_leaf() ? NodePair::kSelf : static_cast<std::int8_t>(lane);
-}
+std::int8_t lane_of(bool is_open, int lane) { return is_open ? static_cast<std::int8_t>(lane) : NodePair::kSelf; }
 
 }  // namespace
 
@@ -72,9 +70,11 @@ bool PairWalk::are_remote() const {
 float PairWalk::in_unit(double limit) const { return hierarchy::round_up(limit / unit_); }
 
 void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& children) const {
+  BoxBounds bounds;
+  bounds.opens_a = !pair.a.is_leaf(), bounds.opens_b = !pair.b.is_leaf();
   const auto offer = [&](int i, int j, double lower) {
     if (world_length(lower) > limit) return;
-    children.push_back({world_length(lower), pair.a, pair.b, lane_of(pair.a, i), lane_of(pair.b, j),
+    children.push_back({world_length(lower), pair.a, pair.b, lane_of(bounds.opens_a, i), lane_of(bounds.opens_b, j),
                         static_cast<std::uint16_t>(pair.depth + 1)});
   };
   const auto far = FarBounds::of(pair.a, a_.pose, pair.b, b_.pose, relation_);
@@ -85,11 +85,10 @@ void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& c
       for (int j = 0; j < size_of(pair.b); ++j) offer(i, j, far->base() - reach_a[i] - reach_b[j]);
     return;
   }
-  BoxBounds bounds;
-  bound_boxes(pair.a, pair.b, relation_, in_unit(limit), bounds);
+  bound_boxes(pair.a, pair.b, far.has_value(), relation_, in_unit(limit), bounds);
   for (std::uint64_t bits = bounds.bits; bits != 0; bits &= bits - 1) {
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
-    const int i = bounds.b_is_one ? lane : one, j = bounds.b_is_one ? one : lane;
+    const int i = bounds.opens_b ? one : lane, j = bounds.opens_b ? lane : one;
     const double lower = bounds.lower[one][lane];
     offer(i, j, far ? std::max(lower, far->base() - reach_a[i] - reach_b[j]) : lower);
   }

@@ -137,6 +137,37 @@ TEST(WideWalk, ReachesWhatTouchesInMeshesOfDifferentSizes) {
   }
 }
 
+/// Needles, which are one leaf and whose planes are hardly known, and a mesh of small triangles that shares a corner of
+/// one: its nodes are held against the needles' boxes and planes.
+TEST(WideWalk, ReachesSmallTrianglesAtTheCornersOfLargeNeedles) {
+  int attacks = 0;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    std::array<Pose, 2> poses;
+    for (Pose& pose : poses) {
+      pose = scenes::random_motion(random, std::array{0.0, 1.0, 1e6}[seed % 3]);
+      if (seed % 2 != 0) pose.R = scenes::stretched_rotation(random, 9e-7);
+    }
+    const Mat3 axes = to_mat3(scenes::random_rotation(random));
+    const Point corner{poses[0].t[0], poses[0].t[1], poses[0].t[2]};
+    const Vec3 along = axes[0] + random.uniform(-1, 1) * axes[1];
+    const Vec3 aside = std::ldexp(1.0, -random.integer(10, 30)) * axes[2];
+    const double small = std::ldexp(1.0, -random.integer(2, 24));
+    const auto needles = fan(corner, along, along + aside, 2, poses[0]);
+    // To all sides, or away from the needles: just their bounds keep the corner then.
+    const Vec3 u = seed % 4 == 0 ? axes[2] : axes[0] - axes[1], v = seed % 4 == 0 ? axes[2] - axes[0] : axes[2];
+    const auto other = fan(corner, small * u, small * v, 6, poses[1]);
+    if (!needles || !other) continue;
+    scenes::PlacedScene scene = scenes::pair_scene(*needles, *other);
+    for (std::size_t i = 0; i < 2; ++i) scene.objects[i].pose = poses[i];
+    ASSERT_FALSE(test::brute_force(scene).empty());
+    ASSERT_NO_FATAL_FAILURE(expect_reaches_all(scene, {12}));
+    ++attacks;
+  }
+  EXPECT_GT(attacks, 300);
+}
+
 TEST(WideWalk, ReachesSingleTrianglesThatAreRootsOfTheirTrees) {
   test::Seeded seeded(3);
   int touching = 0;

@@ -165,6 +165,31 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
   }
 }
 
+/// Few large triangles, which are one leaf, and many small ones beside the inside of one of them: nodes of the small
+/// mesh are held against the large triangles themselves.
+TEST(NearestPair, IsTheExactOneOfSmallTrianglesNearLargeOnes) {
+  test::Seeded seeded(4);
+  scenes::Random& random = seeded.random;
+  for (int i = 0; i < 120; ++i) {
+    const double width = std::ldexp(1.0, -random.integer(0, 24)), size = std::ldexp(1.0, -random.integer(1, 20));
+    const scenes::MeshData large =
+        i % 2 == 0 ? scenes::sliver_soup(random, 8, width) : scenes::triangle_soup(random, 8, 1);
+    scenes::MeshData small = i % 3 == 0 ? scenes::sliver_soup(random, 30) : scenes::triangle_soup(random, 30, 0.5);
+    small = scenes::scaled(std::move(small), size, size, size);
+    scenes::PlacedScene scene = i % 5 < 3 ? scenes::pair_scene(large, small) : scenes::pair_scene(small, large);
+    for (auto& object : scene.objects) object.pose = scenes::random_motion(random, i % 4 == 0 ? 1e6 : 1);
+    // The small one's origin comes to a point of a large triangle, and off it by a part of its size or by nothing.
+    const std::size_t of_large = i % 5 < 3 ? 0 : 1;
+    const Mesh mesh = test::mesh_of(large);
+    const Triangle t = test::world_triangles(mesh, scene.objects[of_large].pose)[i % 8];
+    const double s = random.unit(), r = random.unit() * (1 - s), off = i % 7 == 0 ? 0 : size * random.uniform(-3, 3);
+    const Vec3 at = t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]) + off * Vec3{0.6, 0.64, 0.48};
+    scene.objects[1 - of_large].pose.t = {at.x, at.y, at.z};
+    SCOPED_TRACE(testing::Message() << "case " << i << ", width " << width << ", size " << size);
+    ASSERT_NO_FATAL_FAILURE(expect_all(scene, 8));
+  }
+}
+
 TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
   for (int i = 0; i < 300; ++i) {
