@@ -171,7 +171,9 @@ void print_surfaces(std::span<const std::string> labels, std::span<const Part> p
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].facts.solid || ++surfaces > kMostLines) continue;
     const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
-    sink.write(fmt::format("{} is no solid: {}\n", name, defects_text(parts[i])));
+    const bool is_cracked = parts[i].facts.part_class == PartClass::cracked;
+    sink.write(
+        fmt::format("{} is {}: {}\n", name, is_cracked ? "a cracked solid" : "no solid", defects_text(parts[i])));
   }
   if (surfaces > kMostLines)
     sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));

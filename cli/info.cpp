@@ -94,7 +94,8 @@ std::string open_edges_text(const ObjectFacts& facts) {
 
 std::string solid_text(const ObjectFacts& facts) {
   if (!facts.part) return "unknown";
-  return facts.part->facts.solid ? "yes" : "no";
+  if (facts.part->facts.solid) return "yes";
+  return facts.part->facts.part_class == PartClass::cracked ? "cracked" : "no";
 }
 
 constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 80;

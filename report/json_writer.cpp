@@ -146,6 +146,11 @@ Json json_facts(const std::optional<Part>& part) {
     crossing = {{"triangles", {facts.self_crossing->a, facts.self_crossing->b}},
                 {"near", json_point(*part->crossing_near)}};
   return {{"solid", of_part(facts.solid)},
+          {"class", part ? Json(name(facts.part_class)) : Json()},
+          {"pieces", of_part({{"solid", facts.pieces[0]}, {"cracked", facts.pieces[1]}, {"surface", facts.pieces[2]}})},
+          {"turned", of_part(facts.turned)},
+          {"unclear_edges", of_part(facts.unclear_edges)},
+          {"first_unclear_edge", facts.unclear_edge ? json_points(*facts.unclear_edge) : Json()},
           {"first_open_edge", facts.open_edge ? json_points(*facts.open_edge) : Json()},
           {"self_crossings", of_part(facts.self_crossings)},
           {"first_self_crossing", crossing},

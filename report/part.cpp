@@ -3,9 +3,11 @@
 #include "report/part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "report/text.hpp"
 #include "report/vector.hpp"
@@ -38,6 +40,10 @@ std::string place(const Point& point, double size) {
                      short_coordinate(point.z, size));
 }
 
+std::string first_at(const std::optional<Segment>& edge, double size) {
+  return edge ? fmt::format(", first at {}-{}", place((*edge)[0], size), place((*edge)[1], size)) : "";
+}
+
 }  // namespace
 
 Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose) {
@@ -56,19 +62,17 @@ std::string coordinate(double value, double size) {
 
 std::string defects_text(const Part& part) {
   const PartFacts& facts = part.facts;
-  std::string text;
-  if (facts.open_edges > 0) {
-    text = counted(facts.open_edges, "open edge");
-    if (facts.open_edge)
-      text += fmt::format(", first at {}-{}", place((*facts.open_edge)[0], part.size),
-                          place((*facts.open_edge)[1], part.size));
-  }
+  std::vector<std::string> texts;
+  if (facts.open_edges > 0)
+    texts.push_back(counted(facts.open_edges, "open edge") + first_at(facts.open_edge, part.size));
+  if (facts.unclear_edges > 0)
+    texts.push_back(counted(facts.unclear_edges, "unclear edge") + first_at(facts.unclear_edge, part.size));
   if (facts.self_crossings > 0) {
-    if (!text.empty()) text += "; ";
-    text += counted(facts.self_crossings, "self-crossing");
-    if (part.crossing_near) text += fmt::format(", first near {}", place(*part.crossing_near, part.size));
+    texts.push_back(counted(facts.self_crossings, "self-crossing"));
+    if (part.crossing_near) texts.back() += fmt::format(", first near {}", place(*part.crossing_near, part.size));
   }
-  return text.empty() ? "it encloses nothing" : text;
+  if (facts.turned > 0) texts.push_back(counted(facts.turned, "triangle") + " turned");
+  return texts.empty() ? "it encloses nothing" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
 }  // namespace impinge::report

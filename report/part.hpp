@@ -19,7 +19,8 @@ struct Part {
 /// The facts that the library found, with places. `facts` must be those of this placed mesh.
 Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose);
 
-/// Why a part is no solid: "12 open edges, first at (0 0 1)-(1 0 1); 2 self-crossings, first near (0.5 0 0)".
+/// Why a part is no solid: "12 open edges, first at (0 0 1)-(1 0 1); 2 unclear edges, first at (0 0 1)-(1 0 1);
+/// 2 self-crossings, first near (0.5 0 0); 1 triangle turned".
 std::string defects_text(const Part& part);
 
 /// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.

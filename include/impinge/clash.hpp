@@ -86,9 +86,25 @@ struct Clash {
   std::vector<Region> regions;
 };
 
+/// What a part, or a piece of it, is by winding numbers (Jacobson et al., 2013): how often triangles wind around a
+/// point, an integer where they are closed. Triangles are first turned to agree with their neighbours, and closed
+/// shells outwards. A piece is what hangs together by vertices and is closed, with its cavities; all that is not closed
+/// is one piece more. The best first.
+enum class PartClass : std::uint8_t {
+  solid,    ///< closed, with an inside, though it may meet itself
+  cracked,  ///< not closed, but beside its open edges it is clear what is inside: seams that gape, missing triangles
+  surface,  ///< anything else
+};
+
 /// What a part is. Lengths in the caller's unit.
 struct PartFacts {
-  bool solid = false, closed = false;
+  bool solid = false, closed = false;         ///< as verdicts have it
+  PartClass part_class = PartClass::surface;  ///< the best class of its pieces; verdicts do not go by it yet
+  std::array<std::uint32_t, 3> pieces{};      ///< how many there are, by class
+  std::uint64_t turned = 0;                   ///< triangles that had to be turned to find the classes
+  std::uint64_t unclear_edges =
+      0;  ///< open edges beside which winding is not clear; an estimate where open edges are many
+  std::optional<Segment> unclear_edge;               ///< the first of them
   std::uint64_t open_edges = 0, self_crossings = 0;  ///< what keeps it from being a solid
   std::uint64_t degenerate = 0;                      ///< triangles whose world vertices are collinear
   std::optional<Segment> open_edge;                  ///< the first of them
@@ -145,8 +161,9 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
 /// What one placed mesh is. Errors: `bad_pose`, `out_of_range`, `bad_option`.
 Result<PartFacts> examine(const Mesh& mesh, const Pose& pose = {}, const ClashOptions& options = {});
 
-/// "penetrating" and so on; a sentence about the note, "" for none.
+/// "penetrating" and so on; "solid" and so on; a sentence about the note, "" for none.
 std::string_view name(Verdict verdict);
+std::string_view name(PartClass part_class);
 std::string_view sentence(Note note);
 
 }  // namespace impinge

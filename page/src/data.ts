@@ -21,6 +21,10 @@ export interface Part {
   triangles: number;
   open_edges?: number;
   solid?: boolean;
+  class?: 'solid' | 'cracked' | 'surface' | null;
+  turned?: number;
+  unclear_edges?: number;
+  first_unclear_edge?: [Vec3, Vec3] | null;
   first_open_edge?: [Vec3, Vec3] | null;
   self_crossings?: number;
   first_self_crossing?: { triangles: [number, number]; near: Vec3 } | null;

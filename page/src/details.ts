@@ -230,6 +230,7 @@ export class Details {
     if (clashes) actions.append(button('Only its clashes', () => this.store.filterBy({ parts: new Set([part.id]) })));
     const open = part.first_open_edge;
     const crossing = part.first_self_crossing;
+    const unclear = part.first_unclear_edge;
     return [
       el('div', { class: 'sentence part-name' }, nameOf(part.name, 2000)),
       actions,
@@ -241,8 +242,12 @@ export class Details {
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],
         ['Kind', part.solid === undefined ? null : [part.solid ? 'solid' : 'surface']],
+        ['By winding', !part.class || part.class === (part.solid ? 'solid' : 'surface') ? null : [part.class]],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],
+        ['Unclear edges', part.unclear_edges ? [countOf(part.unclear_edges)] : null],
+        ['First of them', unclear ? [...point(unclear[0]), ' to ', ...point(unclear[1])] : null],
+        ['Triangles turned', part.turned ? [countOf(part.turned)] : null],
         ['Self-crossings', part.self_crossings ? [countOf(part.self_crossings)] : null],
         ['First of them near', crossing ? point(crossing.near) : null],
         ['Volume', measured(part.volume)],

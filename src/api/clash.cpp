@@ -12,8 +12,8 @@
 
 #include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
-#include "clash/local_frame.hpp"
 #include "core/guarded.hpp"
+#include "core/local_frame.hpp"
 #include "core/pose.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/equal_pairs.hpp"
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, std::vecto
                                            const ClashOptions& options) {
   double largest = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (scene.meshes[i] != nullptr) largest = std::max(largest, clash::largest_coordinate(boxes[i]));
+    if (scene.meshes[i] != nullptr) largest = std::max(largest, largest_coordinate(boxes[i]));
   // Each box grows by half of the reach, and by what rounding may take from that.
   const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
   const double reach = std::max(nearest, options.clearance);
@@ -254,6 +254,11 @@ std::string_view name(Verdict verdict) {
   constexpr std::array<std::string_view, 6> kNames{"duplicate", "inside",   "penetrating",
                                                    "crossing",  "touching", "apart"};
   return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view name(PartClass part_class) {
+  constexpr std::array<std::string_view, 3> kNames{"solid", "cracked", "surface"};
+  return kNames[static_cast<std::size_t>(part_class)];
 }
 
 std::string_view sentence(Note note) {

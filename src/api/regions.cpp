@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "clash/local_frame.hpp"
 #include "clash/regions/regions.hpp"
 #include "clash/slab.hpp"
 #include "core/guarded.hpp"
+#include "core/local_frame.hpp"
 #include "impinge/collide.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
@@ -36,7 +36,7 @@ Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const R
     if (tolerance > norm(body->box.hi - body->box.lo) / 4)
       return Error{Code::bad_option, "tolerance is " + std::to_string(tolerance) +
                                          ", more than a quarter of one mesh's size; choose a smaller one"};
-  const double scale = std::max(clash::largest_coordinate(a.box), clash::largest_coordinate(b.box));
+  const double scale = std::max(largest_coordinate(a.box), largest_coordinate(b.box));
   return tolerance < clash::kLeastTolerance * scale ? 0 : tolerance;
 }
 

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
-#include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
 #include "clash/triangle_locator.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 namespace {

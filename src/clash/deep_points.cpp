@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 #include "solid/locate.hpp"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "clash/cover.hpp"
-#include "clash/local_frame.hpp"
 #include "clash/polygon.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 #include "measure/triangle_distance.hpp"
 #include "solid/cells.hpp"

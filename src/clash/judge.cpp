@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clash/local_frame.hpp"
 #include "clash/sheets/surface_crossing.hpp"
 #include "clash/verdict.hpp"
+#include "core/local_frame.hpp"
 #include "exact/orientation.hpp"
 #include "exact/segment.hpp"
 #include "exact/triangle_pair.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clash/local_frame.hpp"
 #include "clash/wall.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 namespace {

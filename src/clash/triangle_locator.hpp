@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "clash/contact_pairs.hpp"
-#include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 #include "solid/cells.hpp"
 #include "solid/part.hpp"

@@ -9,7 +9,7 @@
 namespace impinge::clash {
 
 /// The area of some triangles and the volume that they enclose, summed up one triangle after the other. Coordinates are
-/// local (clash/local_frame.hpp), so that products neither over- nor underflow.
+/// local (core/local_frame.hpp), so that products neither over- nor underflow.
 struct AreaAndVolume {
   double area = 0, volume = 0;
 

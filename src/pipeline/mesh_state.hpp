@@ -9,6 +9,7 @@
 #include "hierarchy/wide_tree.hpp"
 #include "impinge/mesh.hpp"
 #include "paper/obb_tree.hpp"
+#include "solid/classify.hpp"
 
 namespace impinge {
 
@@ -35,6 +36,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
   mutable clash::DefectCache defect_cache;
+  mutable solid::ClassificationCache classification_cache;
 };
 
 }  // namespace impinge

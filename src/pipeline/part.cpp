@@ -7,10 +7,10 @@
 #include <map>
 #include <tuple>
 
-#include "clash/local_frame.hpp"
 #include "clash/self/self_crossings.hpp"
 #include "clash/self/self_edge_crossings.hpp"
 #include "clash/self/self_flush.hpp"
+#include "core/local_frame.hpp"
 #include "core/pose.hpp"
 #include "impinge/collide.hpp"
 #include "pipeline/mesh_state.hpp"
@@ -27,10 +27,10 @@ solid::Body body_of(const Mesh& mesh, const Pose& pose) {
 bool before(const TrianglePair& x, const TrianglePair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
 
 /// The pairs of a placed mesh's own triangles that keep it from being a solid, in order.
-Result<std::vector<TrianglePair>> list_defects(const Placed& placed, const ClashOptions& options, int threads) {
-  const solid::Body body = body_of(*placed.mesh, placed.pose);
-  const solid::Topology topology = solid::examine(body);
-  const double most = tolerance_of(options, clash::largest_coordinate(body.box));
+Result<std::vector<TrianglePair>> list_defects(const Placed& placed, const solid::Body& body,
+                                               const solid::Topology& topology, const ClashOptions& options,
+                                               int threads) {
+  const double most = tolerance_of(options, largest_coordinate(body.box));
   const double tolerance = clash::defect_tolerance(body, topology, most);
   std::optional<std::vector<TrianglePair>> flush;
   if (topology.closed && most > 0) flush = clash::self_flush(body, topology, most, options.stop);
@@ -55,28 +55,46 @@ Result<std::vector<TrianglePair>> list_defects(const Placed& placed, const Clash
   return defects;
 }
 
-/// Takes defects from the mesh's cache where the same search was made before.
-Result<clash::Defects> find_defects(const DefectChecks::Check& check, const ClashOptions& options, int threads) {
-  clash::DefectCache& cache = check.mesh->state().defect_cache;
+/// What is found out about a mesh once, however many objects have it.
+struct MeshFacts {
+  clash::Defects defects;
+  solid::Classification classification;
+};
+
+/// Takes from the mesh's caches what was found before.
+Result<MeshFacts> find_facts(const DefectChecks::Check& check, const ClashOptions& options, int threads) {
+  const MeshState& mesh = check.mesh->state();
+  std::optional<clash::Defects> defects;
+  std::optional<solid::Classification> classification;
   if (check.pose_independent)
-    if (const auto defects = cache.find(options.tolerance)) return *defects;
-  const auto list = list_defects(check, options, threads);
-  if (!list) return list.error();
-  clash::Defects defects{list->size()};
-  if (!list->empty()) defects.first = list->front();
-  if (check.pose_independent) cache.keep(options.tolerance, defects);
-  return defects;
+    defects = mesh.defect_cache.find(options.tolerance), classification = mesh.classification_cache.find();
+  if (defects && classification) return MeshFacts{*defects, *classification};
+  const solid::Body body = body_of(*check.mesh, check.pose);
+  const solid::Topology topology = solid::examine(body);
+  if (!classification) {
+    classification = solid::classify(body, topology, options.stop);
+    if (options.stop.stop_requested()) return cancelled();
+    if (check.pose_independent) mesh.classification_cache.keep(*classification);
+  }
+  if (!defects) {
+    const auto list = list_defects(check, body, topology, options, threads);
+    if (!list) return list.error();
+    defects = clash::Defects{list->size()};
+    if (!list->empty()) defects->first = list->front();
+    if (check.pose_independent) mesh.defect_cache.keep(options.tolerance, *defects);
+  }
+  return MeshFacts{*defects, *classification};
 }
 
-/// Searches large meshes one after the other, each by all threads, and small ones side by side.
-Result<std::vector<clash::Defects>> find_all_defects(const std::vector<DefectChecks::Check>& placed,
-                                                     const ClashOptions& options) {
+/// Examines large meshes one after the other, each by all threads, and small ones side by side.
+Result<std::vector<MeshFacts>> find_all_facts(const std::vector<DefectChecks::Check>& placed,
+                                              const ClashOptions& options) {
   constexpr std::size_t kLarge = 1 << 16;
   const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
-  std::vector<Result<clash::Defects>> found(placed.size(), clash::Defects());
+  std::vector<Result<MeshFacts>> found(placed.size(), MeshFacts());
   const auto search = [&](std::size_t i, int threads) {
     if (options.stop.stop_requested()) return;
-    found[i] = find_defects(placed[i], options, threads);
+    found[i] = find_facts(placed[i], options, threads);
     Steps(options.progress).step();
   };
   run_each(on_threads(options.threads), placed.size(), [&](std::size_t i) {
@@ -85,16 +103,24 @@ Result<std::vector<clash::Defects>> find_all_defects(const std::vector<DefectChe
   for (std::size_t i = 0; i < placed.size(); ++i)
     if (is_large(i)) search(i, options.threads);
   if (options.stop.stop_requested()) return cancelled();
-  std::vector<clash::Defects> defects;
+  std::vector<MeshFacts> facts;
   for (const auto& some : found) {
     if (!some) return some.error();
-    defects.push_back(*some);
+    facts.push_back(*some);
   }
-  return defects;
+  return facts;
 }
 
-Part make_part(const Placed& placed, solid::Body&& body, const clash::Defects& defects) {
-  Part result{clash::measured_part(std::move(body), defects), {}, {}};
+void take_classes(const solid::Classification& found, const solid::Body& body, PartFacts& facts) {
+  facts.part_class = found.best, facts.pieces = found.pieces, facts.turned = found.turned;
+  facts.unclear_edges = found.unclear_edges;
+  if (found.unclear_edge)
+    facts.unclear_edge = Segment{body.world[(*found.unclear_edge)[0]], body.world[(*found.unclear_edge)[1]]};
+}
+
+Part make_part(const Placed& placed, solid::Body&& body, const MeshFacts& facts) {
+  Part result{clash::measured_part(std::move(body), facts.defects), {}, {}};
+  take_classes(facts.classification, result.judged.part.body, result.judged.facts);
   const solid::Part& part = result.judged.part;
   const auto is_wall = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
   if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_wall)) return result;
@@ -142,13 +168,13 @@ std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threa
 
 Result<std::vector<Part>> make_parts(const std::vector<Placed>& objects, std::vector<solid::Body> bodies,
                                      const DefectChecks& checks, const ClashOptions& options) {
-  const auto defects = find_all_defects(checks.placed, options);
-  if (!defects) return defects.error();
+  const auto facts = find_all_facts(checks.placed, options);
+  if (!facts) return facts.error();
   std::vector<Part> parts(objects.size());
   run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
     if (options.stop.stop_requested()) return;
     if (objects[i].mesh != nullptr)
-      parts[i] = make_part(objects[i], std::move(bodies[i]), (*defects)[checks.of_object[i]]);
+      parts[i] = make_part(objects[i], std::move(bodies[i]), (*facts)[checks.of_object[i]]);
     Steps(options.progress).step();
   });
   if (options.stop.stop_requested()) return cancelled();

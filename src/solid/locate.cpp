@@ -52,14 +52,21 @@ int crossing(const PointSigns& p, const Triangle& t) {
   return (side != 0 ? side : side_beside(t)) == -first ? first : 0;
 }
 
+/// Collects the triangles that hold p, and calls take(triangle, way) for each that the ray crosses.
+template <class PointSigns, class Take>
+void walk_crossings(const hierarchy::PlacedTree& body, const PointSigns& p, std::vector<std::uint32_t>& holders,
+                    const Take& take) {
+  walk_ray(body, p.near(), [&](const Triangle& t, std::uint32_t id) {
+    if (!on_the_way(p, t)) return;
+    if (lies_on(p, t)) holders.push_back(id);
+    if (const int way = crossing(p, t); way != 0) take(id, way);
+  });
+}
+
 template <class PointSigns>
 Around around_point(const hierarchy::PlacedTree& body, const PointSigns& p) {
   Around result{0, {}};
-  walk_ray(body, p.near(), [&](const Triangle& t, std::uint32_t id) {
-    if (!on_the_way(p, t)) return;
-    if (lies_on(p, t)) result.holders.push_back(id);
-    result.beside += crossing(p, t);
-  });
+  walk_crossings(body, p, result.holders, [&](std::uint32_t /*id*/, int way) { result.beside += way; });
   return result;
 }
 
@@ -75,6 +82,14 @@ int side_beside(const Triangle& t) {
         normal != 0)
       return normal;
   return 0;
+}
+
+Crossings crossings_around(const hierarchy::PlacedTree& body, const Vec3& point) {
+  Crossings result;
+  walk_crossings(body, DoublePoint(point), result.holders, [&](std::uint32_t id, int way) {
+    result.crossings.push_back({id, way});
+  });
+  return result;
 }
 
 Around around(const hierarchy::PlacedTree& body, const Vec3& point) { return around_point(body, DoublePoint(point)); }

@@ -28,6 +28,17 @@ struct Around {
 Around around(const hierarchy::PlacedTree& body, const Vec3& point);
 Around around(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
 
+/// The same, triangle by triangle: how the ray from p + (e³, e, e²) along +x crosses each.
+struct Crossings {
+  struct Crossing {
+    std::uint32_t triangle;
+    int way;  ///< +1 out of its front, -1 into it
+  };
+  std::vector<Crossing> crossings;
+  std::vector<std::uint32_t> holders;
+};
+Crossings crossings_around(const hierarchy::PlacedTree& body, const Vec3& point);
+
 /// On which side of a proper triangle on which p lies the point p + (e³, e, e²) is: +1 where the normal points to, -1
 /// on the other side.
 int side_beside(const Triangle& triangle);

@@ -3,10 +3,11 @@
 #include "solid/topology.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 #include <span>
-#include <utility>
+#include <tuple>
 
 #include "core/disjoint_sets.hpp"
 #include "core/hash.hpp"
@@ -50,36 +51,34 @@ void list_fans(const Body& body, Topology& topology) {
   each([&](std::uint32_t position, std::uint32_t t) { topology.fan_triangles[next[position]++] = t; });
 }
 
-/// A triangle's use of an edge from a lower position to a higher one.
-struct Use {
-  std::uint32_t high;
-  std::uint32_t triangle;  ///< kNoShell for a degenerate triangle, so that these come last
-  int way;                 ///< +1 from the lower position to the higher, -1 back
-};
-
-/// The uses of all edges to higher positions, sorted by those. An edge from a position to itself is left out.
-void list_uses(const Body& body, const Topology& topology, std::uint32_t low, std::vector<Use>& uses) {
+/// The uses of all edges to higher positions, sorted by those.
+void list_uses(const Body& body, const Topology& topology, std::uint32_t low, std::vector<EdgeUse>& uses) {
   uses.clear();
   for (const std::uint32_t t : topology.fan(low)) {
     const auto corners = topology.corners(body, t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = corners[i], to = corners[(i + 1) % 3];
+    for (std::uint8_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
       if (from == to || std::min(from, to) != low) continue;
-      uses.push_back({std::max(from, to), topology.is_proper(t) ? t : Topology::kNoShell, from < to ? 1 : -1});
+      uses.push_back({std::max(from, to), t, k, static_cast<std::int8_t>(from < to ? 1 : -1)});
     }
   }
-  std::sort(uses.begin(), uses.end(),
-            [](const Use& p, const Use& q) { return std::pair(p.high, p.triangle) < std::pair(q.high, q.triangle); });
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& p, const EdgeUse& q) {
+    return std::tie(p.high, p.triangle, p.k) < std::tie(q.high, q.triangle, q.k);
+  });
 }
 
 /// Adds an edge to the open ones if it is open, and joins two proper triangles that alone use it.
-void see_edge(std::uint32_t low, std::span<const Use> uses, DisjointSets& groups, Topology& topology) {
-  int balance = 0;
-  for (const Use& use : uses) balance += use.way;
+void see_edge(std::uint32_t low, std::span<const EdgeUse> uses, DisjointSets& groups, Topology& topology) {
+  int balance = 0, proper = 0;
+  std::array<EdgeUse, 2> pair{};
+  for (const EdgeUse& use : uses) {
+    balance += use.way;
+    if (!topology.is_proper(use.triangle)) continue;
+    if (proper < 2) pair[static_cast<std::size_t>(proper)] = use;
+    ++proper;
+  }
   if (balance != 0) topology.open_edges.push_back({low, uses.front().high});
-  const auto proper =
-      std::count_if(uses.begin(), uses.end(), [](const Use& use) { return use.triangle != Topology::kNoShell; });
-  if (proper == 2 && uses[0].way != uses[1].way) groups.join(uses[0].triangle, uses[1].triangle);
+  if (proper == 2 && pair[0].way != pair[1].way) groups.join(pair[0].triangle, pair[1].triangle);
 }
 
 }  // namespace
@@ -97,14 +96,8 @@ Topology examine(const Body& body) {
   }
 
   DisjointSets groups(body.size());
-  std::vector<Use> uses;
-  for (std::uint32_t low = 0; low < topology.positions; ++low) {
-    list_uses(body, topology, low, uses);
-    for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
-      while (last < uses.size() && uses[last].high == uses[first].high) ++last;
-      see_edge(low, std::span(uses).subspan(first, last - first), groups, topology);
-    }
-  }
+  for_each_edge(body, topology,
+                [&](std::uint32_t low, std::span<const EdgeUse> uses) { see_edge(low, uses, groups, topology); });
   // A set is named by its lowest triangle, which is also the first of its shell to be numbered.
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     if (!topology.is_proper(t)) continue;
@@ -113,6 +106,17 @@ Topology examine(const Body& body) {
   }
   topology.closed = topology.open_edges.empty() && topology.shells > 0;
   return topology;
+}
+
+void for_each_edge(const Body& body, const Topology& topology, const VisitEdge& visit, const std::stop_token& stop) {
+  std::vector<EdgeUse> uses;
+  for (std::uint32_t low = 0; low < topology.positions && !stop.stop_requested(); ++low) {
+    list_uses(body, topology, low, uses);
+    for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+      while (last < uses.size() && uses[last].high == uses[first].high) ++last;
+      visit(low, std::span(uses).subspan(first, last - first));
+    }
+  }
 }
 
 }  // namespace impinge::solid

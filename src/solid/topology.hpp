@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "solid/body.hpp"
@@ -60,5 +62,19 @@ struct Topology {
 };
 
 Topology examine(const Body& body);
+
+/// A triangle's use of an edge between two positions.
+struct EdgeUse {
+  std::uint32_t high;      ///< the higher one of the edge's positions
+  std::uint32_t triangle;  ///< has the edge from its corner `k` to the next
+  std::uint8_t k;
+  std::int8_t way;  ///< +1 from the lower position to the higher, -1 back
+};
+using VisitEdge = std::function<void(std::uint32_t low, std::span<const EdgeUse> uses)>;
+
+/// Visits each edge once, in the order of its positions, with all its uses in the order of their triangles. An edge
+/// from a position to itself is left out. Ends early once it is stopped.
+void for_each_edge(const Body& body, const Topology& topology, const VisitEdge& visit,
+                   const std::stop_token& stop = {});
 
 }  // namespace impinge::solid

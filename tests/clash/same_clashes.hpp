@@ -18,6 +18,11 @@ inline std::string text(const Interval& interval) {
 inline void expect_same(const PartFacts& p, const PartFacts& q) {
   EXPECT_EQ(p.solid, q.solid);
   EXPECT_EQ(p.closed, q.closed);
+  EXPECT_EQ(p.part_class, q.part_class);
+  EXPECT_EQ(p.pieces, q.pieces);
+  EXPECT_EQ(p.turned, q.turned);
+  EXPECT_EQ(p.unclear_edges, q.unclear_edges);
+  EXPECT_EQ(p.unclear_edge, q.unclear_edge);
   EXPECT_EQ(p.open_edges, q.open_edges);
   EXPECT_EQ(p.self_crossings, q.self_crossings);
   EXPECT_EQ(p.degenerate, q.degenerate);

@@ -58,8 +58,9 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   ASSERT_EQ(answer.at("objects").size(), 5U);
   for (const json& object : answer.at("objects"))
     EXPECT_EQ(keys(object),
-              "area closed file first_open_edge first_self_crossing id name open_edges path placed product "
-              "self_crossings solid triangles type volume wall");
+              "area class closed file first_open_edge first_self_crossing first_unclear_edge id name open_edges path "
+              "pieces placed product "
+              "self_crossings solid triangles turned type unclear_edges volume wall");
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);

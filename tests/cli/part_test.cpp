@@ -31,6 +31,12 @@ TEST(Part, DefectsAreNamedWithPlaces) {
   part.crossing_near = Point{-1, 2, 1e6};
   EXPECT_EQ(defects_text(part),
             "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1,200 self-crossings, first near (-1 2 1000000)");
+  part.facts.unclear_edges = 1;
+  part.facts.unclear_edge = Segment{Point{0, 0, 0}, Point{0, 0, 1}};
+  part.facts.turned = 2;
+  EXPECT_EQ(defects_text(part),
+            "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1 unclear edge, first at (0 0 0)-(0 0 1); 1,200 "
+            "self-crossings, first near (-1 2 1000000); 2 triangles turned");
 }
 
 TEST(Part, ACrossingIsNearBothTriangles) {
@@ -50,7 +56,14 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   part.facts.solid = true;
   part.facts.volume = 8, part.facts.area = 24, part.facts.wall = 0.5;
   const auto parse = [](const std::optional<Part>& of) { return json::parse(json_text(json_facts(of))); };
+  part.facts.part_class = PartClass::solid;
+  part.facts.pieces = {2, 0, 1};
   EXPECT_EQ(parse(part), (json{{"solid", true},
+                               {"class", "solid"},
+                               {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
+                               {"turned", 0},
+                               {"unclear_edges", 0},
+                               {"first_unclear_edge", nullptr},
                                {"first_open_edge", nullptr},
                                {"self_crossings", 0},
                                {"first_self_crossing", nullptr},
@@ -63,7 +76,16 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   part.facts.self_crossings = 2;
   part.facts.self_crossing = TrianglePair{3, 7};
   part.crossing_near = Point{0.1, 0, 0};
+  part.facts.part_class = PartClass::cracked;
+  part.facts.turned = 5;
+  part.facts.unclear_edges = 1;
+  part.facts.unclear_edge = Segment{Point{0, 0, 1}, Point{0, 0, 2}};
   EXPECT_EQ(parse(part), (json{{"solid", false},
+                               {"class", "cracked"},
+                               {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
+                               {"turned", 5},
+                               {"unclear_edges", 1},
+                               {"first_unclear_edge", {{0.0, 0.0, 1.0}, {0.0, 0.0, 2.0}}},
                                {"first_open_edge", {{0.0, 0.0, 1.0}, {0.0, 0.0, 1e300}}},
                                {"self_crossings", 2},
                                {"first_self_crossing", {{"triangles", {3, 7}}, {"near", {0.1, 0.0, 0.0}}}},
@@ -92,6 +114,9 @@ TEST(Part, TheListOfSurfacesIsCut) {
   };
   EXPECT_EQ(printed(1, {}), "");
   EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is no solid: it encloses nothing\n");
+  parts[1].facts.part_class = PartClass::cracked;
+  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is a cracked solid: it encloses nothing\n");
+  parts[1].facts.part_class = PartClass::surface;
   EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is no solid: it encloses nothing\n");
   EXPECT_EQ(printed(11, {}).find("more"), std::string::npos);
   EXPECT_TRUE(

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "clash/contact_pairs.hpp"
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/regions/grouping.hpp"
 #include "clash/regions/region_measures.hpp"
 #include "clash/regions/shared_parts.hpp"

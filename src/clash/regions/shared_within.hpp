@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/regions/shared_part.hpp"
 
 namespace impinge::clash {

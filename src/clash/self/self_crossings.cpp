@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "clash/local_frame.hpp"
 #include "clash/vertex_contact.hpp"
 #include "clash/wall.hpp"
+#include "core/local_frame.hpp"
 #include "exact/triangle_pair.hpp"
 
 namespace impinge::clash {

@@ -11,9 +11,9 @@
 #include <optional>
 #include <tuple>
 
-#include "clash/local_frame.hpp"
 #include "clash/slab.hpp"
 #include "clash/wall.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {

@@ -9,11 +9,11 @@
 #include <span>
 #include <tuple>
 
-#include "clash/local_frame.hpp"
 #include "clash/regions/shared_within.hpp"
 #include "clash/slab.hpp"
 #include "clash/wall.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {

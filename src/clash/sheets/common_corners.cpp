@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/point_grid.hpp"
 
 namespace impinge::clash {

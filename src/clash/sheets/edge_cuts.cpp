@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "core/shapes.hpp"
 #include "exact/segment.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "clash/cells_within.hpp"
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/sheets/sheet_ends.hpp"
 
 namespace impinge::clash {

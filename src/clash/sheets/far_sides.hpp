@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/sheets/edge_pseudonormal.hpp"
 #include "clash/sheets/sheets.hpp"
 #include "clash/slab.hpp"

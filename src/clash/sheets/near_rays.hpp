@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/sheets/around_lines.hpp"
 #include "core/shapes.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "broad/box_tree.hpp"
 #include "clash/cells_within.hpp"
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/sheets/sheets.hpp"
 
 namespace impinge::clash {

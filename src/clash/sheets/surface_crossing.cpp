@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 #include "clash/sheets/around_lines.hpp"
 #include "clash/sheets/near_rays.hpp"
 #include "clash/sheets/sections.hpp"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include "clash/local_frame.hpp"
+#include "core/local_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace impinge::clash {
+namespace impinge {
 
 double largest_coordinate(const Box& box) { return is_empty(box) ? 0 : max_component(max(abs(box.lo), abs(box.hi))); }
 
@@ -16,4 +16,4 @@ LocalFrame local_frame(const Box& a, const Box& b) {
   return {0.5 * smaller.lo + 0.5 * smaller.hi, unit, unit * largest};
 }
 
-}  // namespace impinge::clash
+}  // namespace impinge

@@ -4,7 +4,7 @@
 
 #include "core/shapes.hpp"
 
-namespace impinge::clash {
+namespace impinge {
 
 /// Coordinates about a middle, scaled by a power of two so that squares neither over- nor underflow.
 struct LocalFrame {
@@ -23,4 +23,4 @@ double largest_coordinate(const Box& box);
 /// The frame for points in either box: about the middle of the smaller one.
 LocalFrame local_frame(const Box& a, const Box& b);
 
-}  // namespace impinge::clash
+}  // namespace impinge

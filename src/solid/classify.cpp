@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "solid/classify.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/local_frame.hpp"
+#include "solid/inner_points.hpp"
+#include "solid/orientation.hpp"
+#include "solid/pieces.hpp"
+#include "solid/triangle_tree.hpp"
+#include "solid/unclear_edges.hpp"
+
+namespace impinge::solid {
+namespace {
+
+/// Triangles of which there are two or more with the same corners, all but the first of them.
+std::vector<bool> repeated_triangles(const Body& body, const Topology& topology) {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> by_corners;
+  for (std::uint32_t t = 0; t < body.size(); ++t) {
+    auto corners = topology.corners(body, t);
+    std::sort(corners.begin(), corners.end());
+    by_corners.emplace_back(corners, t);
+  }
+  std::sort(by_corners.begin(), by_corners.end());
+  std::vector<bool> repeated(body.size());
+  for (std::size_t i = 1; i < by_corners.size(); ++i)
+    if (by_corners[i].first == by_corners[i - 1].first) repeated[by_corners[i].second] = true;
+  return repeated;
+}
+
+/// Classifies the pieces of a body, but for some of its triangles.
+class Classifier {
+ public:
+  Classifier(const Body& body, const Topology& topology, const std::vector<bool>& left_out, const std::stop_token& stop)
+      : body_(body),
+        topology_(topology),
+        stop_(stop),
+        frame_(local_frame(body.box, body.box)),
+        orientation_(orient(body, topology, left_out, stop)) {}
+
+  Classification run() {
+    result_.turned =
+        static_cast<std::uint64_t>(std::count(orientation_.is_turned.begin(), orientation_.is_turned.end(), true));
+    for (const Piece& piece : pieces_of(body_, topology_, orientation_, stop_)) {
+      if (stop_.stop_requested()) break;
+      const PartClass found = piece.closed ? class_of_closed(piece) : class_of_open(piece);
+      ++result_.pieces[static_cast<std::size_t>(found)];
+      result_.best = std::min(result_.best, found);
+    }
+    return result_;
+  }
+  [[nodiscard]] bool has_inner_point() const { return has_inner_point_; }
+
+ private:
+  /// A piece in local coordinates, its triangles turned.
+  struct Local {
+    TriangleTree tree;
+    double size;
+    std::vector<std::uint32_t> sample;  ///< triangles whose inner points are looked for
+  };
+  [[nodiscard]] Local local(const Piece& piece) const {
+    std::vector<Triangle> triangles;
+    triangles.reserve(piece.triangles.size());
+    for (const std::uint32_t t : piece.triangles) {
+      Triangle triangle = frame_.to_local(body_.triangle(t));
+      if (orientation_.is_turned[t]) std::swap(triangle[1], triangle[2]);
+      triangles.push_back(triangle);
+    }
+    Box box = box_of(triangles.front());
+    for (const Triangle& t : triangles) box = {min(box.lo, box_of(t).lo), max(box.hi, box_of(t).hi)};
+    std::vector<std::uint32_t> all(triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::vector<std::uint32_t> sample = spread_by_area(triangles, all, kSample);
+    return {TriangleTree(std::move(triangles), stop_), norm(box.hi - box.lo), std::move(sample)};
+  }
+
+  PartClass class_of_closed(const Piece& piece) {
+    const Local local = this->local(piece);
+    const InnerSearch search{local.tree, local.size, true, stop_};
+    const auto has_one = [&](std::uint32_t t) { return inner_point(search, t).has_value(); };
+    if (std::none_of(local.sample.begin(), local.sample.end(), has_one)) return PartClass::surface;
+    has_inner_point_ = true;
+    return PartClass::solid;
+  }
+
+  PartClass class_of_open(const Piece& piece) {
+    const Local local = this->local(piece);
+    const InnerSearch search{local.tree, local.size, false, stop_};
+    const std::vector<OpenEdge> edges = open_edges_of(body_, topology_, orientation_, stop_);
+    const double radius = largest_inner_radius(search, local.sample);
+    result_.unclear_edges = edges.size();
+    if (!(radius > 0)) return PartClass::surface;
+    has_inner_point_ = true;
+
+    std::vector<std::uint32_t> place(body_.size());
+    for (std::uint32_t i = 0; i < piece.triangles.size(); ++i) place[piece.triangles[i]] = i;
+    std::vector<std::vector<std::uint32_t>> components = components_of(body_, topology_, piece.triangles);
+    for (std::vector<std::uint32_t>& component : components)
+      for (std::uint32_t& t : component) t = place[t];
+    std::vector<OpenEdge> placed;
+    for (const OpenEdge& edge : edges) placed.push_back({place[edge.triangle], corner_after_turning(edge)});
+    const UnclearEdges unclear = unclear_edges(search, placed, components);
+    result_.unclear_edges = unclear.count;
+    if (unclear.first) {
+      const OpenEdge& first = edges[*unclear.first];
+      const auto& vertices = body_.placed.mesh->triangles[first.triangle];
+      result_.unclear_edge = {vertices[first.k], vertices[(first.k + 1) % 3]};
+    }
+    const bool is_cracked = unclear.length <= unclear.whole_length / 10 && unclear.length <= 4 * radius;
+    return is_cracked ? PartClass::cracked : PartClass::surface;
+  }
+
+  /// Turning exchanges the last two corners: the edge from corner 1 is the same, the other two are exchanged.
+  [[nodiscard]] std::uint8_t corner_after_turning(const OpenEdge& edge) const {
+    if (!orientation_.is_turned[edge.triangle] || edge.k == 1) return edge.k;
+    return edge.k == 0 ? 2 : 0;
+  }
+
+  static constexpr std::size_t kSample = 64;
+
+  const Body& body_;
+  const Topology& topology_;
+  const std::stop_token& stop_;
+  LocalFrame frame_;
+  Orientation orientation_;
+  Classification result_;
+  bool has_inner_point_ = false;
+};
+
+}  // namespace
+
+Classification classify(const Body& body, const Topology& topology, const std::stop_token& stop) {
+  std::vector<bool> left_out(body.size());
+  if (body.size() == 0) return {};
+  // A triangle with two equal corners runs through one edge to and fro.
+  for (std::uint32_t t = 0; t < body.size(); ++t) {
+    const auto [p, q, r] = topology.corners(body, t);
+    left_out[t] = p == q || q == r || r == p;
+  }
+  Classifier classifier(body, topology, left_out, stop);
+  const Classification found = classifier.run();
+  if (classifier.has_inner_point() || stop.stop_requested()) return found;
+  // Some programs write each triangle twice, once for each side: then nothing winds around anything.
+  const std::vector<bool> repeated = repeated_triangles(body, topology);
+  if (std::find(repeated.begin(), repeated.end(), true) == repeated.end()) return found;
+  for (std::size_t t = 0; t < left_out.size(); ++t) left_out[t] = left_out[t] || repeated[t];
+  const Classification once = Classifier(body, topology, left_out, stop).run();
+  return once.best != PartClass::surface ? once : found;
+}
+
+}  // namespace impinge::solid
