@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <queue>
@@ -27,6 +28,7 @@ struct TrianglePiece {
   std::vector<std::uint32_t> near;  ///< triangles of the other body that may be near; if none, the piece is on one side
   std::uint32_t whole = 0;          ///< the triangle from which it was cut
   bool is_inside = false;           ///< whether the middle is inside; not computed where it does not matter
+  bool is_settled = false;          ///< all of the piece is inside
   double most = 0, radius = 0;  ///< the upper bound of the depth; the distance of the farthest vertex from the middle
   std::uint32_t nearest = 0;    ///< the other body's triangle that is nearest to the middle
   friend bool operator<(const TrianglePiece& p, const TrianglePiece& q) { return p.most < q.most; }
@@ -94,9 +96,10 @@ std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle
 /// the face.
 class Search {
  public:
-  Search(const solid::Body& inner, const solid::Body& outer, const DepthGoal& goal)
+  Search(const solid::Body& inner, const solid::Body& outer, const Winding& winding, const DepthGoal& goal)
       : inner_(inner),
         outer_(outer),
+        winding_(winding),
         goal_(goal),
         largest_(std::max(largest_coordinate(inner.box), largest_coordinate(outer.box))) {}
 
@@ -132,16 +135,11 @@ class Search {
   void look_at(TrianglePiece piece) {
     ++effort_;
     const Vec3 middle = piece.polygon.middle();
-    const auto find_side = [&] { return solid::winding_number(outer_.placed, middle).value_or(0) != 0; };
-    const bool is_clear = piece.near.empty();
-    if (!is_clear && lies_flat(piece)) {
+    if (!piece.near.empty() && lies_flat(piece)) {
       laid_aside_ = std::max(laid_aside_, 2.5 * most_drift_ + piece.drift + floor_);
       return;
     }
-    if (is_clear && !piece.is_inside) {
-      piece.is_inside = find_side();
-      if (!piece.is_inside) return;
-    }
+    if (piece.near.empty() && !settle(piece)) return;
     const auto nearest = measure::nearest_point(outer_.placed, middle, kInfinity);
     if (!nearest) return;
     const double slack = piece.drift + floor_;
@@ -150,7 +148,7 @@ class Search {
     for (const Vec3& vertex : piece.polygon) piece.radius = std::max(piece.radius, norm(vertex - middle));
     const double least = nearest->distance - nearest->error - slack;
     if (!is_good(piece.most) || least > least_) {
-      if (!is_clear) piece.is_inside = find_side();
+      if (!piece.is_settled) piece.is_inside = is_inside(middle);
       const double reach = piece.radius * (1 + 0x1p-40) + nearest->error + slack;
       if (!piece.is_inside && nearest->distance > reach) return;
       if (piece.is_inside) least_ = std::max(least_, least);
@@ -161,6 +159,25 @@ class Search {
     } else {
       open_.push(std::move(piece));
     }
+  }
+
+  [[nodiscard]] bool is_inside(const Vec3& point) const { return winding_.at(point) > 0.5; }
+
+  /// Finds out whether a piece that touches no triangle is inside as a whole; returns false if it is outside as a
+  /// whole.
+  bool settle(TrianglePiece& piece) const {
+    if (piece.is_settled) return true;
+    const double at_middle = winding_.at(piece.polygon.middle());
+    double least = at_middle, most = at_middle;
+    if (!winding_.closed) {
+      for (const Vec3& vertex : piece.polygon) {
+        if (least < 0.75 && most > 0.25) break;
+        const double at_vertex = winding_.at(vertex);
+        least = std::min(least, at_vertex), most = std::max(most, at_vertex);
+      }
+    }
+    piece.is_settled = piece.is_inside = least > 0.75;
+    return most > 0.25;
   }
 
   bool lies_flat(const TrianglePiece& piece) {
@@ -181,15 +198,17 @@ class Search {
   void divide(TrianglePiece& piece) {
     while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
       piece.near.pop_back();
-    const bool is_clear = piece.near.empty();
-    if (is_clear && !piece.is_inside) return;
+    if (piece.near.empty()) {
+      if (winding_.closed) piece.is_settled = piece.is_inside;  // the middle's side is that of all
+      if (!piece.is_settled && (winding_.closed || !settle(piece))) return;
+    }
     // A new vertex is rounded once, after a multiple of a difference of two that are no farther apart than 2 radii.
     const double drift = piece.drift + 0x1p-53 * (1.75 * largest_ + 4 * piece.radius);
     const Cut parts = part(piece);
     for (const Polygon* one : {&parts.within, &parts.beyond}) {
       if (one->size() == 0) continue;
       effort_ += piece.near.size() / kBoxesAPoint;
-      look_at({*one, drift, near_among(piece.near, *one), piece.whole, is_clear});
+      look_at({*one, drift, near_among(piece.near, *one), piece.whole, piece.is_settled, piece.is_settled});
     }
   }
 
@@ -224,22 +243,28 @@ class Search {
   static constexpr std::size_t kEdgesAPoint = 16;   ///< the edges of so many triangles take as much time as one point
 
   const solid::Body &inner_, &outer_;
+  const Winding& winding_;
   const DepthGoal& goal_;
   double largest_;
   double most_drift_ = 0x1p-45 * largest_;  ///< w above
   double near_ = 3.5 * most_drift_, beside_ = 4 * most_drift_;
-  double nothing_ = 8 * most_drift_;   ///< a depth up to this counts as 0
-  double floor_ = 0x1p-48 * largest_;  ///< the rounding error of a length
-  double least_ = 0;                   ///< some point is at least so deep
-  double laid_aside_ = 0;              ///< no piece that was laid aside is deeper
+  double nothing_ = std::max(8 * most_drift_, goal_.nothing);  ///< a depth up to this counts as 0
+  double floor_ = 0x1p-48 * largest_;                          ///< the rounding error of a length
+  double least_ = 0;                                           ///< some point is at least so deep
+  double laid_aside_ = 0;                                      ///< no piece that was laid aside is deeper
   std::priority_queue<TrianglePiece> open_;
   std::uint64_t effort_ = 0;  ///< in points examined
 };
 
 }  // namespace
 
+Interval depth_in(const solid::Body& inner, const solid::Body& outer, const Winding& winding, const DepthGoal& goal) {
+  return Search(inner, outer, winding, goal).run();
+}
+
 Interval depth_in(const solid::Body& inner, const solid::Body& outer, const DepthGoal& goal) {
-  return Search(inner, outer, goal).run();
+  const Winding winding{[&](const Vec3& p) { return std::abs(solid::winding_number(outer.placed, p).value_or(0)); }};
+  return depth_in(inner, outer, winding, goal);
 }
 
 OverlapDepth depths_of(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,

@@ -3,11 +3,14 @@
 #include "solid/classify.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/local_frame.hpp"
+#include "solid/classed_pieces.hpp"
 #include "solid/inner_points.hpp"
 #include "solid/orientation.hpp"
 #include "solid/pieces.hpp"
@@ -35,12 +38,16 @@ std::vector<bool> repeated_triangles(const Body& body, const Topology& topology)
 /// Classifies the pieces of a body, but for some of its triangles.
 class Classifier {
  public:
-  Classifier(const Body& body, const Topology& topology, const std::vector<bool>& left_out, const std::stop_token& stop)
+  /// Lists the pieces too, if there is a list for them.
+  Classifier(const Body& body, const Topology& topology, const std::vector<bool>& left_out,
+             std::vector<ClassedPiece>* listed, const std::stop_token& stop)
       : body_(body),
         topology_(topology),
+        listed_(listed),
         stop_(stop),
         frame_(local_frame(body.box, body.box)),
-        orientation_(orient(body, topology, left_out, stop)) {}
+        orientation_(orient(body, topology, left_out, stop)),
+        is_within_material_(body.size()) {}
 
   Classification run() {
     result_.turned =
@@ -50,12 +57,30 @@ class Classifier {
       const PartClass found = piece.closed ? class_of_closed(piece) : class_of_open(piece);
       ++result_.pieces[static_cast<std::size_t>(found)];
       result_.best = std::min(result_.best, found);
+      if (listed_ != nullptr) list(piece, found);
     }
     return result_;
   }
   [[nodiscard]] bool has_inner_point() const { return has_inner_point_; }
 
  private:
+  void list(const Piece& piece, PartClass part_class) {
+    ClassedPiece listed{part_class, {}, {}, 0};
+    for (const std::uint32_t t : piece.triangles) {
+      if (is_within_material_[t]) continue;
+      auto triangle = body_.placed.mesh->triangles[t];
+      if (orientation_.is_turned[t]) std::swap(triangle[1], triangle[2]);
+      listed.triangles.push_back(triangle);
+    }
+    if (part_class != PartClass::surface) {
+      for (const InnerPoint& inner : inner_points_) {
+        listed.inner_points.push_back({frame_.to_world(inner.point), inner.radius / frame_.unit});
+        listed.radius = std::max(listed.radius, listed.inner_points.back().radius);
+      }
+    }
+    listed_->push_back(std::move(listed));
+  }
+
   /// A piece in local coordinates, its triangles turned.
   struct Local {
     TriangleTree tree;
@@ -81,17 +106,47 @@ class Classifier {
   PartClass class_of_closed(const Piece& piece) {
     const Local local = this->local(piece);
     const InnerSearch search{local.tree, local.size, true, stop_};
-    const auto has_one = [&](std::uint32_t t) { return inner_point(search, t).has_value(); };
-    if (std::none_of(local.sample.begin(), local.sample.end(), has_one)) return PartClass::surface;
+    inner_points_.clear();
+    for (const std::uint32_t t : local.sample) {
+      if (const auto found = inner_point(search, t)) inner_points_.push_back(*found);
+      if (listed_ == nullptr && !inner_points_.empty()) break;
+    }
+    if (inner_points_.empty()) return PartClass::surface;
+    if (listed_ != nullptr) find_shells_within_material(piece, local);
     has_inner_point_ = true;
     return PartClass::solid;
+  }
+
+  /// A patch that lies within another is no boundary where the piece winds around what is on either side of it.
+  void find_shells_within_material(const Piece& piece, const Local& local) {
+    std::map<std::uint32_t, bool> is_within;  // by patch
+    const double least = InnerSearch{local.tree, local.size, true}.least();
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+      const std::uint32_t patch = orientation_.patch[piece.triangles[i]];
+      if (orientation_.outermost[patch] == patch || is_within.contains(patch)) continue;
+      const Triangle& t = local.tree.triangles()[i];
+      const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+      if (!(norm(normal) > 0)) continue;
+      const Vec3 off = (least / norm(normal)) * normal;
+      const auto winds_around = [&](const Vec3& p) { return std::abs(local.tree.winding_number(p)) > 0.5; };
+      is_within[patch] = winds_around(middle - off) && winds_around(middle + off);
+    }
+    for (const std::uint32_t t : piece.triangles) {
+      const auto found = is_within.find(orientation_.patch[t]);
+      is_within_material_[t] = found != is_within.end() && found->second;
+    }
   }
 
   PartClass class_of_open(const Piece& piece) {
     const Local local = this->local(piece);
     const InnerSearch search{local.tree, local.size, false, stop_};
     const std::vector<OpenEdge> edges = open_edges_of(body_, topology_, orientation_, stop_);
-    const double radius = largest_inner_radius(search, local.sample);
+    inner_points_.clear();
+    double radius = 0;
+    for (const std::uint32_t t : local.sample) {
+      if (const auto found = inner_point(search, t))
+        inner_points_.push_back(*found), radius = std::max(radius, found->radius);
+    }
     result_.unclear_edges = edges.size();
     if (!(radius > 0)) return PartClass::surface;
     has_inner_point_ = true;
@@ -124,16 +179,18 @@ class Classifier {
 
   const Body& body_;
   const Topology& topology_;
+  std::vector<ClassedPiece>* listed_;
   const std::stop_token& stop_;
   LocalFrame frame_;
   Orientation orientation_;
+  std::vector<bool> is_within_material_;  ///< per triangle
   Classification result_;
+  std::vector<InnerPoint> inner_points_;  ///< of the last piece, in local coordinates
   bool has_inner_point_ = false;
 };
 
-}  // namespace
-
-Classification classify(const Body& body, const Topology& topology, const std::stop_token& stop) {
+Classification classified(const Body& body, const Topology& topology, std::vector<ClassedPiece>* listed,
+                          const std::stop_token& stop) {
   std::vector<bool> left_out(body.size());
   if (body.size() == 0) return {};
   // A triangle with two equal corners runs through one edge to and fro.
@@ -141,15 +198,31 @@ Classification classify(const Body& body, const Topology& topology, const std::s
     const auto [p, q, r] = topology.corners(body, t);
     left_out[t] = p == q || q == r || r == p;
   }
-  Classifier classifier(body, topology, left_out, stop);
+  Classifier classifier(body, topology, left_out, listed, stop);
   const Classification found = classifier.run();
   if (classifier.has_inner_point() || stop.stop_requested()) return found;
   // Some programs write each triangle twice, once for each side: then nothing winds around anything.
   const std::vector<bool> repeated = repeated_triangles(body, topology);
   if (std::find(repeated.begin(), repeated.end(), true) == repeated.end()) return found;
   for (std::size_t t = 0; t < left_out.size(); ++t) left_out[t] = left_out[t] || repeated[t];
-  const Classification once = Classifier(body, topology, left_out, stop).run();
-  return once.best != PartClass::surface ? once : found;
+  std::vector<ClassedPiece> once_listed;
+  const Classification once =
+      Classifier(body, topology, left_out, listed != nullptr ? &once_listed : nullptr, stop).run();
+  if (once.best == PartClass::surface) return found;
+  if (listed != nullptr) *listed = std::move(once_listed);
+  return once;
+}
+
+}  // namespace
+
+Classification classify(const Body& body, const Topology& topology, const std::stop_token& stop) {
+  return classified(body, topology, nullptr, stop);
+}
+
+std::vector<ClassedPiece> classed_pieces(const Body& body, const Topology& topology, const std::stop_token& stop) {
+  std::vector<ClassedPiece> pieces;
+  classified(body, topology, &pieces, stop);
+  return pieces;
 }
 
 }  // namespace impinge::solid

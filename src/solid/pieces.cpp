@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "solid/pieces.hpp"
 
-#include <iterator>
+#include <algorithm>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -54,9 +54,11 @@ std::vector<Piece> pieces_of(const Body& body, const Topology& topology, const O
   const auto is_left_out = [&](std::uint32_t t) { return orientation.patch[t] == Orientation::kNoPatch; };
   DisjointSets positions(topology.positions);
   std::vector<std::uint32_t> corner_of_patch(orientation.is_closed.size());
+  std::vector<bool> is_used(topology.positions);
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     if (is_left_out(t)) continue;
     join_corners(body, topology, t, positions);
+    for (const std::uint32_t p : topology.corners(body, t)) is_used[p] = true;
     corner_of_patch[orientation.patch[t]] = topology.corners(body, t)[0];
   }
   for (std::size_t p = 0; p < corner_of_patch.size(); ++p)
@@ -70,7 +72,15 @@ std::vector<Piece> pieces_of(const Body& body, const Topology& topology, const O
   std::vector<Piece> pieces;
   Piece rest;
   for (std::uint32_t t = 0; t < body.size(); ++t) {
-    if (is_left_out(t)) continue;
+    if (is_left_out(t)) {
+      // A segment or point belongs to what is not closed, unless it hangs on something closed; a repeated triangle to
+      // nothing.
+      const auto at = topology.corners(body, t);
+      const bool is_segment = at[0] == at[1] || at[1] == at[2] || at[2] == at[0];
+      const auto is_of_closed = [&](std::uint32_t p) { return is_used[p] && !is_open[positions.find(p)]; };
+      if (is_segment && std::none_of(at.begin(), at.end(), is_of_closed)) rest.triangles.push_back(t);
+      continue;
+    }
     const std::uint32_t set = positions.find(topology.corners(body, t)[0]);
     if (is_open[set]) {
       rest.triangles.push_back(t);

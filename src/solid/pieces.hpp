@@ -20,7 +20,8 @@ struct Piece {
 };
 
 /// What hangs together by vertices and is closed is a piece, with the closed patches within it; all that is not closed
-/// is one piece more, the last. Pieces are in the order of their first triangles. Incomplete once it is stopped.
+/// is one piece more, the last, with segments and points that hang on nothing closed. Pieces are in the order of their
+/// first triangles. Incomplete once it is stopped.
 std::vector<Piece> pieces_of(const Body& body, const Topology& topology, const Orientation& orientation,
                              const std::stop_token& stop);
 
