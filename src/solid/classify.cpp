@@ -106,15 +106,24 @@ class Classifier {
   PartClass class_of_closed(const Piece& piece) {
     const Local local = this->local(piece);
     const InnerSearch search{local.tree, local.size, true, stop_};
-    inner_points_.clear();
-    for (const std::uint32_t t : local.sample) {
-      if (const auto found = inner_point(search, t)) inner_points_.push_back(*found);
-      if (listed_ == nullptr && !inner_points_.empty()) break;
-    }
+    find_inner_points(search, local, listed_ != nullptr);
     if (inner_points_.empty()) return PartClass::surface;
     if (listed_ != nullptr) find_shells_within_material(piece, local);
     has_inner_point_ = true;
     return PartClass::solid;
+  }
+
+  /// Returns the largest radius. Most questions need no more than one point.
+  double find_inner_points(const InnerSearch& search, const Local& local, bool all) {
+    inner_points_.clear();
+    double largest = 0;
+    for (const std::uint32_t t : local.sample) {
+      const auto found = inner_point(search, t);
+      if (!found) continue;
+      inner_points_.push_back(*found), largest = std::max(largest, found->radius);
+      if (!all) break;
+    }
+    return largest;
   }
 
   /// A patch that lies within another is no boundary where the piece winds around what is on either side of it.
@@ -141,14 +150,9 @@ class Classifier {
     const Local local = this->local(piece);
     const InnerSearch search{local.tree, local.size, false, stop_};
     const std::vector<OpenEdge> edges = open_edges_of(body_, topology_, orientation_, stop_);
-    inner_points_.clear();
-    double radius = 0;
-    for (const std::uint32_t t : local.sample) {
-      if (const auto found = inner_point(search, t))
-        inner_points_.push_back(*found), radius = std::max(radius, found->radius);
-    }
+    double radius = find_inner_points(search, local, listed_ != nullptr);
     result_.unclear_edges = edges.size();
-    if (!(radius > 0)) return PartClass::surface;
+    if (inner_points_.empty()) return PartClass::surface;
     has_inner_point_ = true;
 
     std::vector<std::uint32_t> place(body_.size());
@@ -165,8 +169,9 @@ class Classifier {
       const auto& vertices = body_.placed.mesh->triangles[first.triangle];
       result_.unclear_edge = {vertices[first.k], vertices[(first.k + 1) % 3]};
     }
-    const bool is_cracked = unclear.length <= unclear.whole_length / 10 && unclear.length <= 4 * radius;
-    return is_cracked ? PartClass::cracked : PartClass::surface;
+    if (unclear.length > unclear.whole_length / 10) return PartClass::surface;
+    if (unclear.length > 4 * radius) radius = find_inner_points(search, local, true);
+    return unclear.length <= 4 * radius ? PartClass::cracked : PartClass::surface;
   }
 
   /// Turning exchanges the last two corners: the edge from corner 1 is the same, the other two are exchanged.
