@@ -22,19 +22,25 @@ void print_rows(Sink& sink, const std::vector<Column>& columns, const std::vecto
 void print_statistics(const Statistics& s, Sink& sink) {
   using enum Column::Kind;
   sink.write("\nStages (threads' own times added up)\n");
-  print_rows(sink, {{"stage", text, {}}, {"time", number, {}}, {"count", number, {}}, {"what was counted", text, {}}},
-             {{"broad", duration(s.broad_seconds), grouped(s.object_pairs), "pairs of objects left"},
-              {"hierarchy", duration(s.hierarchy_seconds), grouped(s.leaf_pairs), "pairs of leaves left"},
-              {"partition", duration(s.partition_seconds), grouped(s.triangle_pairs), "pairs of triangles left"},
-              {"narrow", duration(s.narrow_seconds), grouped(s.exact_calls), "pairs of triangles left undecided"},
-              {"exact", duration(s.exact_seconds), grouped(s.exact_calls), "pairs of triangles decided"},
-              {"results", duration(s.results_seconds), "", ""},
-              {"wall clock", duration(s.total_seconds), "", "of the whole query"}});
+  print_rows(
+      sink,
+      {{"stage", text, {}},
+       {"the paper's", text, {}},
+       {"time", number, {}},
+       {"count", number, {}},
+       {"what was counted", text, {}}},
+      {{"broad", "3.1, 3.2", duration(s.broad_seconds), grouped(s.object_pairs), "pairs of objects left"},
+       {"hierarchy", "3.3", duration(s.hierarchy_seconds), grouped(s.leaf_pairs), "pairs of leaves left"},
+       {"partition", "3.5", duration(s.partition_seconds), grouped(s.triangle_pairs), "pairs of triangles left"},
+       {"narrow", "3.4", duration(s.narrow_seconds), grouped(s.exact_calls), "pairs of triangles left undecided"},
+       {"exact", "", duration(s.exact_seconds), grouped(s.exact_calls), "pairs of triangles decided"},
+       {"results", "", duration(s.results_seconds), "", ""},
+       {"wall clock", "", duration(s.total_seconds), "", "of the whole query"}});
 
   const auto cost = [](const char* name, std::uint64_t count, double each) {
     return std::vector<std::string>{name, grouped(count), duration(each), duration(static_cast<double>(count) * each)};
   };
-  sink.write("\nCost T, the sum of N C (C measured on this machine)\n");
+  sink.write("\nCost T, the paper's equation 1: the sum of N C (C measured on this machine)\n");
   print_rows(sink, {{"", text, {}}, {"N", number, {}}, {"C", number, {}}, {"N C", number, {}}},
              {cost("b: objects whose sorted borders were written", s.bounds_updated, s.bounds_update_seconds),
               cost("m: borders moved past others", s.border_moves, s.border_move_seconds),
@@ -49,7 +55,7 @@ void print_statistics(const Statistics& s, Sink& sink) {
               {"T predicted", "", "", duration(s.predicted_seconds)},
               {"T measured", "", "", duration(s.measured_seconds)}});
   if (s.images_drawn > 0) {
-    sink.write("\nImage space\n");
+    sink.write("\nImage space (3.4)\n");
     print_rows(sink, {{"", text, {}}, {"", number, {}}},
                {{"images drawn", grouped(s.images_drawn)},
                 {"of them begun while an earlier one was under way", grouped(s.images_overlapped)},
