@@ -6,12 +6,12 @@
 #include <tuple>
 
 #include "clash/contact_pairs.hpp"
-#include "core/local_frame.hpp"
 #include "clash/regions/grouping.hpp"
 #include "clash/regions/region_measures.hpp"
 #include "clash/regions/shared_parts.hpp"
 #include "clash/regions/welded.hpp"
 #include "clash/slab.hpp"
+#include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 #include "solid/locate.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/local_frame.hpp"
 #include "clash/regions/shared_part.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 

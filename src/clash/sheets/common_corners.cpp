@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "core/local_frame.hpp"
 #include "clash/point_grid.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 namespace {

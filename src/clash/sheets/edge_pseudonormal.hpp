@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "clash/cells_within.hpp"
-#include "core/local_frame.hpp"
 #include "clash/sheets/sheet_ends.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 

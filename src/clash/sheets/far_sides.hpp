@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/local_frame.hpp"
 #include "clash/sheets/edge_pseudonormal.hpp"
 #include "clash/sheets/sheets.hpp"
 #include "clash/slab.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 

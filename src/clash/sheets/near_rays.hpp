@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/local_frame.hpp"
 #include "clash/sheets/around_lines.hpp"
+#include "core/local_frame.hpp"
 #include "core/shapes.hpp"
 
 /// The order of triangles around a line within a tolerance, in floating point. All lengths are in local units.

@@ -6,8 +6,8 @@
 
 #include "broad/box_tree.hpp"
 #include "clash/cells_within.hpp"
-#include "core/local_frame.hpp"
 #include "clash/sheets/sheets.hpp"
+#include "core/local_frame.hpp"
 
 namespace impinge::clash {
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/local_frame.hpp"
 #include "clash/sheets/around_lines.hpp"
 #include "clash/sheets/near_rays.hpp"
 #include "clash/sheets/sections.hpp"
+#include "core/local_frame.hpp"
 
 /// The exact test (surface_crossing_exact.cpp) with a tolerance: common lines are edges that run near the other part,
 /// and the lines in which two triangles cross. Half-planes around them count where they continue beyond the tolerance,
