@@ -4,6 +4,8 @@
 /// A small mesh against a large one, impinge and FCL: a tool over a terrain, a part in a room of a dozen triangles.
 /// First contact, all contacts, and the distance.
 #include <cmath>
+#include <filesystem>
+#include <limits>
 
 #include "bench/contest.hpp"
 #include "bench/ours.hpp"

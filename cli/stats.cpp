@@ -58,7 +58,7 @@ void print_statistics(const Statistics& s, Sink& sink) {
     sink.write("\nImage space (3.4)\n");
     print_rows(sink, {{"", text, {}}, {"", number, {}}},
                {{"images drawn", grouped(s.images_drawn)},
-                {"of them begun while an earlier one was under way", grouped(s.images_overlapped)},
+                {"of them begun before the one before was waited for", grouped(s.images_overlapped)},
                 {"of them with a test that the occlusion query saw", grouped(s.images_read)},
                 {"time that the device had an image", duration(s.device_seconds)},
                 {"of it, while the CPU made other batches", duration(s.device_seconds - s.device_wait_seconds)},

@@ -34,7 +34,7 @@ struct Statistics {
   std::uint64_t triangle_pairs = 0;     ///< pairs of triangles that the partition could not separate
   std::uint64_t exact_calls = 0;        ///< N_e: pairs of triangles that the narrow phase left undecided
   std::uint64_t images_drawn = 0;       ///< images of tests of edges and triangles; "raster" only
-  std::uint64_t images_overlapped = 0;  ///< of them, those begun while the device still had an earlier one
+  std::uint64_t images_overlapped = 0;  ///< of them, those begun before the CPU had waited for the one before
   std::uint64_t images_read = 0;        ///< of them, those whose occlusion query saw a test that is not certainly apart
   double bounds_update_seconds = 0;     ///< C_b, calibrated on this machine; 0 unless `Options::predict_cost`
   double border_move_seconds = 0;       ///< C_m, likewise

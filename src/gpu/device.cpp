@@ -224,8 +224,8 @@ void Commands::start(const std::function<void(VkCommandBuffer)>& record) {
 
 void Commands::wait() {
   if (!is_running_) return;
-  is_running_ = false;
   device_.wait(fence_);
+  is_running_ = false;
 }
 
 namespace {

@@ -22,6 +22,7 @@ static_assert(static_cast<uint>(Verdict::no) == kTestApart && static_cast<uint>(
 constexpr std::uint32_t kPlaces = kRasterWidth * kRasterHeight, kNoPlace = ~0u;
 constexpr std::uint32_t kTexelsPerEdge = 2;
 constexpr std::uint32_t kTestsPerFrame = kPlaces;
+static_assert(3 * 256 <= kRasterWidth);  // a leaf has up to 256 triangles (TreeConfig), and lies in one row
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 int exponent_of(double reach) {

@@ -36,7 +36,7 @@ class OcclusionQuery {
 /// What a RasterBackend did since it was asked last.
 struct RasterCounts {
   std::uint64_t images_drawn = 0;
-  std::uint64_t images_overlapped = 0;  ///< of them, those begun while an earlier one was under way
+  std::uint64_t images_overlapped = 0;  ///< of them, those begun before the caller had waited for an earlier one
   std::uint64_t images_read = 0;        ///< whose occlusion query had seen a test that is not certainly apart
   double device_seconds = 0;  ///< from the first image's start until the last one's end was noticed, by the clock
   double wait_seconds = 0;    ///< of these, while the caller waited for it

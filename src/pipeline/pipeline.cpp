@@ -78,6 +78,9 @@ class Pipeline {
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
     if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
 
+    if constexpr (std::is_same_v<Stages, PlainStages>)
+      if (crew_.device != nullptr) finish_batches();
+
     double threads_wall_clock = 0;
     stage.charge(threads_wall_clock);
     Contacts contacts = gather(statistics);
@@ -365,6 +368,16 @@ class Pipeline {
     }
   }
 
+  /// The last batches of the plain stages, which the device still has.
+  void finish_batches() {
+    run_each(on_threads(options_.threads), crew_.at_work().size(), [&](std::size_t i) {
+      Worker<Stages>& worker = *crew_.at_work()[i];
+      worker.clock = {};
+      worker.stages.finish(worker.clock, worker.statistics);
+      collect_finished(worker);
+    });
+  }
+
   /// Of the plain stages, whose batches may end after their pair's slice.
   void collect_finished(Worker<Stages>& w) {
     std::span<const results::ContactKey> contacts = w.stages.contacts();
@@ -389,13 +402,8 @@ class Pipeline {
 
   Contacts gather(Statistics& statistics) {
     memory_.collectors.clear(), memory_.keys.clear();
-    for (Worker<Stages>* worker : crew_.at_work()) {
-      if constexpr (std::is_same_v<Stages, PlainStages>) {
-        worker->clock = {};
-        worker->stages.finish(worker->clock, worker->statistics);
-        collect_finished(*worker);
-        warn(worker->stages.complaint());
-      }
+    for (const Worker<Stages>* worker : crew_.at_work()) {
+      if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
       add(statistics, worker->statistics);
       memory_.collectors.push_back(&worker->collector);
     }

@@ -5,8 +5,10 @@
 #extension GL_EXT_samplerless_texture_functions : require
 
 // The paper's section 3.4: a place of the image is an edge, a quad over some of them is a triangle, the fragment is their
-// test. Quads of several triangles may lie over each other. A verdict that no fragment writes stays what it was: unsure.
-// Fragments of what is certainly apart are discarded, so an occlusion query counts the others.
+// test. Quads of several triangles may lie over each other. Fragments of what is certainly apart are discarded, so an
+// occlusion query counts the others; where it counts none, all tests of the image are taken for apart. That each place
+// of a quad gets its fragment follows from Vulkan's rules, for the quads' corners are borders of places to the bit
+// (raster.vert), and is tried out before a device is used.
 
 #include "edge_test.glsl"
 
