@@ -107,7 +107,20 @@ def plain(tables, name):
                     [[row[column] for column in columns] for row in tables.rows(name)])
 
 
+def unequal(tables):
+    """A row a pair of meshes, a column a place and question; what is the same for every place without contact is left out."""
+    columns = [("far", "first contact"), ("near", "first contact"), ("touching", "first contact"),
+               ("touching", "all contacts"), ("far", "distance"), ("near", "distance"), ("touching", "distance")]
+    rows = []
+    for values, group in grouped(tables.rows("unequal"), "large mesh", "its triangles", "small mesh's"):
+        asked = {(row["place"], row["question"]): row for row in group}
+        rows.append([*values, *(f"{asked[c]['impinge us']} ({asked[c]['FCL / impinge']}, {asked[c]['FCL native / impinge']})"
+                                for c in columns)])
+    return markdown(["large mesh", "triangles", "small mesh's", *(f"{place}: {question}" for place, question in columns)], rows)
+
+
 NAMED = {
+    "unequal": unequal,
     "targets": target_table,
     "paper": paper,
     "truth": truth,

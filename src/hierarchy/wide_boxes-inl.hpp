@@ -54,7 +54,7 @@ struct BoxSide {
   int size;
 };
 
-/// The boxes of a node's children. `own` is memory for what is not there to be pointed to.
+/// The boxes of a node's children; `own` keeps them where they are to be scaled.
 HWY_INLINE void open(const WideNode& node, float scale, Boxes& own, BoxSide& side) {
   side.center = node.center, side.half = node.half, side.size = static_cast<int>(node.size);
   if (scale == 1) return;
@@ -67,8 +67,8 @@ HWY_INLINE void open(const WideNode& node, float scale, Boxes& own, BoxSide& sid
   side.center = own.center, side.half = own.half;
 }
 
-/// A leaf's box, or one that holds all those of a node's children. Three sums of numbers that are at most |lo| + |hi|,
-/// each off by 2^-24 of that at most, make the half extent; it is made larger by more.
+/// A leaf's box, or one that holds all those of a node's children. The half extent comes from three roundings, each of
+/// at most 2^-24 (|lo| + |hi|); 2^-21 as much is added.
 HWY_INLINE void keep_whole(const TreeRef& ref, float scale, Boxes& own, BoxSide& side) {
   const hn::CappedTag<float, kWidth> d;
   for (int i = 0; i < 3; ++i) {

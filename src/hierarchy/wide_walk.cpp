@@ -57,15 +57,15 @@ HWY_INLINE std::uint64_t nearest_of(std::uint64_t bits, const BoxSide& one, cons
   return nearest;
 }
 
-/// Which children of a pair may overlap: bit 8 i + j for box i of the one side and j of the other.
+/// Which boxes of a pair may overlap: bit 8 i + j for box i of A and j of B, or i of B and j of A if B is not opened.
 struct Overlaps {
   std::uint64_t bits;
   std::uint64_t nearest;  ///< the closest of them, if asked for
-  Opening opening;        ///< B is the one side where it is not opened
+  Opening opening;
 };
 
-/// Whether a leaf has a triangle that may touch the whole of a much smaller node: one that is opened to its leaves
-/// before a large triangle would be looked at.
+/// Whether any triangle of a leaf may touch a node's whole box. Asked where the node is much the smaller: a large
+/// triangle would otherwise be held against every leaf below it.
 bool leaf_may_meet_node(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees) {
   const bool leaf_is_a = pair.a.is_leaf();
   const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();

@@ -13,9 +13,8 @@
 namespace impinge::measure {
 
 struct BoxBounds {
-  std::uint64_t bits;  ///< bit 8 i + j: box i of the one side and j of the other may be within the limit
-  bool opens_a,
-      opens_b;  ///< by its children's boxes, or by one for the whole; the one side is B if it is whole, else A
+  std::uint64_t bits;     ///< bit 8 i + j: box i of A and j of B may be within the limit; i of B where B is not opened
+  bool opens_a, opens_b;  ///< whether the boxes are those of its children, or one box for the whole
   alignas(64) float lower[hierarchy::kWidth][hierarchy::kWidth];
 };
 

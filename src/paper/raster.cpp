@@ -31,9 +31,9 @@ int exponent_of(double reach) {
   return exponent;
 }
 
-/// Returns how far off the floats are. The offset is a difference, rounded once: by 2^-53 of itself, then to float by
-/// 2^-24, or it is taken for zero below 2^-126. The rest of the factor is room for the rounding of the largest and of
-/// the bound.
+/// Writes an offset in another unit; returns a bound of each coordinate's error. The offset is a difference, rounded
+/// once: by 2^-53 of itself, then to float by 2^-24, or it is taken for zero below 2^-126. The rest of the factor is
+/// room for the rounding of the largest and of the bound.
 float write_scaled(const Vec3& offset, double scale, float to[3]) {
   to[0] = static_cast<float>(offset.x * scale);
   to[1] = static_cast<float>(offset.y * scale);
@@ -52,7 +52,7 @@ struct EdgeTexels {
 };
 static_assert(sizeof(EdgeTexels) == std::size_t{kTexelsPerEdge} * Image::kTexelBytes);
 
-/// What the edges of a leaf are seen from.
+/// The origin of a leaf's edges: where the first of them begins.
 const Vec3& origin_of(const Batch& batch, std::uint32_t first_edge) {
   return batch.vertices[batch.edges[first_edge][0]];
 }

@@ -102,7 +102,7 @@ class RasterBackend {
   std::chrono::steady_clock::time_point busy_since_;
 };
 
-/// The tests' shader.
+/// Compiles the shader of the tests.
 std::unique_ptr<gpu::Drawing> make_raster_drawing(gpu::Device& device);
 
 /// What is wrong with the device's fragments, as a sentence without its full stop; empty if their arithmetic is as

@@ -41,7 +41,7 @@ void PlainStages::release() {
   submitted_ = finished_ = 0;
 }
 
-/// The CPU does anew what the device had, and the rest.
+/// From here on the CPU tests every batch, those that the device had included.
 void PlainStages::give_up(const gpu::Failure& failure) {
   complaint_ = failure.what();
   device_ = nullptr;

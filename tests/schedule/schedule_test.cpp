@@ -224,7 +224,7 @@ TEST(Cost, IsPredictedWhenAskedFor) {
   EXPECT_GT(s.total_seconds, 0);
 }
 
-/// The constants that depend on the leaf size, in ns, as bench_cost has measured them (docs/benchmarks.md).
+/// The constants that depend on the leaf size, in ns, of one run of bench_cost.
 struct OfLeafSize {
   std::uint32_t leaf_size;
   double box_test, element_test, node, sorted_triangle, leaf_pair;
