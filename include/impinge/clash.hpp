@@ -102,8 +102,8 @@ struct PartFacts {
   PartClass part_class = PartClass::surface;  ///< the best class of its pieces; verdicts do not go by it yet
   std::array<std::uint32_t, 3> pieces{};      ///< how many there are, by class
   std::uint64_t turned = 0;                   ///< triangles that had to be turned to find the classes
-  std::uint64_t unclear_edges = 0;  ///< open edges beside which winding is not clear; of more than 128 an estimate
-  std::optional<Segment> unclear_edge;               ///< the first of them
+  std::uint64_t unclear_edges = 0;      ///< open edges beside which winding is not clear; of more than 128 an estimate
+  std::optional<Segment> unclear_edge;  ///< the first of them
   std::uint64_t open_edges = 0, self_crossings = 0;  ///< what keeps it from being a solid
   std::uint64_t degenerate = 0;                      ///< triangles whose world vertices are collinear
   std::optional<Segment> open_edge;                  ///< the first of them
