@@ -17,6 +17,8 @@ export interface Clash {
   names: [string, string];
   /** The greater upper end of both overlap depths, NaN if none was measured. */
   depth: number;
+  /** It fails at every tolerance below this; infinite: at every one. NaN where it is not known. */
+  failsBelow: number;
   distance: number;
   /** Sum of the areas of all regions, NaN without regions. */
   area: number;
@@ -31,6 +33,8 @@ export interface Filter {
   resolved: boolean;
   failing: boolean;
   text: string;
+  /** A tolerance at which it would still fail; NaN for any. */
+  failsAt: number;
   depthFrom: number;
   distanceTo: number;
   parts: Set<number> | null;
@@ -44,6 +48,7 @@ export const emptyFilter = (): Filter => ({
   resolved: false,
   failing: false,
   text: '',
+  failsAt: NaN,
   depthFrom: NaN,
   distanceTo: NaN,
   parts: null,
@@ -70,6 +75,7 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
   second: -1,
   names: [a.name, b.name],
   depth: NaN,
+  failsBelow: NaN,
   distance: NaN,
   area: NaN,
   text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
@@ -83,6 +89,7 @@ function ofPair(report: Report, pair: Pair): Clash {
     first,
     second,
     depth: depthOf(pair),
+    failsBelow: pair.fails_below === null ? Infinity : (pair.fails_below ?? NaN),
     distance: pair.distance ?? NaN,
     area: pair.regions ? pair.regions.reduce((sum, region) => sum + region.area, 0) : NaN,
   };
@@ -119,19 +126,32 @@ export const countVerdicts = (clashes: Clash[]): [Verdict, number][] =>
     .filter(([, count]) => count > 0);
 
 const verdictRank = (verdict: Verdict): number => kVerdicts.indexOf(verdict);
+/** The last of the verdicts on parts that reach into each other by more than the tolerance. */
+const kMildest = verdictRank('crossing');
+
+/** Whether a clash would fail at a tolerance. What touches and fails does so by the words of the call, at any. */
+export function failsAt({ pair, verdict, failsBelow }: Clash, tolerance: number): boolean {
+  if (!pair) return false;
+  if (pair.fails) return verdictRank(verdict) > kMildest || !(tolerance >= failsBelow);
+  return verdict === 'touching' && tolerance < failsBelow;
+}
 
 /**
- * All clashes in the order of the command's table: by verdict, the deepest first, then the nearest, then as in the file;
- * those of a motion in the order of time.
+ * All clashes in the order of the command's table: what fails by its verdict, what touches, what is near; of each what fails
+ * at the largest tolerance first, then the deepest, then by verdict, area of contact and distance, then as in the file; those of
+ * a motion in the order of time.
  */
 export function rankClashes(report: Report): Clash[] {
   const clashes = report.pairs.map((pair) => ofPair(report, pair));
   clashes.sort(
     (x, y) =>
       compare(x.pair!.span?.start ?? 0, y.pair!.span?.start ?? 0, 1) ||
+      Math.max(verdictRank(x.verdict), kMildest) - Math.max(verdictRank(y.verdict), kMildest) ||
+      compare(x.failsBelow, y.failsBelow, -1) ||
+      (y.depth || 0) - (x.depth || 0) ||
       verdictRank(x.verdict) - verdictRank(y.verdict) ||
-      compare(x.depth, y.depth, -1) ||
-      compare(x.distance, y.distance, 1),
+      (y.area || 0) - (x.area || 0) ||
+      (x.distance || 0) - (y.distance || 0),
   );
   const find = partFinder(report);
   for (const resolved of report.resolved ?? []) {
@@ -158,6 +178,7 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   }
   if (filter.verdicts.size && !filter.verdicts.has(clash.verdict)) return false;
   if (filter.failing && !clash.pair?.fails) return false;
+  if (!Number.isNaN(filter.failsAt) && !failsAt(clash, filter.failsAt)) return false;
   if (!words.every((word) => clash.text.includes(word))) return false;
   // Whoever types a figure of the list means what stands there, and whoever takes one from the JSON that one.
   const { depthFrom, distanceTo } = filter;

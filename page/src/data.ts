@@ -20,7 +20,6 @@ export interface Part {
   file: string;
   triangles: number;
   open_edges?: number;
-  solid?: boolean;
   class?: 'solid' | 'cracked' | 'surface' | null;
   turned?: number;
   unclear_edges?: number;
@@ -30,7 +29,7 @@ export interface Part {
   first_self_crossing?: { triangles: [number, number]; near: Vec3 } | null;
   volume?: number | null;
   area?: number | null;
-  wall?: number | null;
+  inner_radius?: number | null;
 }
 
 export interface Region {
@@ -55,6 +54,8 @@ export interface Pair {
   note: string | null;
   tolerance: number | null;
   fails: boolean;
+  /** The pair fails at every tolerance below this; null: at every one. */
+  fails_below?: number | null;
   overlap_depth?: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
   distance?: number | null;
   distance_error?: number | null;
@@ -88,7 +89,8 @@ export interface Resolved {
 export interface Settings {
   tolerance: 'auto' | number;
   clearance: number;
-  depth: boolean;
+  /** Null where depths were not measured. */
+  depth_precision: number | null;
   regions: boolean;
   fail_on: string[];
   ignore?: unknown[];

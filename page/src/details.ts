@@ -21,6 +21,14 @@ function changeText(clash: Clash): string[] | null {
 
 type Value = (Node | string)[];
 
+const kindOf = (part: Part): string => (part.class === 'cracked' ? 'cracked solid' : (part.class ?? ''));
+
+/** Up to which tolerance it fails; nothing of what does not overlap. */
+function failsBelowText({ failsBelow }: Clash): Value | null {
+  if (failsBelow === Infinity) return ['any tolerance'];
+  return failsBelow > 0 ? ['a tolerance of ', numberOf(failsBelow)] : null;
+}
+
 const kRegionsAtOnce = 60;
 
 const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', numberOf(p[2])];
@@ -150,18 +158,19 @@ export class Details {
   }
 
   private facts(clash: Clash, pair: Pair): HTMLElement {
-    const solid = (id: number): string => (this.report.objects[id].solid ? 'a solid' : 'a surface');
+    const parts = [this.report.objects[clash.first], this.report.objects[clash.second]];
     const kinds = ['crossing', 'touching', 'coplanar'] as const;
     const nearest = pair.nearest && (clash.first === pair.a ? pair.nearest : [pair.nearest[1], pair.nearest[0]]);
     return figures([
       ['Verdict', [pair.verdict, pair.fails ? ', fails' : ', does not fail']],
       ['Triangle pairs', kinds.flatMap((kind, i) => [i ? ', ' : '', countOf(pair[kind]), ` ${kind}`])],
+      ['Fails below', failsBelowText(clash)],
       ['Nearest point of A', nearest ? point(nearest[0]) : null],
       ['Nearest point of B', nearest ? point(nearest[1]) : null],
       ['Tolerance applied', measured(pair.tolerance)],
-      ['Kind', [`A is ${solid(clash.first)}, B is ${solid(clash.second)}`]],
-      ['Wall of A', measured(this.report.objects[clash.first].wall)],
-      ['Wall of B', measured(this.report.objects[clash.second].wall)],
+      ['Kind', parts.every(kindOf) ? [`A is a ${kindOf(parts[0])}, B is a ${kindOf(parts[1])}`] : null],
+      ['Inner radius of A', measured(parts[0].inner_radius)],
+      ['Inner radius of B', measured(parts[1].inner_radius)],
       ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
       ['Id', pair.id ? [nameOf(pair.id)] : null],
     ]);
@@ -241,8 +250,7 @@ export class Details {
         ['Part number', [countOf(part.id)]],
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],
-        ['Kind', part.solid === undefined ? null : [part.solid ? 'solid' : 'surface']],
-        ['By winding', !part.class || part.class === (part.solid ? 'solid' : 'surface') ? null : [part.class]],
+        ['Kind', kindOf(part) ? [kindOf(part)] : null],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],
         ['Unclear edges', part.unclear_edges ? [countOf(part.unclear_edges)] : null],
@@ -252,7 +260,7 @@ export class Details {
         ['First of them near', crossing ? point(crossing.near) : null],
         ['Volume', measured(part.volume)],
         ['Area', measured(part.area)],
-        ['Wall', measured(part.wall)],
+        ['Inner radius', measured(part.inner_radius)],
       ]),
     ];
   }

@@ -113,7 +113,7 @@ export class Filters {
   private makeLine(): HTMLElement {
     const isMotion = this.report.pairs.some((pair) => pair.span);
     const sorts: [SortKey, string][] = [
-      ['rank', isMotion ? 'by time' : 'by verdict'],
+      ['rank', isMotion ? 'by time' : 'worst first'],
       ['depth', 'by depth'],
       ['distance', 'by distance'],
       ['area', 'by size'],
@@ -139,7 +139,7 @@ export class Filters {
   private makeMore(): HTMLElement {
     const fields: HTMLElement[] = [];
     const { settings } = this.report;
-    if (settings?.depth || this.report.pairs.some((pair) => pair.span?.overlap_depth))
+    if ((settings && settings.depth_precision !== null) || this.report.pairs.some((pair) => pair.span?.overlap_depth))
       fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
     if (settings?.clearance)
       fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));

@@ -18,6 +18,7 @@ import { Store } from './store';
 import { showSummary, tellSimplified, titleOf } from './summary';
 import { listenToTheme } from './theme';
 import { Timeline } from './timeline';
+import { showTolerance } from './tolerance';
 
 function tell(error: unknown): void {
   const trouble = byId('trouble');
@@ -71,6 +72,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
+  showTolerance(report, clashes, store);
   const timeline = motion && new Timeline(motion, clashes, store, () => list.visible);
 
   const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });

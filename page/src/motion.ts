@@ -18,6 +18,7 @@ export interface Span {
   inner?: number | null;
   note?: string | null;
   worst_at: number;
+  fails_below?: number | null;
   overlap_depth: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
 }
 
@@ -116,6 +117,7 @@ export function pairsOf({ spans, times }: Motion): Pair[] {
     note: span.note ?? null,
     tolerance: null,
     fails: false,
+    fails_below: span.fails_below,
     overlap_depth: span.overlap_depth,
     span: {
       ...span,

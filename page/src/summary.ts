@@ -16,21 +16,23 @@ function partFacts(report: Report, motion: Motion | null): Fact {
   const files = new Set(report.objects.map((part) => part.file)).size;
   const facts: Fact = [...countedOf(report.objects.length, 'part'), ` in ${plural(files, 'file')}`];
   if (motion) facts.push(`, ${counted(motion.objects.length)} of them moving`);
-  if (report.objects.some((part) => part.solid != null)) {
-    const solids = report.objects.filter((part) => part.solid).length;
-    facts.push(`: ${plural(solids, 'solid')}, ${plural(report.objects.length - solids, 'surface')}`);
-  }
+  const classes: [string, number][] = (['solid', 'cracked', 'surface'] as const).map((one) => [
+    one === 'cracked' ? 'cracked solid' : one,
+    report.objects.filter((part) => part.class === one).length,
+  ]);
+  const counts = classes.filter(([, count]) => count).map(([what, count]) => plural(count, what));
+  if (counts.length) facts.push(`: ${counts.join(', ')}`);
   return facts;
 }
 
 function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) => void): Fact | null {
   if (!report.settings && !clashes.length) return null;
-  if (report.settings && !report.settings.depth) return ['depths not measured'];
+  if (report.settings?.depth_precision === null) return ['depths not measured'];
   const deepest = clashes.reduce<Clash | null>(
     (best, clash) => (clash.depth > (best?.depth ?? -1) ? clash : best),
     null,
   );
-  if (!deepest) return ['no overlap of solids'];
+  if (!deepest) return ['nothing overlaps'];
   const link = button('', () => choose(deepest), { class: 'link' });
   link.append(nameOf(deepest.names[0], 60), ' and ', nameOf(deepest.names[1], 60));
   return ['deepest overlap ', numberOf(deepest.depth), ', ', link];

@@ -49,13 +49,13 @@ function part(id, name, group, file, triangles, volume) {
     triangles,
     closed: true,
     open_edges: 0,
-    solid: true,
+    class: 'solid',
     first_open_edge: null,
     self_crossings: 0,
     first_self_crossing: null,
     volume,
     area: 6,
-    wall: volume / 3,
+    inner_radius: volume / 3,
   };
 }
 
@@ -81,7 +81,7 @@ export const kLong = 'long/'.repeat(2048);
 const kSettings = {
   tolerance: 'auto',
   clearance: 0.5,
-  depth: true,
+  depth_precision: 0.05,
   regions: true,
   fail_on: ['penetration', 'inside'],
   ignore: [],
@@ -98,6 +98,7 @@ const pairOf = (given) => ({
   note: null,
   tolerance: 1e-6,
   fails: true,
+  fails_below: null,
   overlap_depth: null,
   ...given,
 });
@@ -153,6 +154,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
       coplanar: 1,
       verdict,
       fails: ['duplicate', 'inside', 'penetrating', 'crossing'].includes(verdict),
+      fails_below: depth ? depth * 0.95 : verdict === 'touching' || verdict === 'apart' ? 0 : null,
       overlap_depth: depth ? { a_in_b: [depth * 0.99, depth], b_in_a: [depth * 0.9, depth * 0.95] } : null,
       distance: distance ?? null,
       distance_error: distance ? 1e-12 : null,
@@ -176,8 +178,8 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
   put(0, 1, 'touching', { areas: [1.5], note: 'they overlap by no more than the tolerance' });
   put(1, 3, 'penetrating', { depth: 1.25, areas: [0.25] });
   put(2, 4, 'penetrating', { depth: 0.75, areas: [8] });
-  put(3, 5, 'crossing', { areas: [3, 1] });
-  put(4, 6, 'inside', { depth: 0.6, inner: 6, areas: [] });
+  put(3, 5, 'crossing', { fails_below: 0.6, areas: [3, 1] });
+  put(4, 6, 'inside', { depth: 0.6, fails_below: 3, inner: 6, areas: [] });
   put(5, 6, 'apart', { distance: 0.4 });
   put(7, 8, 'apart', { distance: 0.1 });
   put(7, 9, 'duplicate', { areas: [0.125] });
@@ -297,8 +299,8 @@ export function plantPage() {
     const a = i % (n * n - n);
     const b = i < n * n - n ? a + 1 : a + n;
     const depth = { a_in_b: [0.001 * i, 0.001 * i], b_in_a: [0.0005 * i, 0.0005 * i] };
-    if (i % 5) pairs.push(pairOf({ a, b, crossing: 1, verdict: 'touching', fails: false }));
-    else pairs.push(pairOf({ a, b, crossing: 1, verdict: 'penetrating', overlap_depth: depth }));
+    if (i % 5) pairs.push(pairOf({ a, b, crossing: 1, verdict: 'touching', fails: false, fails_below: 0 }));
+    else pairs.push(pairOf({ a, b, crossing: 1, verdict: 'penetrating', fails_below: 0.001 * i, overlap_depth: depth }));
   }
   const penetrating = pairs.filter((pair) => pair.fails).length;
   const report = {

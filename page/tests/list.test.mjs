@@ -12,15 +12,19 @@ const kOrder = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'a
 const { report, scene } = review();
 const depth = (pair) =>
   pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a[1]) : NaN;
+const failsBelow = (pair) => pair.fails_below ?? Infinity;
 const area = (pair) => pair.regions.reduce((sum, region) => sum + region.area, 0);
 const last = (x, y, sign) => (Number.isNaN(x) || Number.isNaN(y) ? Number.isNaN(x) - Number.isNaN(y) : sign * (x - y));
 const ranked = report.pairs
   .map((pair, i) => ({ pair, i }))
   .sort(
     (x, y) =>
+      Math.max(kOrder.indexOf(x.pair.verdict), 3) - Math.max(kOrder.indexOf(y.pair.verdict), 3) ||
+      last(failsBelow(y.pair), failsBelow(x.pair), 1) ||
+      (depth(y.pair) || 0) - (depth(x.pair) || 0) ||
       kOrder.indexOf(x.pair.verdict) - kOrder.indexOf(y.pair.verdict) ||
-      last(depth(x.pair), depth(y.pair), -1) ||
-      last(x.pair.distance ?? NaN, y.pair.distance ?? NaN, 1) ||
+      area(y.pair) - area(x.pair) ||
+      (x.pair.distance ?? 0) - (y.pair.distance ?? 0) ||
       x.i - y.i,
   )
   .map(({ pair }) => pair);
@@ -178,6 +182,74 @@ describe('the list of clashes', () => {
     await close();
   });
 
+  describe('over the tolerance', () => {
+    const pairOf = (verdict, failsBelow, more = {}) => ({
+      ...report.pairs[1],
+      a: 0,
+      b: 1,
+      verdict,
+      fails: verdict === 'penetrating',
+      fails_below: failsBelow,
+      ...more,
+    });
+    const pageOf = (pairs, settings = {}) =>
+      browser.open(compose({ report: { ...report, pairs, resolved: [], settings: { ...report.settings, ...settings } } }));
+    const words = (page) => page.textContent('.tolerance-words');
+    const failing = [0.01, 0.02, 0.3, 4, null].map((t) => pairOf('penetrating', t, { tolerance: 0.001 }));
+
+    test('leaves those that would still fail', async () => {
+      const { page, close } = await pageOf([...failing, pairOf('touching', 0.0005, { tolerance: 0.002 })]);
+      assert.equal(await words(page), 'now: 5 pairs fail');
+      const slider = page.locator('#tolerance-slider');
+      assert.equal(await slider.inputValue(), String(Math.round(20 * Math.log10(0.002))));
+      for (const [tolerance, told] of [
+        [0.01, 'at 0.01: 4 pairs fail'], // not what is as deep
+        [0.32, 'at 0.32: 2 pairs fail'],
+        [4, 'at 4: 1 pair fails'],
+      ]) {
+        await slider.fill(String(Math.round(20 * Math.log10(tolerance))));
+        assert.equal(await words(page), told);
+        assert.equal(await slider.getAttribute('aria-valuetext'), told);
+        const left = await page.evaluate(() => window.impinge.visible().map((clash) => clash.pair.fails_below));
+        assert.deepEqual(left, [null, 4, 0.3, 0.02, 0.01].filter((t) => t === null || t > tolerance));
+      }
+      assert.equal(await slider.getAttribute('max'), await slider.inputValue(), 'there the last that can go is gone');
+      await slider.press('Home');
+      assert.equal(await words(page), 'now: 5 pairs fail');
+      await slider.press('ArrowRight');
+      assert.equal(await words(page), 'at 0.0022: 5 pairs fail');
+      await page.click('#clear-filters');
+      assert.equal(await words(page), 'now: 5 pairs fail');
+      await close();
+    });
+
+    test('goes below one that was chosen', async () => {
+      const excused = [pairOf('touching', 0.05), pairOf('touching', 0)];
+      const { page, close } = await pageOf([...failing.slice(2), ...excused], { tolerance: 0.1 });
+      assert.equal(await words(page), 'now: 3 pairs fail');
+      await page.locator('#tolerance-slider').press('Home');
+      assert.match(await words(page), /^at 0.04\d?: 4 pairs fail$/);
+      await close();
+    });
+
+    test('is there where some tolerance excuses something', async () => {
+      for (const [what, isThere, pairs, settings] of [
+        ['one pair', false, failing.slice(0, 1)],
+        ['two', true, failing.slice(0, 2)],
+        ['two at any tolerance', false, [failing[4], failing[4]]],
+        ['what fails by the words of the call', false, [pairOf('touching', 0, { fails: true }), failing[4]]],
+        ['what an automatic tolerance excuses', false, [pairOf('touching', 1e-12), failing[4]]],
+        ['what a chosen one excuses', true, [pairOf('touching', 0.05), failing[4]], { tolerance: 0.1 }],
+        ['but not of what is new', false, [pairOf('touching', 0.05), failing[4]], { tolerance: 0.1, fail_on: ['new'] }],
+        ['no tolerance', true, failing, { tolerance: 0 }],
+      ]) {
+        const { page, close } = await pageOf(pairs, settings);
+        assert.equal(await page.isVisible('#tolerance'), isThere, what);
+        await close();
+      }
+    });
+  });
+
   test('says what may be typed in full', async () => {
     const room = await page.locator('#clash-search').evaluate((input) => {
       const style = getComputedStyle(input);
@@ -260,6 +332,8 @@ describe('the list of clashes', () => {
       '2.5',
       '12 crossing, 3 touching, 1 coplanar',
       '2 regions of contact',
+      'a tolerance of 0.4867',
+      'A is a solid, B is a solid',
       'seen by <b>two</b>',
       'approved',
       'persisting, and worse: it was touching',
@@ -380,6 +454,7 @@ describe('the list of clashes', () => {
       'clash-search',
       'sort',
       'group',
+      'tolerance-slider',
       'clash-list',
     ]) {
       assert.ok(reached.has(id), id);

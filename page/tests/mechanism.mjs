@@ -39,7 +39,7 @@ export function mechanism({ offset = [0, 0, 0], lanes = 0 } = {}) {
     file: 'machine.glb',
     triangles: meshes[meshOf[id]].corners.length / 3,
     closed: null,
-    solid: null,
+    class: null,
     volume: null,
   }));
   const depth = (d) => ({ a_in_b: [d * 0.99, d], b_in_a: null });
