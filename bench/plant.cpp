@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 
 #include <fstream>
+#include <limits>
 
 #include "bench/support.hpp"
 #include "impinge/clash.hpp"
@@ -28,7 +29,7 @@ double peak_megabytes(int who) {
 
 struct Run {
   std::uint64_t triangles = 0;
-  double read_seconds = 0, scene_seconds = 0, clash_seconds = 0;
+  double read_seconds = 0, scene_seconds = 0, clash_seconds = 0, depth_seconds = 0;
   Clashes clashes;
 };
 
@@ -44,8 +45,11 @@ Run run(const std::filesystem::path& file) {
     }
     must(scene.update());
   });
-  result.clash_seconds =
-      wall_seconds_of([&] { result.clashes = must(find_clashes(scene, {.clearance = scenes::kPlantClearance})); });
+  ClashOptions options{.clearance = scenes::kPlantClearance,
+                       .depth_precision = std::numeric_limits<double>::infinity()};
+  result.clash_seconds = wall_seconds_of([&] { result.clashes = must(find_clashes(scene, options)); });
+  options.depth_precision = ClashOptions{}.depth_precision;
+  result.depth_seconds = wall_seconds_of([&] { must(find_clashes(scene, options)); });
   return result;
 }
 
@@ -58,7 +62,7 @@ void write_file(const std::filesystem::path& path, const scenes::Plant& plant) {
 
 struct Tables {
   Table times{{"parts", "meshes", "triangles", "candidates", "listed pairs", "read s", "scene s", "verdicts s",
-               "file to verdicts s", "us a candidate", "peak MB", "reader's peak MB", "mismatches"}};
+               "with depths s", "file to verdicts s", "us a candidate", "peak MB", "reader's peak MB", "mismatches"}};
   Table families{{"what was planted", "pairs", "right"}};
 };
 
@@ -80,14 +84,15 @@ void measure(int parts, const Arguments& arguments, Tables& tables, bool with_fa
   const auto answer = scenes::compare(plant, result.clashes.pairs, {.slack = 0.05});
   for (std::size_t i = 0; i < answer.faults.size() && i < 20; ++i) std::printf("%s\n", answer.faults[i].c_str());
   std::size_t surfaces = 0;
-  for (const PartFacts& part : result.clashes.parts) surfaces += part.solid ? 0 : 1;
+  for (const PartFacts& part : result.clashes.parts) surfaces += part.part_class == PartClass::solid ? 0 : 1;
   const double seconds = result.read_seconds + result.scene_seconds + result.clash_seconds;
   const auto candidates = static_cast<double>(result.clashes.candidates);
   tables.times.add({count(plant.names.size()), count(plant.scene.meshes.size()), count(result.triangles),
                     count(result.clashes.candidates), count(result.clashes.pairs.size()), digits(result.read_seconds),
-                    digits(result.scene_seconds), digits(result.clash_seconds), digits(seconds),
-                    digits(1e6 * result.clash_seconds / candidates), digits(peak_megabytes(RUSAGE_SELF)),
-                    digits(peak_megabytes(RUSAGE_CHILDREN)), count(answer.faults.size() + surfaces)});
+                    digits(result.scene_seconds), digits(result.clash_seconds), digits(result.depth_seconds),
+                    digits(seconds), digits(1e6 * result.clash_seconds / candidates),
+                    digits(peak_megabytes(RUSAGE_SELF)), digits(peak_megabytes(RUSAGE_CHILDREN)),
+                    count(answer.faults.size() + surfaces)});
   if (!with_families) return;
   for (const auto& [family, score] : answer.scores)
     tables.families.add({cell(family), count(score.planted), count(score.right)});

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "report/text.hpp"
+#include "report/tolerance_advice.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -56,7 +57,7 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
       return fit(printable(review.plan.tests()[pair.test].name), 40);
     });
   if (arguments.previous) add("change", text, change_text);
-  if (arguments.depth)
+  if (std::ranges::any_of(pairs, [](const Clash& pair) { return pair.overlap_depth.has_value(); }))
     add("depth", number,
         [](const Clash& pair, const Standing&) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; });
   if (arguments.clearance > 0)
@@ -96,7 +97,6 @@ std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<
   if (asked) return *asked > 0 ? fmt::format("tolerance {}", *asked) : "no tolerance";
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Clash& pair : pairs) {
-    if (pair.note == Note::tolerance_not_applied) continue;
     least = std::min(least, pair.tolerance);
     most = std::max(most, pair.tolerance);
   }
@@ -107,13 +107,13 @@ std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<
 
 std::string summary(const Review& review, const ClashArguments& arguments) {
   const std::vector<Clash>& pairs = review.clashes.pairs;
-  const auto solids = static_cast<std::uint64_t>(
-      std::count_if(review.parts.begin(), review.parts.end(), [](const Part& part) { return part.facts.solid; }));
-  std::string text =
-      fmt::format("{}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"), counted(solids, "solid"),
-                  counted(review.parts.size() - solids, "surface"), verdicts_text(pairs, arguments.clearance),
-                  review.plan.tests().empty() ? tolerance_text(pairs, arguments.tolerance)
-                                              : counted(review.plan.tests().size(), "test"));
+  std::array<std::uint64_t, 3> classes{};
+  for (const Part& part : review.parts) ++classes[static_cast<std::size_t>(part.facts.part_class)];
+  std::string text = fmt::format("{}, {}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"),
+                                 counted(classes[0], "solid"), counted(classes[1], "cracked solid"),
+                                 counted(classes[2], "surface"), verdicts_text(pairs, arguments.clearance),
+                                 review.plan.tests().empty() ? tolerance_text(pairs, arguments.tolerance)
+                                                             : counted(review.plan.tests().size(), "test"));
   if (review.parts.size() == 1) text += "There is only one part, and no part is tested against itself.\n";
   if (review.split_products > 0)
     text += fmt::format(
@@ -129,6 +129,10 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
                       review.plan.tests().empty() ? fmt::format("{}", fmt::join(words_of(arguments.fail_on), ", "))
                       : arguments.fail_on.fresh   ? "by the mode of each test, new"
                                                   : "by the mode of each test");
+  if (const auto advice = advise_tolerance(review))
+    text += fmt::format("{} of {} failing pairs are shallower than {}; --tolerance {} leaves {}.\n",
+                        grouped(advice->shallower), grouped(failing), advice->tolerance, advice->tolerance,
+                        grouped(failing - advice->shallower));
   return text + fmt::format("{}; read in {}, judged in {}.\n", counted(review.assembly.triangles, "triangle"),
                             duration(review.read_seconds), duration(review.judge_seconds));
 }
@@ -152,14 +156,12 @@ std::string note_text(Note note) {
       return kNothing;
     case Note::overlap_within_tolerance:
       return "overlap within tolerance";
-    case Note::outside_within_tolerance:
-      return "outside within tolerance";
     case Note::gap_within_tolerance:
       return "gap within tolerance";
-    case Note::equal_within_tolerance:
-      return "equal within tolerance";
-    case Note::tolerance_not_applied:
-      return "tolerance not applied";
+    case Note::undecided:
+      return "undecided";
+    case Note::tolerance_raised:
+      return "tolerance raised";
   }
   return kNothing;
 }
@@ -167,24 +169,25 @@ std::string note_text(Note note) {
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width) {
   constexpr std::size_t kMostLines = 10, kLeastName = 12;
-  std::size_t surfaces = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].facts.solid || ++surfaces > kMostLines) continue;
-    const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
-    const bool is_cracked = parts[i].facts.part_class == PartClass::cracked;
-    sink.write(
-        fmt::format("{} is {}: {}\n", name, is_cracked ? "a cracked solid" : "no solid", defects_text(parts[i])));
-  }
-  if (surfaces > kMostLines)
-    sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(surfaces - kMostLines)));
+  std::size_t others = 0;
+  for (const PartClass kind : {PartClass::surface, PartClass::cracked})
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].facts.part_class != kind || ++others > kMostLines) continue;
+      const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
+      sink.write(kind == PartClass::surface
+                     ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i]))
+                     : fmt::format("{} is cracked: {}\n", name, counted(parts[i].facts.open_edges, "open edge")));
+    }
+  if (others > kMostLines)
+    sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(others - kMostLines)));
 }
 
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
   print_pairs(review, arguments, sink, width, stop);
   print_surfaces(review.assembly.labels, review.parts, sink, width);
-  if (std::any_of(review.parts.begin(), review.parts.end(), [](const Part& part) { return !part.facts.solid; }))
-    sink.write("\n");
+  const auto is_other = [](const Part& part) { return part.facts.part_class != PartClass::solid; };
+  if (std::ranges::any_of(review.parts, is_other)) sink.write("\n");
   sink.write(summary(review, arguments));
 }
 

@@ -76,14 +76,27 @@ void add_threads(CLI::App& command, int& threads) {
 
 void add_tolerance(CLI::App& command, std::optional<double>& tolerance) {
   add_number(command, "--tolerance", tolerance, 0.0, kMostLength,
-             "parts that overlap by no more than D touch; 0: exactly; auto: what rounding leaves in the files, 2^-20 "
-             "of a pair's largest coordinate (default: auto)",
+             "parts that reach into each other by no more than D touch; 0: exactly; auto: what rounding leaves of the "
+             "files' coordinates (default: auto)",
              "auto")
       ->type_name("auto|0|D");
 }
 
-void add_depth(CLI::App& command, bool& depth) {
-  command.add_flag("--depth", depth, "measure how deep the solids that overlap reach into each other");
+void add_depth(CLI::App& command, double& precision) {
+  const auto take = [&precision](const std::string& text) {
+    const std::optional<double> share = parse_number<double>(text);
+    if (text == "none")
+      precision = std::numeric_limits<double>::infinity();
+    else if (share && *share > 0 && *share <= 1)
+      precision = *share;
+    else
+      refuse(fmt::format("--depth takes none or a share of the depth, above 0 and up to 1, not '{}'", text));
+  };
+  command
+      .add_option_function<std::string>("--depth", take,
+                                        "measure depths to a share P of them, such as 0.01; none: verdicts alone, "
+                                        "which is faster (default: 0.05)")
+      ->type_name("P|none");
 }
 
 void add_fail_on(CLI::App& command, FailOn& to, const std::vector<std::string>& names, const std::string& about) {
@@ -232,18 +245,16 @@ void complete(ClashArguments& to, bool fail_on_given) {
     if (!date) refuse(date.error().message);
     to.date = *std::move(date);
   }
-  // These outputs tell the depths and regions of each clash.
-  if (to.html || to.csv || to.bcf || to.gltf) to.depth = to.regions = true;
-  if (to.previous) to.regions = true;
+  // These outputs tell the regions of each clash.
+  if (to.html || to.csv || to.bcf || to.gltf || to.previous) to.regions = true;
   if (!to.config) check_scales(to);  // a configuration names files too; they are read later
 }
 
 void add_exports(CLI::App& command, ClashArguments& to) {
-  add_output(command, "--csv", to.csv,
-             "write a table for spreadsheets, a row for each pair; includes --depth and --regions");
+  add_output(command, "--csv", to.csv, "write a table for spreadsheets, a row for each pair; includes --regions");
   add_output(command, "--bcf", to.bcf,
              "write BCF 2.1 for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
-             "--depth and --regions");
+             "--regions");
   constexpr std::uint64_t kMostTopics = 20'000;  // a zip archive counts its members in 16 bits
   add_number(command, "--bcf-topics", to.topics, std::uint64_t{0}, kMostTopics,
              "the worst N pairs at most become topics of the BCF (default: 1000)")
@@ -261,8 +272,7 @@ void add_exports(CLI::App& command, ClashArguments& to) {
       ->type_name("DATE")
       ->needs("--bcf");
   add_output(command, "--gltf", to.gltf,
-             "write the regions of contact as binary glTF, lines and points for other viewers; includes --depth and "
-             "--regions");
+             "write the regions of contact as binary glTF, lines and points for other viewers; includes --regions");
   add_choice<double>(command, "--unit", to.metres,
                      {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}},
                      "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres (default: m)");
@@ -292,7 +302,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
       "what people decided about pairs: a JSON file with a status and comment for each, by its id or by two names "
       "of parts (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
-  add_depth(command, to.depth);
+  add_depth(command, to.depth_precision);
   command.add_flag("--regions", to.regions,
                    "find the regions of contact, with place, area, normal and lines in the JSON");
   add_choice<GroupBy>(
@@ -307,8 +317,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   begin_group(command, "Files to write");
   add_json(command, to.json, "verdicts");
   add_output(command, "--html", to.html,
-             "write a page to look at: the assembly, the list of clashes, each in its place; includes --depth and "
-             "--regions");
+             "write a page to look at: the assembly, the list of clashes, each in its place; includes --regions");
   add_page_triangles(command, to)->needs("--html");
   add_exports(command, to);
   begin_group(command, "Reading and work");
@@ -329,11 +338,11 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   add_ignore(command, to);
   begin_group(command, "What is a clash");
   add_tolerance(command, to.tolerance);
-  add_depth(command, to.depth);
+  add_depth(command, to.depth_precision);
   add_fail_on(command, to.fail_on, {"contact", "penetration", "inside"}, "what is a clash");
   begin_group(command, "Output");
   add_json(command, to.json, "times");
-  add_output(command, "--html", to.html, "write a page to look at, with the motion on a timeline; includes --depth");
+  add_output(command, "--html", to.html, "write a page to look at, with the motion on a timeline");
   add_page_triangles(command, to)->needs("--html");
   add_up(command, to, "the page")->needs("--html");
   add_quiet(command, to.quiet);
@@ -343,7 +352,6 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   add_threads(command, to.threads);
   command.final_callback([&to] {
     if (to.files.size() > 1) refuse("impinge motion takes one file; what stands still beside it belongs into it");
-    if (to.html) to.depth = true;  // the page tells how deep each clash is
   });
 }
 

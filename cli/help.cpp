@@ -99,22 +99,22 @@ Exit codes:
 const HelpPage kClashHelp{
     R"(What parts are to each other: penetrating, inside, touching, near
 
-Reads all files as one scene and says of each two parts what they are to each
-other, worst first. A part is a solid if its surface is closed and does not
-cross itself; anything else is a surface, and the report says why. The verdict
-is the first that holds:
-  duplicate    both are the same set of points
-  inside       the first lies in the second, a solid, whether their surfaces
-               meet or not
-  penetrating  the interiors of two solids meet
-  crossing     a surface passes through a solid's boundary, or a surface
-  touching     they share points, and no more than that
-  apart        they share no point; listed if they are nearer than --clearance
+Reads all files as one scene and says of each two parts how deep one reaches
+into the other, worst first. A part is a solid if it is closed; cracked if it is
+not, but it is clear at its open edges what is inside; else a surface, and the
+report says where it is open. What reaches deeper than the tolerance, or through
+the other, is one of the first four:
+  duplicate    each lies in the other
+  inside       the first lies in the second
+  penetrating  two parts with an inside reach into each other
+  crossing     the same with a surface
+  touching     they are no farther apart than the tolerance
+  apart        they are; listed if they are nearer than --clearance
 
-Verdicts are exact, but for the tolerance: parts that are flush by design
-overlap by a hair after a rotation. A tolerance that a thin part could hide in
-is not applied, and a note says so. Parts of one IFC product are not tested
-against each other; --ignore 'bolt*' 'bolt*' says the same of any group.
+Flush parts overlap by a hair after a rotation, and round ones by what their
+facets leave: that is what the tolerance is for. The larger it is, the fewer
+pairs fail. Parts of one IFC product are not tested against each other; --ignore
+'bolt*' 'bolt*' says the same of any group.
 )",
     R"(What --fail-on names:
   penetration  duplicate, penetrating and crossing
@@ -126,8 +126,8 @@ against each other; --ignore 'bolt*' 'bolt*' says the same of any group.
 Examples:
   impinge clash engine.obj fixture.stl
       What clashes?
-  impinge clash engine.obj fixture.stl --depth --limit 20
-      The twenty worst, and how deep they go.
+  impinge clash engine.obj fixture.stl --depth 0.01 --limit 20
+      The twenty worst, and how deep they go, to a hundredth.
   impinge clash robot.ply cell.off --clearance 5 --fail-on contact,clearance
       Fail if anything touches the robot or comes nearer to it than 5 units.
   impinge clash --config clash.json --previous last.json --fail-on new
@@ -138,7 +138,7 @@ Examples:
   impinge clash bracket.stl plate.stl --bcf new.bcf --csv new.csv --unit mm
       The same for a BIM tool and a spreadsheet; coordinates are millimetres.
   impinge clash engine.obj fixture.stl --tolerance 0.01 --regions --json r.json
-      What overlaps by 0.01 counts as touching; every region of contact as JSON.
+      What is 0.01 deep counts as touching; every region of contact as JSON.
 
 Exit codes:
   0  nothing that --fail-on names
@@ -158,8 +158,8 @@ one step is not seen: --frames makes steps shorter.
     R"(Examples:
   impinge motion robot.glb
       When does what clash?
-  impinge motion robot.glb --frames 2000 --depth
-      In finer steps, and how deep it goes.
+  impinge motion robot.glb --frames 2000 --depth none
+      In finer steps, and not how deep it goes, which is faster.
   impinge motion robot.glb --html motion.html
       A page on which the motion can be played.
 
@@ -194,10 +194,10 @@ Lists the objects of each file as impinge check sees them, placed in the world:
 triangles, vertices, degenerate triangles (without area, exactly), whether the
 surface is closed, and the bounding sphere. A surface is closed when every edge
 is used by as many triangles one way as the other; corners are the same where
-their coordinates are exactly equal. An object is a solid if it is closed and no
-two of its triangles cross or share an area; for others the first defects are
-named, with places. Warnings tell where a format lost precision or a reader
-turned axes or changed units.
+their coordinates are exactly equal. A solid is closed and has an inside; a
+cracked part is open, but it is clear at its open edges what is inside; anything
+else is a surface. Where parts are open or cross themselves is said. Warnings
+tell where a format lost precision or a reader turned axes or changed units.
 )",
     R"(Examples:
   impinge info engine.obj fixture.stl

@@ -92,10 +92,8 @@ std::string open_edges_text(const ObjectFacts& facts) {
   return facts.part->facts.open_edges == 0 ? "no area" : grouped(facts.part->facts.open_edges);
 }
 
-std::string solid_text(const ObjectFacts& facts) {
-  if (!facts.part) return "unknown";
-  if (facts.part->facts.solid) return "yes";
-  return facts.part->facts.part_class == PartClass::cracked ? "cracked" : "no";
+std::string class_text(const ObjectFacts& facts) {
+  return facts.part ? std::string(name(facts.part->facts.part_class)) : "unknown";
 }
 
 constexpr std::size_t kRoomForVertices = 100, kRoomForSphere = 80;
@@ -114,7 +112,7 @@ Table table_of(const std::vector<ObjectFacts>& objects, std::size_t width) {
   add("degenerate", number,
       [](const ObjectFacts& facts) { return facts.part ? grouped(facts.part->facts.degenerate) : "unknown"; });
   add("open edges", number, open_edges_text);
-  add("solid", text, solid_text);
+  add("class", text, class_text);
   if (width < kRoomForSphere) return table;
   add("centre", number, [](const ObjectFacts& facts) {
     return fmt::format("{} {} {}", coordinate(facts.center.x, facts.radius), coordinate(facts.center.y, facts.radius),

@@ -92,7 +92,7 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
   const Result<DrawnScene> scene = draw(report.assembly, arguments.page_triangles, stop);
   if (!scene) return scene.error();
   if (const auto warning = simplified(*scene); warning && !arguments.quiet) complain(*warning);
-  const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene, arguments); };
+  const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene); };
   return write_page(
       sink, page, head_of(arguments.files, arguments), *scene,
       [&](Sink& to) { return write_view_json(to, report.assembly); }, stop, blocks);
@@ -132,7 +132,7 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   if (auto put = documents.put(); !put) return put.error();
   if (!arguments.quiet && !documents.on_standard_output()) {
     Sink out(STDOUT_FILENO, "standard output");
-    print_motion(report, arguments, out, width_of(STDOUT_FILENO), stop);
+    print_motion(report, out, width_of(STDOUT_FILENO), stop);
     if (stop.stop_requested()) return interrupted();
     if (auto flushed = out.flush(); !flushed) return flushed.error();
   }

@@ -26,8 +26,8 @@ std::string name_of(const io::Animation& animation) {
 
 }  // namespace
 
-void print_motion(const MotionReport& report, const MotionArguments& arguments, Sink& sink,
-                  std::optional<std::size_t> width, const std::stop_token& stop) {
+void print_motion(const MotionReport& report, Sink& sink, std::optional<std::size_t> width,
+                  const std::stop_token& stop) {
   const std::vector<ClashSpan>& spans = report.timeline.spans;
   const std::size_t frames = report.timeline.times.size() - 1;
   const double step = report.animation.seconds / static_cast<double>(frames);
@@ -54,7 +54,7 @@ void print_motion(const MotionReport& report, const MotionArguments& arguments, 
   add("part", name, label(1));
   add("worst", text, [](const ClashSpan& span) { return std::string(impinge::name(span.worst)); });
   add("at", number, [step](const ClashSpan& span) { return time_text(span.worst_at, step); });
-  if (arguments.depth)
+  if (std::ranges::any_of(spans, [](const ClashSpan& span) { return span.overlap_depth.has_value(); }))
     add("depth", number, [](const ClashSpan& span) {
       return span.overlap_depth ? fmt::format("{:.4g}", depth_of(span.overlap_depth)) : "-";
     });

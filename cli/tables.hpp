@@ -21,8 +21,8 @@
 /// What the commands print of their answers.
 namespace impinge::cli {
 
-/// A line for each of the first few parts that are no solids, and how many more there are. Labels are printable, and
-/// cut where the width of a line is known.
+/// A line for each of the first few parts that are no solids, surfaces first, and how many more there are. Labels are
+/// printable, and cut where the width of a line is known.
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width);
 
@@ -45,8 +45,8 @@ void print_groups(const Review& review, GroupBy by, const std::vector<std::size_
 std::string triage_summary(const Review& review, const ClashArguments& arguments);
 
 /// Prints the table of clashes by the time at which they begin, and a summary that names the length of a step.
-void print_motion(const MotionReport& report, const MotionArguments& arguments, Sink& sink,
-                  std::optional<std::size_t> width, const std::stop_token& stop);
+void print_motion(const MotionReport& report, Sink& sink, std::optional<std::size_t> width,
+                  const std::stop_token& stop);
 
 /// The tables of `--stats`: what each stage did and how long it took, and the cost function beside the measured time.
 void print_statistics(const Statistics& statistics, Sink& sink);

@@ -25,10 +25,10 @@ int main() {
   value_of(scene.add(cube, {.t{-1, 0, 0}}));
   value_of(scene.add(cube, {.t{0, 9, 0}}));
 
-  for (const impinge::Clash& clash : value_of(impinge::find_clashes(scene, {.depth = true})).pairs) {
+  for (const impinge::Clash& clash : value_of(impinge::find_clashes(scene, {.depth_precision = 0.01})).pairs) {
     const auto [a, b] = clash.objects;
     std::printf("%s, %s: %s", names[a], names[b], impinge::name(clash.verdict).data());
-    if (clash.overlap_depth) {  // for certain between two bounds, which are 1 % apart
+    if (clash.overlap_depth) {  // for certain between two bounds, which are at most 1 % apart
       const auto& [a_in_b, b_in_a] = *clash.overlap_depth;
       std::printf(", %.2f deep", std::max(a_in_b.lo + a_in_b.hi, b_in_a.lo + b_in_a.hi) / 2);
     }

@@ -32,7 +32,7 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
   model.warnings = std::move(imported.warnings), model.missing = std::move(imported.missing);
   std::vector<Mesh> meshes;
   for (ImportedMesh& raw : imported.meshes) {
-    Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles);
+    Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles, {}, Precision::single);
     if (!mesh) return file_error(source, sentence("mesh ", meshes.size(), ": ", mesh.error().message));
     meshes.push_back(std::move(*mesh));
     raw = {};

@@ -52,8 +52,9 @@ Result<Model> make_model(const Source& source, Parts&& parts) {
     std::vector<std::uint32_t> triangles = triangulated(part, triangulator);
     if (triangles.empty()) continue;
     const bool is_only = parts.parts.size() == 1;
-    Result<Mesh> mesh =
-        is_only ? Mesh::create(parts.xyz, triangles) : Mesh::create(take_used(parts.xyz, triangles), triangles);
+    const Precision numbers = parts.floats ? Precision::single : Precision::whole;
+    Result<Mesh> mesh = is_only ? Mesh::create(parts.xyz, triangles, {}, numbers)
+                                : Mesh::create(take_used(parts.xyz, triangles), triangles, {}, numbers);
     if (!mesh) return file_error(source, mesh.error().message);
     std::string name = part.name.empty() ? std::string(source.name) : std::move(part.name);
     if (parts.floats) precision.add(name, *mesh, Affine{});

@@ -13,7 +13,7 @@ namespace {
 Json json_settings(const ReportOptions& options) {
   return {{"tolerance", json_tolerance(options.tolerance)},
           {"clearance", options.clearance},
-          {"depth", options.depth},
+          {"depth_precision", json_finite(options.depth_precision)},
           {"regions", options.regions},
           {"fail_on", words_of(options.fail_on)},
           {"ignore", options.ignored},
@@ -73,9 +73,10 @@ Json json_pair(const Review& review, std::size_t number) {
             {"inner", has_inner ? Json(pair.objects[static_cast<std::size_t>(pair.inner)]) : Json()},
             {"note", pair.note == Note::none ? Json() : Json(sentence(pair.note))},
             {"tolerance", pair.tolerance},
-            {"fails", standing.fails}};
+            {"fails", standing.fails},
+            {"fails_below", json_finite(pair.fails_below)},
+            {"overlap_depth", json_depth(pair.overlap_depth)}};
   json.update(json_triage(review, number));
-  if (options.depth) json["overlap_depth"] = json_depth(pair.overlap_depth);
   if (options.clearance > 0) json.update(json_distance(pair.nearest));
   if (!options.regions) return json;
   Json& regions = json["regions"] = Json::array();

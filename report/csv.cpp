@@ -168,6 +168,7 @@ constexpr std::array kColumns{
            [](const GoneRow& row) { return centroid_in_metres(row, &Point::y); }},
     Column{"z_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::z); },
            [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
+    Column{"fails_below", [](const Row& row) { return number(row.pair.fails_below); }},
 };
 
 /// Cells with commas between them, and the end of the line.

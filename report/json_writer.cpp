@@ -140,13 +140,14 @@ Json json_identity(const Assembly& assembly, std::size_t object) {
 Json json_facts(const std::optional<Part>& part) {
   const PartFacts facts = part ? part->facts : PartFacts{};
   const auto of_part = [&](const Json& value) { return part ? value : Json(); };
-  const auto of_solid = [&](double value) { return part && facts.solid ? Json(value) : Json(); };
+  const auto of_class = [&](PartClass worst, double value) {
+    return part && facts.part_class <= worst ? Json(value) : Json();
+  };
   Json crossing;
   if (part && facts.self_crossing && part->crossing_near)
     crossing = {{"triangles", {facts.self_crossing->a, facts.self_crossing->b}},
                 {"near", json_point(*part->crossing_near)}};
-  return {{"solid", of_part(facts.solid)},
-          {"class", part ? Json(name(facts.part_class)) : Json()},
+  return {{"class", part ? Json(name(facts.part_class)) : Json()},
           {"pieces", of_part({{"solid", facts.pieces[0]}, {"cracked", facts.pieces[1]}, {"surface", facts.pieces[2]}})},
           {"turned", of_part(facts.turned)},
           {"unclear_edges", of_part(facts.unclear_edges)},
@@ -154,9 +155,9 @@ Json json_facts(const std::optional<Part>& part) {
           {"first_open_edge", facts.open_edge ? json_points(*facts.open_edge) : Json()},
           {"self_crossings", of_part(facts.self_crossings)},
           {"first_self_crossing", crossing},
-          {"volume", of_solid(facts.volume)},
+          {"volume", of_class(PartClass::solid, facts.volume)},
           {"area", of_part(facts.area)},
-          {"wall", of_solid(facts.wall)}};
+          {"inner_radius", of_class(PartClass::cracked, facts.radius)}};
 }
 
 void write_missing(JsonDocument& document, const Assembly& assembly) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -70,6 +71,9 @@ Json or_null(const std::optional<T>& value) {
 }
 inline Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
+/// Null for infinity.
+inline Json json_finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 /// What was asked for, "auto" unless it is a number.
 inline Json json_tolerance(const std::optional<double>& asked) { return asked ? Json(*asked) : Json("auto"); }
 
@@ -86,7 +90,7 @@ Json json_depth(const std::optional<OverlapDepth>& depth);
 /// What an object is called and where it comes from: "id" to "triangles".
 Json json_identity(const Assembly& assembly, std::size_t object);
 
-/// The facts of a part: "solid" to "wall", all null where there is no part; not "closed" and "open_edges".
+/// The facts of a part: "class" to "inner_radius", all null where there is no part; not "closed" and "open_edges".
 Json json_facts(const std::optional<Part>& part);
 
 /// Members of a pair: "test", "change", "status", "comment" and "was".

@@ -69,7 +69,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   ClashOptions options;
   options.tolerance = review.options.tolerance;
   options.clearance = review.options.clearance;
-  options.depth = review.options.depth;
+  options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
   options.threads = review.options.threads;
   if (!review.plan.tests().empty()) {

@@ -60,7 +60,7 @@ std::string coordinate(double value, double size) {
   return text;
 }
 
-std::string defects_text(const Part& part) {
+std::string facts_text(const Part& part) {
   const PartFacts& facts = part.facts;
   std::vector<std::string> texts;
   if (facts.open_edges > 0)

@@ -7,7 +7,7 @@
 
 #include "impinge/clash.hpp"
 
-/// What is said of a part: whether it is a solid, and if not, why not and where.
+/// What is said of a part: what it is, and where it is open or meets itself.
 namespace impinge::report {
 
 struct Part {
@@ -19,9 +19,9 @@ struct Part {
 /// The facts that the library found, with places. `facts` must be those of this placed mesh.
 Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose);
 
-/// Why a part is no solid: "12 open edges, first at (0 0 1)-(1 0 1); 2 unclear edges, first at (0 0 1)-(1 0 1);
+/// What a plain solid has not: "12 open edges, first at (0 0 1)-(1 0 1); 2 unclear edges, first at (0 0 1)-(1 0 1);
 /// 2 self-crossings, first near (0.5 0 0); 1 triangle turned".
-std::string defects_text(const Part& part);
+std::string facts_text(const Part& part);
 
 /// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
 std::string coordinate(double value, double size);

@@ -37,13 +37,18 @@ std::size_t count_shared(std::vector<std::uint32_t> groups) {
   return count;
 }
 
+std::tuple<Verdict, double, double, Verdict> badness(Verdict verdict, double fails_below,
+                                                     const std::optional<OverlapDepth>& depth) {
+  return {std::max(verdict, Verdict::crossing), -fails_below, -depth_of(depth), verdict};
+}
+
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
   std::vector<std::size_t> order(pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) {
     const double distance = pairs[i].nearest ? pairs[i].nearest->distance : 0;
-    return std::tuple(pairs[i].verdict, -depth_of(pairs[i]), -area_of(pairs[i]), distance, pairs[i].objects,
-                      pairs[i].test);
+    return std::tuple(badness(pairs[i].verdict, pairs[i].fails_below, pairs[i].overlap_depth), -area_of(pairs[i]),
+                      distance, pairs[i].objects, pairs[i].test);
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -44,11 +45,16 @@ std::vector<std::uint32_t> groups_of(const Assembly& assembly, const ReportOptio
 /// How many groups have more than one object.
 std::size_t count_shared(std::vector<std::uint32_t> groups);
 
-/// The numbers of the pairs, worst first: by verdict; of one verdict the deepest first, then those with the largest
-/// area of contact, then the nearest, then in canonical order.
+/// How bad a pair is, the less the worse. What fails by its verdict comes before what touches, and that before what is
+/// apart; first what no tolerance excuses, then what fails at the largest tolerance, then what is deeper, then by
+/// verdict.
+std::tuple<Verdict, double, double, Verdict> badness(Verdict verdict, double fails_below,
+                                                     const std::optional<OverlapDepth>& depth);
+/// The numbers of the pairs, worst first; of those as bad as each other the one with the largest area of contact, then
+/// the nearest, then in canonical order.
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);
 
-/// The greater of the two overlap depths, by the upper end of its interval; 0 where none was measured.
+/// The greater of the two overlap depths, by the upper end of its interval; 0 where there is none.
 double depth_of(const std::optional<OverlapDepth>& depth);
 inline double depth_of(const Clash& pair) { return depth_of(pair.overlap_depth); }
 /// That of all regions; 0 where none were looked for.

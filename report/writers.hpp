@@ -11,7 +11,7 @@
 #include "report/review.hpp"
 #include "report/sink.hpp"
 
-/// The documents that tell of a review. Depths, regions and distances are written where its options ask for them.
+/// The documents that tell of a review. Regions and distances are written where its options ask for them.
 /// Errors: `cancelled`, by the `stop` of its options. Write errors stay in the sink.
 namespace impinge::report {
 

@@ -305,7 +305,6 @@ std::vector<Family> solid_families() {
           {"Concave", concave_pairs()},
           {"Thin", thin_pairs()},
           {"Surfaces", surface_pairs()},
-          {"Passing", passing_pairs()},
           {"Degenerate", degenerate_pairs()},
           {"SelfPassing", self_passing_pairs()},
           {"Intervals", interval_pairs(1)},

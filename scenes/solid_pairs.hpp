@@ -45,11 +45,10 @@ std::vector<SolidPair> shell_pairs();    ///< several shells in a part
 std::vector<SolidPair> concave_pairs();  ///< notches, grooves, tubes and rods
 std::vector<SolidPair> thin_pairs();
 std::vector<SolidPair> surface_pairs();     ///< one or both are no solids
-std::vector<SolidPair> passing_pairs();     ///< surfaces through each other along edges, and what looks like it
 std::vector<SolidPair> degenerate_pairs();  ///< segments with solids and with surfaces, alone and as parts of surfaces
 /// The same of points. A point has no extent that a tolerance could be small against: they are judged exactly.
 std::vector<SolidPair> point_pairs();
-std::vector<SolidPair> self_passing_pairs();  ///< closed parts that pass through themselves along edges
+std::vector<SolidPair> self_passing_pairs();  ///< a part of two shells that pass through each other
 
 /// Two boxes whose sides lie to each other in three of the thirteen ways in which two intervals can (Allen, 1983), in
 /// every combination but for turning the axes: 364 pairs, triangulated at random.

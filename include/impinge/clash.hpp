@@ -18,30 +18,27 @@
 #include "impinge/result.hpp"
 #include "impinge/scene.hpp"
 
-/// What a design review asks of two parts (docs/verdicts.md). A part is a solid if it is closed (by position) and no
-/// two of its triangles cross or share an area; its interior is where its boundary winds around points, whichever way
-/// its normals look. Anything else is a surface.
+/// What a design review asks of two parts (docs/verdicts.md): how deep one reaches into the other, and whether that is
+/// more than the tolerance.
 namespace impinge {
 
-/// The first that holds.
+/// The first four are of parts that reach into each other by more than the tolerance, or through each other.
 enum class Verdict : std::uint8_t {
-  duplicate,    ///< the same set of points
-  inside,       ///< one's interior contains the other's, in contact or not; or a surface lies within a solid
-  penetrating,  ///< the interiors of two solids meet
-  crossing,     ///< a surface passes through a solid's boundary, or through a surface
-  touching,     ///< they share a point
+  duplicate,    ///< each lies in the other
+  inside,       ///< one lies in the other
+  penetrating,  ///< two parts with an inside reach into each other
+  crossing,     ///< a surface reaches into a part with an inside, or two surfaces reach through each other
+  touching,     ///< they are no farther apart than the tolerance
   apart,
 };
 
 /// What the tolerance did to a verdict.
 enum class Note : std::uint8_t {
   none,
-  overlap_within_tolerance,  ///< exactly they overlap, by no more than the tolerance
-  outside_within_tolerance,  ///< exactly some of the inner part is outside, by no more than the tolerance
-  gap_within_tolerance,      ///< exactly they are apart, by no more than the tolerance
-  equal_within_tolerance,    ///< exactly they are not the same, but no point of one is farther from the other
-  tolerance_not_applied,     ///< it is above a quarter of one part's wall, or below what rounding leaves of such
-                             ///< coordinates: the verdict is the exact one
+  overlap_within_tolerance,  ///< they reach into each other, by no more than the tolerance
+  gap_within_tolerance,      ///< they are apart, by no more than the tolerance
+  undecided,                 ///< they may reach into each other by more than the tolerance; it could not be told
+  tolerance_raised,          ///< to the least that such coordinates can tell
 };
 
 /// On what terms two parts are judged where a scene is put to several tests.
@@ -54,21 +51,27 @@ struct ClashTerms {
 };
 
 struct ClashOptions {
-  /// Parts that overlap by no more than this, for certain, are taken to touch. Nothing: 2^-20 of the largest |world
-  /// coordinate| of each pair, which is what rotating flush parts in files of single precision leaves. 0: exactly.
+  /// Parts that reach into each other by no more than this are taken to touch. Nothing: for each pair what rounding its
+  /// coordinates leaves, 2^-20 of the diagonal of each part's box and 2^-41 of the largest |world coordinate|, and for
+  /// a mesh of single-precision numbers 2^-22 of its largest |coordinate| and of its |translation|. 0: exactly, if both
+  /// parts are closed and do not meet themselves. What lies between 0 and 2^-42 of the largest |world coordinate| is
+  /// raised to that, and so is 0 for other parts.
   std::optional<double> tolerance;
   double clearance = 0;  ///< pairs nearer than this are listed with their distance, though they are apart
-  bool depth = false;    ///< measure overlap depths of what penetrates
-  bool regions = false;  ///< find regions of contact
-  int threads = 0;       ///< at most so many; 0: all there are
+  /// How wide the interval of a depth may be, relative to the depth, of what fails; infinity: verdicts alone.
+  double depth_precision = 0.05;
+  bool regions = false;               ///< find regions of contact
+  int threads = 0;                    ///< at most so many; 0: all there are
+  std::string_view backend = "simd";  ///< what finds contacts, as `Options::backend`; the answer is the same
   /// With `find_clashes`: fills the empty list with the terms on which objects a < b are judged, one `Clash` for each;
-  /// a pair without terms is left out. Called from several threads at once. `tolerance` above then says only what
-  /// counts as a solid, and `clearance` how near parts must be to be asked about: no less than each tolerance and
-  /// clearance of the terms.
+  /// a pair without terms is left out. Called from several threads at once. `tolerance` above then says nothing, and
+  /// `clearance` how near parts must be to be asked about: no less than each tolerance and clearance of the terms.
   std::function<void(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms)> terms{};
   Progress* progress = nullptr;  ///< of `find_clashes`: counts meshes looked through, parts and pairs
   std::stop_token stop{};
 };
+
+inline constexpr std::uint64_t kMostContacts = std::uint64_t{1} << 22;
 
 /// Two parts and what is said of them.
 struct Clash {
@@ -77,12 +80,24 @@ struct Clash {
   Verdict verdict = Verdict::apart;
   int inner = -1;  ///< with `inside`: 0 if the first object lies in the second, 1 if the second in the first
   Note note = Note::none;
-  double tolerance = 0;                     ///< that was applied
-  std::array<std::uint64_t, 3> contacts{};  ///< pairs of triangles that share a point, by Kind
+  double tolerance = 0;  ///< that was applied
+  /// The pair fails at `tolerance` if and only if that is below this; infinity if no tolerance excuses it: each goes
+  /// through the other, or two surfaces are the same. So it does, if it fails here, at every tolerance below this, and
+  /// at none from the larger `hi` of `overlap_depth` on; of those between, only a call that asks about one tells. What
+  /// reaches in by less than the least tolerance of the call may count as nothing. Where verdicts alone are asked for,
+  /// infinity or 0.
+  double fails_below = 0;
+  /// Pairs of triangles that share a point, by Kind; of more than `kMostContacts` the first ones. (Each triangle about
+  /// a vertex touches all about the same place in the other part.)
+  std::array<std::uint64_t, 3> contacts{};
   /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
   std::optional<Nearest> nearest;
-  std::optional<OverlapDepth> overlap_depth;  ///< with `depth`, of two solids that penetrate or lie inside
-  /// With `regions`, within `tolerance`; exact ones where `contact_regions` would refuse so many pairs.
+  /// How deep each reaches into the other, if that has an inside: at least `lo`, by which verdicts go, and at most
+  /// `hi`; of the lesser of the two, and of what does not fail, only narrow enough to say so. Nothing for two surfaces,
+  /// for parts of which neither is known to reach in, and where verdicts alone are asked for.
+  std::optional<OverlapDepth> overlap_depth;
+  /// With `regions`, within `tolerance`, of automatic ones within 2^-20 of the largest |world coordinate| at least;
+  /// exact ones where `contact_regions` would refuse so many pairs.
   std::vector<Region> regions;
 };
 
@@ -96,20 +111,24 @@ enum class PartClass : std::uint8_t {
   surface,  ///< anything else
 };
 
-/// What a part is. Lengths in the caller's unit.
+/// What a part is: of its mesh, in whose own frame it is found, but for the places of edges. Lengths in the caller's
+/// unit.
 struct PartFacts {
-  bool solid = false, closed = false;         ///< as verdicts have it
-  PartClass part_class = PartClass::surface;  ///< the best class of its pieces; verdicts do not go by it yet
+  PartClass part_class = PartClass::surface;  ///< the best class of its pieces
+  bool closed = false;                        ///< it has no open edge
   std::array<std::uint32_t, 3> pieces{};      ///< how many there are, by class
   std::uint64_t turned = 0;                   ///< triangles that had to be turned to find the classes
   std::uint64_t unclear_edges = 0;      ///< open edges beside which winding is not clear; of more than 128 an estimate
   std::optional<Segment> unclear_edge;  ///< the first of them
-  std::uint64_t open_edges = 0, self_crossings = 0;  ///< what keeps it from being a solid
-  std::uint64_t degenerate = 0;                      ///< triangles whose world vertices are collinear
-  std::optional<Segment> open_edge;                  ///< the first of them
-  std::optional<TrianglePair> self_crossing;         ///< likewise
-  double volume = 0, area = 0;
-  double wall = 0;  ///< of a solid: 2 volume / area, the thickness of a sheet of that volume and area
+  std::uint64_t open_edges = 0;
+  std::optional<Segment> open_edge;  ///< the first of them
+  /// Pairs of its triangles that cross or share an area, of the first `kMostContacts` that meet: reported, but it has
+  /// an inside all the same.
+  std::uint64_t self_crossings = 0;
+  std::optional<TrianglePair> self_crossing;  ///< the first of them
+  std::uint64_t degenerate = 0;               ///< triangles whose vertices are collinear
+  double volume = 0, area = 0;                ///< the volume of its solid pieces
+  double radius = 0;  ///< the largest of some balls that fit inside, of no more than 64 places in each piece
 };
 
 struct Clashes {

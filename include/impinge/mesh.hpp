@@ -39,6 +39,9 @@ struct TreeConfig {
   std::uint32_t leaf_size = 0;  ///< most triangles in a leaf, 1 to 256; 0: what each backend does best with
 };
 
+/// What the coordinates of a mesh went through: it says how far they may be off (`ClashOptions::tolerance`).
+enum class Precision : std::uint8_t { whole, single };
+
 struct MeshData;   // internal
 struct MeshState;  // internal
 
@@ -51,7 +54,7 @@ class Mesh {
   /// Errors: `bad_mesh` (not a multiple of three, not finite, index out of range, more than 2^31 - 1 triangles),
   /// `bad_option` (leaf size).
   static Result<Mesh> create(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
-                             const TreeConfig& tree = {});
+                             const TreeConfig& tree = {}, Precision precision = Precision::whole);
   static Result<Mesh> create(std::span<const float> xyz, std::span<const std::uint32_t> triangles,
                              const TreeConfig& tree = {});
 

@@ -55,7 +55,7 @@ enum class GroupBy : std::uint8_t { none, part, type, test };
 struct ReportOptions : SceneOptions, PageOptions {
   std::optional<double> tolerance;  ///< as `ClashOptions::tolerance`
   double clearance = 0;             ///< as `ClashOptions::clearance`
-  bool depth = false;               ///< measure overlap depths
+  double depth_precision = 0.05;    ///< as `ClashOptions::depth_precision`
   bool regions = false;             ///< find regions of contact
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;          ///< test the parts of one IFC product against each other
@@ -73,7 +73,7 @@ struct MotionOptions : SceneOptions, PageOptions {
   std::uint32_t frames = 120;                           ///< steps of equal length, at least 1
   std::optional<std::string> animation;                 ///< its name or number; nothing: the first
   std::optional<double> tolerance;                      ///< as `ClashOptions::tolerance`
-  bool depth = false;                                   ///< measure overlap depths
+  double depth_precision = 0.05;                        ///< as `ClashOptions::depth_precision`
   FailOn fail_on{.penetration = true, .inside = true};  ///< which verdicts are a clash; `clearance` is none of them
 };
 
@@ -134,8 +134,8 @@ Result<Report> review(const ReportOptions& options);
 /// The same of an assembly at hand; files that the configuration names are not read.
 Result<Report> review(Assembly assembly, const ReportOptions& options);
 
-/// Write a report to a file, which appears whole or not at all; "-" is standard output. Overlap depths, regions and
-/// distances are written where the review's options asked for them. Errors: `bad_file`; `cancelled`, by the review's
+/// Write a report to a file, which appears whole or not at all; "-" is standard output. Regions and distances
+/// are written where the review's options asked for them. Errors: `bad_file`; `cancelled`, by the review's
 /// `stop`. The formats are described in docs/reports.md; the page needs its program (`./dev page`).
 Result<void> write_json(const Report& report, const std::string& file);
 Result<void> write_csv(const Report& report, const std::string& file);
@@ -154,9 +154,10 @@ struct ClashSpan {
   std::optional<Moment> from, to;             ///< nothing: from the first frame, to the last
   Verdict worst = Verdict::apart;             ///< of the frames
   int inner = -1;                             ///< then, as `Clash::inner`
-  double worst_at = 0;                        ///< seconds: of the first such frame; the deepest if depths are measured
+  double worst_at = 0;                        ///< seconds: of the first such frame, by the rank of a table
+  double fails_below = 0;                     ///< then, as `Clash::fails_below`
   std::optional<OverlapDepth> overlap_depth;  ///< then
-  Note note = Note::none;                     ///< then; but that the tolerance was not applied, of any frame
+  Note note = Note::none;                     ///< then
 };
 
 struct Timeline {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "report/bcf/bcf_xml.hpp"
 #include "report/identity.hpp"
@@ -98,6 +99,10 @@ std::string description(const Topic& topic) {
   if (clash.overlap_depth)
     text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
                         interval(clash.overlap_depth->b_in_a));
+  if (std::isinf(clash.fails_below))
+    text += "Fails at every tolerance\n";
+  else if (clash.verdict < Verdict::touching)
+    text += fmt::format("Fails below a tolerance of {:.6g}\n", topic.metres(clash.fails_below));
   if (clash.nearest) text += fmt::format("Distance: {:.6g}\n", topic.metres(clash.nearest->distance));
   text += regions(topic);
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));

@@ -14,15 +14,19 @@ namespace {
 
 Json json_moment(const std::optional<Moment>& moment) { return moment ? Json{moment->lo, moment->hi} : Json(); }
 
-void write_spans(JsonDocument& document, const std::vector<ClashSpan>& spans, bool depth) {
+void write_spans(JsonDocument& document, const std::vector<ClashSpan>& spans) {
   document.list("spans", spans.size(), [&](std::size_t i) {
     const ClashSpan& span = spans[i];
-    Json json{{"a", span.objects[0]},           {"b", span.objects[1]},
-              {"from", json_moment(span.from)}, {"to", json_moment(span.to)},
-              {"worst", name(span.worst)},      {"inner", span.inner < 0 ? Json() : Json(span.objects[span.inner])},
-              {"worst_at", span.worst_at},      {"note", span.note == Note::none ? Json() : Json(sentence(span.note))}};
-    if (depth) json["overlap_depth"] = json_depth(span.overlap_depth);
-    return json;
+    return Json{{"a", span.objects[0]},
+                {"b", span.objects[1]},
+                {"from", json_moment(span.from)},
+                {"to", json_moment(span.to)},
+                {"worst", name(span.worst)},
+                {"inner", span.inner < 0 ? Json() : Json(span.objects[span.inner])},
+                {"worst_at", span.worst_at},
+                {"note", span.note == Note::none ? Json() : Json(sentence(span.note))},
+                {"fails_below", json_finite(span.fails_below)},
+                {"overlap_depth", json_depth(span.overlap_depth)}};
   });
 }
 
@@ -47,7 +51,7 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
   document.member("version", 1);
   write_animation(document, report);
   document.member("settings", Json{{"tolerance", json_tolerance(options.tolerance)},
-                                   {"depth", options.depth},
+                                   {"depth_precision", json_finite(options.depth_precision)},
                                    {"fail_on", words_of(options.fail_on)}});
   document.list("objects", report.assembly.objects.size(), [&](std::size_t i) {
     Json object = json_identity(report.assembly, i);
@@ -56,12 +60,11 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
   });
   write_missing(document, report.assembly);
   write_left_out(document, report.left_out);
-  write_spans(document, report.timeline.spans, options.depth);
+  write_spans(document, report.timeline.spans);
   return document.end();
 }
 
-Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene,
-                                const MotionOptions& options) {
+Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene) {
   std::vector<Json> poses(report.assembly.objects.size());
   for (const double time : report.timeline.times) {
     const Result<std::vector<Posed>> posed = report.mover.at(time);
@@ -82,7 +85,7 @@ Result<void> write_motion_block(Sink& sink, const MotionReport& report, const Dr
     return Json{{"id", moving[i]}, {"poses", std::move(poses[moving[i]])}};
   });
   write_left_out(document, report.left_out);
-  write_spans(document, report.timeline.spans, options.depth);
+  write_spans(document, report.timeline.spans);
   return document.end();
 }
 

@@ -37,7 +37,6 @@ Result<void> write_motion_json(Sink& sink, const MotionReport& report, const Mot
 
 /// The part of a page that its timeline plays (page/README.md): the same spans, and where each part that moves is at
 /// each frame. Errors: as `Mover::at`.
-Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene,
-                                const MotionOptions& options);
+Result<void> write_motion_block(Sink& sink, const MotionReport& report, const DrawnScene& scene);
 
 }  // namespace impinge::report

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -74,7 +75,7 @@ class Search {
   [[nodiscard]] ClashOptions clash_options() const {
     ClashOptions options;
     options.tolerance = options_.tolerance;
-    options.depth = options_.depth;
+    options.depth_precision = options_.depth_precision;
     options.threads = options_.threads;
     options.stop = options_.stop;
     return options;
@@ -148,15 +149,13 @@ class Search {
     return {};
   }
 
-  /// Keeps the worst of a span: by verdict, then the deepest, then the first.
+  /// Keeps the worst of a span, of equals the first.
   static void note(ClashSpan& span, const Clash& clash, double time) {
-    const auto rank = [](Verdict verdict, double depth) { return std::tuple(verdict, -depth); };
-    const bool not_applied = clash.note == Note::tolerance_not_applied || span.note == Note::tolerance_not_applied;
-    if (rank(clash.verdict, depth_of(clash.overlap_depth)) < rank(span.worst, depth_of(span.overlap_depth))) {
-      span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time, span.note = clash.note;
-      span.overlap_depth = clash.overlap_depth;
-    }
-    if (not_applied) span.note = Note::tolerance_not_applied;
+    if (badness(clash.verdict, clash.fails_below, clash.overlap_depth) >=
+        badness(span.worst, span.fails_below, span.overlap_depth))
+      return;
+    span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time, span.note = clash.note;
+    span.fails_below = clash.fails_below, span.overlap_depth = clash.overlap_depth;
   }
 
   /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
@@ -188,7 +187,7 @@ class Search {
       pair.emplace(std::move(scene), std::move(both));
     }
     ClashOptions options = clash_options();
-    options.depth = false;
+    options.depth_precision = std::numeric_limits<double>::infinity();
     const Result<Clashes> clashes = pair->clashes(options);
     if (!clashes) return clashes.error();
     return clashes->pairs.empty() ? Verdict::apart : clashes->pairs[0].verdict;

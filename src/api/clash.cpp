@@ -30,12 +30,16 @@ namespace impinge {
 namespace {
 
 Result<void> validate(const ClashOptions& options) {
-  if (auto valid = impinge::validate(Options{.threads = options.threads}); !valid) return valid;
+  if (auto valid = impinge::validate(Options{.threads = options.threads, .backend = options.backend}); !valid)
+    return valid;
   const auto check = [](double length, const std::string& what) -> Result<void> {
     if (length >= 0 && std::isfinite(length)) return {};
     return Error{Code::bad_option, what + " is " + std::to_string(length) + "; choose a length, 0 or more"};
   };
   if (auto valid = check(options.tolerance.value_or(0), "tolerance"); !valid) return valid;
+  if (!(options.depth_precision > 0))
+    return Error{Code::bad_option, "depth_precision is " + std::to_string(options.depth_precision) +
+                                       "; choose one above 0, or infinity for verdicts alone"};
   return check(options.clearance, "clearance");
 }
 
@@ -51,20 +55,29 @@ bool is_listed(const Clash& clash, const ClashTerms& terms) {
   return clash.verdict <= terms.last && (clash.verdict != Verdict::apart || clash.nearest);
 }
 
+/// An object's world box, and how far rounding may have moved its vertices.
+struct Bounds {
+  Box box;
+  double rounding;
+};
+
 /// Pairs whose boxes come as near as the options ask for, sorted.
-std::vector<std::uint64_t> find_candidates(const Scene::State& scene, std::vector<Box> boxes,
+std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std::vector<Bounds>& bounds,
                                            const ClashOptions& options) {
   double largest = 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (scene.meshes[i] != nullptr) largest = std::max(largest, largest_coordinate(boxes[i]));
-  // Each box grows by half of the reach, and by what rounding may take from that.
-  const double nearest = options.terms ? tolerance_of({}, largest) : tolerance_of(options, largest);
-  const double reach = std::max(nearest, options.clearance);
-  const double half = reach / 2 + 0x1p-50 * (largest + reach);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    if (scene.meshes[i] != nullptr) largest = std::max(largest, largest_coordinate(bounds[i].box));
+  const double least = std::max(options.terms ? 0 : options.tolerance.value_or(0), options.clearance);
+  std::vector<Box> boxes(bounds.size());
   std::vector<std::uint32_t> groups(boxes.size(), 0);
   std::vector<broad::BoxTree::Entry> entries;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    boxes[i] = bounds[i].box;
     if (scene.meshes[i] == nullptr || is_empty(boxes[i])) continue;
+    // Each box grows by half of the reach or its share of the automatic tolerance, and by what rounding may take from
+    // that.
+    const double reach = std::max(least / 2, bounds[i].rounding + 0x1p-42 * largest);
+    const double half = reach + 0x1p-49 * (largest + reach);
     boxes[i] = {boxes[i].lo - Vec3{half, half, half}, boxes[i].hi + Vec3{half, half, half}};
     groups[i] = scene.objects[i].group;
     entries.emplace_back(boxes[i], i);
@@ -103,6 +116,7 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
                                           const ClashOptions& options) {
   std::vector<JudgedPair> pairs(candidates.size());
   std::atomic<bool> too_far = false;
+  std::vector<std::optional<Error>> errors(equal.size());
   const auto judge_one = [&](std::size_t i, PairJudge& pair) {
     const auto a = static_cast<std::uint32_t>(candidates[i] >> 32), b = static_cast<std::uint32_t>(candidates[i]);
     JudgedPair& judged = pairs[i];
@@ -119,10 +133,10 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
       Steps(options.progress).step();
       return;
     }
-    for (const ClashTerms& each : judged.terms) {
-      Clash clash = pair.judge(each);
-      clash.objects = {a, b};
-      if (is_listed(clash, each)) judged.clashes.push_back(std::move(clash));
+    std::vector<Clash> clashes = pair.judge(judged.terms);
+    for (std::size_t k = 0; k < clashes.size(); ++k) {
+      clashes[k].objects = {a, b};
+      if (is_listed(clashes[k], judged.terms[k])) judged.clashes.push_back(std::move(clashes[k]));
     }
     Steps(options.progress).step();
   };
@@ -133,8 +147,11 @@ Result<std::vector<JudgedPair>> judge_all(const std::vector<std::uint64_t>& cand
       if (options.stop.stop_requested()) return;
       judge_one(i, pair);
     }
+    errors[row] = pair.error();
   });
   if (options.stop.stop_requested()) return cancelled();
+  for (const std::optional<Error>& error : errors)
+    if (error) return *error;
   if (too_far)
     return Error{Code::bad_option,
                  "the terms of a pair have a tolerance or clearance that is negative, not finite or above the options' "
@@ -168,16 +185,21 @@ Result<Clashes> clashes_of(const Scene::State& scene, const ClashOptions& option
   if (auto valid = check_domain(objects); !valid) return valid.error();
   const std::vector<Placed> others = last.forget_changed(objects, options);
   std::vector<solid::Body> bodies = bodies_of(others, options.threads);
-  const DefectChecks checks = list_defect_checks(others, options);
-  const std::vector<std::uint64_t> candidates = find_candidates(scene, last.boxes(bodies), options);
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const solid::Body* const kept = last.unchanged_body(i);
+    const solid::Body& body = kept != nullptr ? *kept : bodies[i];
+    bounds.push_back({body.box, objects[i].mesh != nullptr ? rounding_of(body) : 0});
+  }
+  const std::vector<std::uint64_t> candidates = find_candidates(scene, bounds, options);
   result.candidates = candidates.size();
   const Steps steps(options.progress);
-  steps.begin(checks.placed.size() + objects.size() + candidates.size());
+  steps.begin(steps_of_parts(others) + candidates.size());
   const EqualPairs equal = group_equal_pairs(candidates, first_equal(objects));
-  auto parts = make_parts(others, std::move(bodies), checks, options);
+  auto parts = make_parts(others, std::move(bodies), options);
   if (!parts) return parts.error();
   last.move_parts_to(*parts);
-  for (const Part& part : *parts) result.parts.push_back(part.judged.facts);
+  for (const Part& part : *parts) result.parts.push_back(part.facts);
   clock.charge(result.parts_seconds);
 
   auto pairs = judge_all(candidates, equal, *parts, last, options);
@@ -194,7 +216,7 @@ Result<std::vector<Part>> make_placed_parts(const std::vector<Placed>& objects, 
   for (const Placed& object : objects)
     if (auto valid = scene::validate(object.pose); !valid) return valid.error();
   if (auto valid = check_domain(objects); !valid) return valid.error();
-  return make_parts(objects, bodies_of(objects, options.threads), list_defect_checks(objects, options), options);
+  return make_parts(objects, bodies_of(objects, options.threads), options);
 }
 
 }  // namespace
@@ -216,7 +238,10 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
   return guarded([&]() -> Result<Clash> {
     const auto parts = make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, options);
     if (!parts) return parts.error();
-    Clash clash = PairJudge((*parts)[0], (*parts)[1], options).judge({options.tolerance, options.clearance});
+    const ClashTerms terms{options.tolerance, options.clearance};
+    PairJudge pair((*parts)[0], (*parts)[1], options);
+    Clash clash = pair.judge({&terms, 1}).front();
+    if (pair.error()) return *pair.error();
     if (options.stop.stop_requested()) return cancelled();
     clash.objects = {0, 1};
     return clash;
@@ -228,11 +253,11 @@ Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const
   return guarded([&]() -> Result<OverlapDepth> {
     if (!(precision > 0 && precision <= 1))
       return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
-    const auto parts = make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}},
-                                         {.tolerance = 0, .threads = options.threads, .stop = options.stop});
+    const auto parts =
+        make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, {.threads = options.threads, .stop = options.stop});
     if (!parts) return parts.error();
     for (std::size_t i = 0; i < 2; ++i)
-      if (!(*parts)[i].judged.facts.closed)
+      if (!(*parts)[i].facts.closed)
         return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
                                          " is not closed, so that nothing is inside of it; close it, or ask for the "
                                          "distance instead"};
@@ -246,7 +271,7 @@ Result<PartFacts> examine(const Mesh& mesh, const Pose& pose, const ClashOptions
   return guarded([&]() -> Result<PartFacts> {
     const auto parts = make_placed_parts({{&mesh, pose}}, options);
     if (!parts) return parts.error();
-    return (*parts)[0].judged.facts;
+    return (*parts)[0].facts;
   });
 }
 
@@ -262,13 +287,10 @@ std::string_view name(PartClass part_class) {
 }
 
 std::string_view sentence(Note note) {
-  constexpr std::array<std::string_view, 6> kSentences{
-      "",
-      "they overlap by no more than the tolerance",
-      "the inner part sticks out of the other by no more than the tolerance",
-      "they are apart by no more than the tolerance",
-      "they differ by no more than the tolerance",
-      "the tolerance is too large for a part so thin, or too small for its coordinates: the verdict is the exact one"};
+  constexpr std::array<std::string_view, 5> kSentences{
+      "", "they reach into each other by no more than the tolerance", "they are apart by no more than the tolerance",
+      "they may reach into each other by more than the tolerance; it could not be told",
+      "the tolerance is raised to the least that such coordinates can tell"};
   return kSentences[static_cast<std::size_t>(note)];
 }
 

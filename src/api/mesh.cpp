@@ -51,7 +51,7 @@ void measure_triangles(MeshData& mesh) {
 }
 
 template <class T>
-Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint32_t> triangles) {
+Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint32_t> triangles, Precision precision) {
   const auto bad = [](std::string message) { return Error{Code::bad_mesh, std::move(message)}; };
   if (xyz.size() % 3 != 0) return bad("the coordinates are " + std::to_string(xyz.size()) + ", not 3 a vertex");
   if (triangles.size() % 3 != 0)
@@ -61,6 +61,7 @@ Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint3
     return bad("the mesh has more than 2^31 - 1 triangles; cut it into several objects");
 
   MeshData mesh;
+  mesh.precision = precision;
   mesh.vertices.reserve(vertex_count);
   for (std::size_t i = 0; i < vertex_count; ++i) {
     const Vec3 v{static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]),
@@ -82,14 +83,14 @@ Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint3
 
 }  // namespace
 
-Result<Mesh> Mesh::create(std::span<const double> xyz, std::span<const std::uint32_t> triangles,
-                          const TreeConfig& tree) {
-  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
+Result<Mesh> Mesh::create(std::span<const double> xyz, std::span<const std::uint32_t> triangles, const TreeConfig& tree,
+                          Precision precision) {
+  return guarded([&] { return make(read_numbers(xyz, triangles, precision), tree); });
 }
 
 Result<Mesh> Mesh::create(std::span<const float> xyz, std::span<const std::uint32_t> triangles,
                           const TreeConfig& tree) {
-  return guarded([&] { return make(read_numbers(xyz, triangles), tree); });
+  return guarded([&] { return make(read_numbers(xyz, triangles, Precision::single), tree); });
 }
 
 Result<Mesh> Mesh::transformed(const Affine& map) const {
@@ -102,6 +103,7 @@ Result<Mesh> Mesh::transformed(const Affine& map) const {
         return Error{Code::bad_pose, "the affine map's translation has an entry that is not a finite number"};
 
     MeshData mesh;
+    mesh.precision = state_->data.precision;
     mesh.vertices = state_->data.vertices;
     mesh.triangles = state_->data.triangles;
     pose_all_vertices({map.m, map.t}, mesh.vertices);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "clash/regions/regions.hpp"
-#include "clash/slab.hpp"
 #include "core/guarded.hpp"
 #include "core/local_frame.hpp"
 #include "impinge/collide.hpp"

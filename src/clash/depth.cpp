@@ -6,13 +6,17 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <queue>
+#include <unordered_map>
 #include <vector>
 
 #include "clash/cover.hpp"
 #include "clash/polygon.hpp"
+#include "core/hash.hpp"
 #include "core/local_frame.hpp"
+#include "core/number.hpp"
 #include "measure/nearest.hpp"
 #include "measure/triangle_distance.hpp"
 #include "solid/cells.hpp"
@@ -27,12 +31,37 @@ struct TrianglePiece {
   double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
   std::vector<std::uint32_t> near;  ///< triangles of the other body that may be near; if none, the piece is on one side
   std::uint32_t whole = 0;          ///< the triangle from which it was cut
-  bool is_inside = false;           ///< whether the middle is inside; not computed where it does not matter
+  std::uint32_t nearest = 0;        ///< of the other body's triangles, to the middle
   bool is_settled = false;          ///< all of the piece is inside
+  bool is_examined = false;         ///< it is known on which side the middle is
+  bool is_inside = false;           ///< the middle is inside
   double most = 0, radius = 0;  ///< the upper bound of the depth; the distance of the farthest vertex from the middle
-  std::uint32_t nearest = 0;    ///< the other body's triangle that is nearest to the middle
-  friend bool operator<(const TrianglePiece& p, const TrianglePiece& q) { return p.most < q.most; }
+  double distance = 0, error = 0;  ///< of the middle from the other body's triangles
 };
+
+/// A ball without triangles of the outer body, all of it on one side.
+struct ClearBall {
+  Vec3 center;
+  double radius = 0;
+  bool is_inside = false;
+  [[nodiscard]] bool holds(const Vec3& point) const {
+    const Vec3 off = point - center;
+    return dot(off, off) < radius * radius;
+  }
+};
+
+/// How far from a point its winding number stays on its side of 1/2, on every way that meets no triangle.
+///
+/// Go on through triangles as if they were not there, and the number is a harmonic function wherever no open edge is.
+/// If it stays on one side of an integer and is off it by v at the centre of a ball without open edges, it is off it by
+/// v (1 + q) / (1 - q)^2 at most within the share q of the radius (Harnack's inequality). That is at most 1/4 within
+/// the share returned. v counts as 2^-6 more: the number is in error, and may pass the integer by a little.
+double reach_of_side(const Winding& winding, double number, const Vec3& point, double within) {
+  if (winding.closed) return kInfinity;
+  const double ratio = 0.25 / (std::abs(number - std::round(number)) + 0x1p-6);
+  const double share = ratio > 1 ? (2 * ratio + 1 - std::sqrt(8 * ratio + 1)) / (2 * ratio) : 0;
+  return share > 0 ? share * winding.to_open_edge(point, within / share) : 0;
+}
 
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
@@ -58,7 +87,7 @@ bool are_near(const Polygon& polygon, const Triangle& t, double gap) {
   return false;
 }
 
-/// Offsets the sides of a triangle by `margin`, cutting off sharp corners as make_slab does, and returns the one that
+/// Offsets the sides of a triangle by `margin`, cutting off sharp corners, and returns the one that
 /// cuts the polygon and over which the polygon reaches farthest. `with_top`: the offset faces count too.
 std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle& t, double margin, bool with_top) {
   std::optional<HalfSpace> best;
@@ -96,88 +125,258 @@ std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle
 /// the face.
 class Search {
  public:
-  Search(const solid::Body& inner, const solid::Body& outer, const Winding& winding, const DepthGoal& goal)
-      : inner_(inner),
-        outer_(outer),
-        winding_(winding),
+  Search(const DepthSearch& search, const DepthGoal& goal)
+      : inner_(search.inner),
+        outer_(search.outer),
+        winding_(search.winding),
+        touching_(search.touching),
         goal_(goal),
-        largest_(std::max(largest_coordinate(inner.box), largest_coordinate(outer.box))) {}
+        most_drift_(most_drift(inner_, outer_)) {}
 
-  Interval run() {
+  static double most_drift(const solid::Body& a, const solid::Body& b) {
+    return 0x1p-45 * std::max(largest_coordinate(a.box), largest_coordinate(b.box));
+  }
+
+  Depth run() {
     const Box common = intersection(inner_.box, outer_.box);
     if (is_empty(common)) return {};
-    std::vector<TrianglePair> near;
-    const auto take = [&](const TrianglePair& pair) { return near.push_back(pair), true; };
-    measure::near_pairs(inner_.placed, outer_.placed, 5 * most_drift_, take, goal_.stop);
+    std::vector<TrianglePair> near(touching_.begin(), touching_.end());
     std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
+    std::vector<std::uint32_t> candidates;
+    for (std::uint32_t t = 0; t < inner_.size(); ++t) {
+      const Box box = intersection(box_of(inner_.triangle(t)), common);
+      if (is_empty(box)) continue;
+      if (const double most = most_by_box(box); most <= std::max(nothing_, goal_.enough))
+        laid_aside_ = std::max(laid_aside_, most);
+      else
+        candidates.push_back(t);
+    }
+    PatchSides sides(inner_, outer_, winding_, candidates, near);
     auto pair = near.begin();
-    for (std::uint32_t t = 0; t < inner_.size() && !goal_.stop.stop_requested(); ++t) {
-      TrianglePiece piece{Polygon(inner_.triangle(t)), 0, {}, t};
+    for (const std::uint32_t t : candidates) {
+      if (goal_.stop.stop_requested()) break;
+      const std::optional<bool> is_inside = sides.is_inside(t);
+      if (is_inside == false) continue;
+      TrianglePiece piece{Polygon(inner_.triangle(t)), 0, {}, t, last_nearest_, is_inside.has_value()};
+      while (pair != near.end() && pair->a < t) ++pair;
       for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
-      if (overlap(box_of(inner_.triangle(t)), common)) look_at(std::move(piece));
+      look_at(std::move(piece));
     }
     const std::uint64_t last = effort_ + goal_.most_points + 4 * near.size();
-    while (!open_.empty() && !is_good(open_.top().most) && effort_ < last && !goal_.stop.stop_requested()) {
-      TrianglePiece piece = open_.top();
-      open_.pop();
-      divide(piece);
+    while (!is_done() && effort_ < last && !goal_.stop.stop_requested()) {
+      TrianglePiece piece = pop();
+      if (piece.is_examined) {
+        divide(piece);
+      } else if (examine(piece)) {
+        keep(std::move(piece));
+      }
     }
-    return {least_, std::max({least_, laid_aside_, open_.empty() ? 0 : open_.top().most})};
+    return {{least_, std::max({least_, laid_aside_, open_.empty() ? 0 : open_.top().most})}, deepest_};
   }
 
  private:
-  [[nodiscard]] bool is_good(double most) const { return most <= (1 + goal_.precision) * least_ || most <= nothing_; }
+  /// On which side triangles are that touch none of the other body's: those that hang together by vertices are on one,
+  /// as far as no open edge is near.
+  class PatchSides {
+   public:
+    /// Of the candidates, where `near` lists what touches.
+    PatchSides(const solid::Body& inner, const solid::Body& outer, const Winding& winding,
+               const std::vector<std::uint32_t>& candidates, const std::vector<TrianglePair>& near)
+        : inner_(inner), outer_(outer), winding_(winding), side_(inner.size(), Side::touching) {
+      for (const std::uint32_t t : candidates) side_[t] = Side::unknown;
+      for (const TrianglePair& pair : near) side_[pair.a] = Side::touching;
+      list_fans(candidates);
+    }
+    /// Whether a triangle is inside; nothing where that is not known of all of it.
+    std::optional<bool> is_inside(std::uint32_t triangle) {
+      if (side_[triangle] == Side::unknown) look_around(triangle);
+      if (side_[triangle] == Side::touching || side_[triangle] == Side::unknown) return std::nullopt;
+      return side_[triangle] == Side::inside;
+    }
+
+   private:
+    enum class Side : std::uint8_t { touching, unknown, inside, outside };
+    [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const {
+      return inner_.placed.mesh->triangles[triangle];
+    }
+
+    void list_fans(const std::vector<std::uint32_t>& candidates) {
+      offsets_.assign(inner_.world.size() + 1, 0);
+      const auto each_corner = [&](const auto& visit) {
+        for (const std::uint32_t t : candidates)
+          if (side_[t] == Side::unknown)
+            for (const std::uint32_t v : corners(t)) visit(v, t);
+      };
+      each_corner([&](std::uint32_t v, std::uint32_t) { ++offsets_[v + 1]; });
+      std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+      fans_.resize(offsets_.back());
+      std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
+      each_corner([&](std::uint32_t v, std::uint32_t t) { fans_[next[v]++] = t; });
+    }
+
+    void look_around(std::uint32_t first) {
+      const Vec3 middle = inner_.world[corners(first)[0]];
+      double winding = winding_.closed ? 0 : winding_.at(middle);
+      const double reach = reach_of_side(winding_, winding, middle, kInfinity);
+      const auto is_far = [&](std::uint32_t v) { return norm(inner_.world[v] - middle) > reach; };
+      patch_.clear();
+      const auto visit = [&](std::uint32_t t) {
+        if (side_[t] != Side::unknown || std::any_of(corners(t).begin(), corners(t).end(), is_far)) return;
+        side_[t] = Side::outside, patch_.push_back(t);
+      };
+      visit(first);
+      bool is_out = false;  // of the box of a closed body, and so of the body
+      for (std::size_t i = 0; i < patch_.size(); ++i) {
+        for (const std::uint32_t v : corners(patch_[i])) {
+          is_out = is_out || (winding_.closed && !overlap({inner_.world[v], inner_.world[v]}, outer_.box));
+          for (std::uint32_t k = offsets_[v]; k < offsets_[v + 1]; ++k) visit(fans_[k]);
+        }
+      }
+      if (patch_.empty() || is_out) return;
+      if (winding_.closed) winding = winding_.at(middle);
+      if (winding > 0.5)
+        for (const std::uint32_t t : patch_) side_[t] = Side::inside;
+    }
+
+    const solid::Body &inner_, &outer_;
+    const Winding& winding_;
+    std::vector<Side> side_;                     ///< per triangle
+    std::vector<std::uint32_t> offsets_, fans_;  ///< per vertex the free triangles that use it, in compressed rows
+    std::vector<std::uint32_t> patch_;
+  };
+
+  [[nodiscard]] bool is_done() const {
+    if (open_.empty()) return true;
+    const double most = open_.top().most;
+    if (most <= std::max(goal_.enough, least_ + nothing_)) return true;
+    const auto is_between = [&](double level) { return least_ <= level && level < most; };
+    return !(most > (1 + goal_.precision) * std::max(least_, goal_.known)) &&
+           std::none_of(goal_.levels.begin(), goal_.levels.end(), is_between);
+  }
+
+  /// The most depth in a box: from inside a closed body no way out of its box is free.
+  [[nodiscard]] double most_by_box(const Box& box) const {
+    if (!winding_.closed) return kInfinity;
+    const Vec3 up = box.hi - outer_.box.lo, down = outer_.box.hi - box.lo;
+    return std::min({up.x, up.y, up.z, down.x, down.y, down.z}) + floor_;
+  }
+
+  /// Bounds the depth of a piece by the triangle nearest to its middle. The side on which it lies is found out only
+  /// when its turn comes, except far from triangles, where the answer serves many pieces.
+  void look_at(TrianglePiece piece) {
+    ++effort_;
+    const Vec3 middle = piece.polygon.middle();
+    for (const Vec3& vertex : piece.polygon) piece.radius = std::max(piece.radius, norm(vertex - middle));
+    const bool is_open = piece.near.empty() && !piece.is_settled;
+    if (is_open) {
+      const std::optional<bool> side = known_side(piece);
+      if (side == false) return;
+      piece.is_settled = side.has_value();
+    }
+    const auto known = measure::point_distance(middle, outer_.triangle(piece.nearest), kInfinity);
+    auto nearest = measure::nearest_point(outer_.placed, middle, known.distance + 4 * known.margin);
+    if (!nearest) nearest = measure::nearest_point(outer_.placed, middle, kInfinity);  // by a rounding
+    if (!nearest) return;
+    piece.nearest = last_nearest_ = nearest->triangle, piece.distance = nearest->distance, piece.error = nearest->error;
+    piece.most = farthest_from(outer_.triangle(nearest->triangle), piece.polygon) + piece.drift + floor_;
+    const bool is_far = is_open && piece.distance > kFar * piece.radius;
+    if ((!piece.is_settled && !is_far) || examine(piece)) keep(std::move(piece));
+  }
 
   // Depth is 0 outside, and the depths of two points differ by no more than their distance: if the middle of a piece of
   // radius r has the depth d, no point of it is deeper than d + r, and if the middle is outside and farther than r from
   // the boundary, no point is inside. Nor is any point farther from the boundary than the farthest vertex of the piece
   // is from any one triangle, since distance from a convex set is convex.
-  void look_at(TrianglePiece piece) {
-    ++effort_;
-    const Vec3 middle = piece.polygon.middle();
-    if (!piece.near.empty() && lies_flat(piece)) {
-      laid_aside_ = std::max(laid_aside_, 2.5 * most_drift_ + piece.drift + floor_);
-      return;
-    }
-    if (piece.near.empty() && !settle(piece)) return;
-    const auto nearest = measure::nearest_point(outer_.placed, middle, kInfinity);
-    if (!nearest) return;
+  /// Finds out on which side a piece lies; returns false if nothing of it that counts is inside.
+  bool examine(TrianglePiece& piece) {
+    piece.is_examined = true;
     const double slack = piece.drift + floor_;
-    piece.nearest = nearest->triangle;
-    piece.most = farthest_from(outer_.triangle(nearest->triangle), piece.polygon) + slack;
-    for (const Vec3& vertex : piece.polygon) piece.radius = std::max(piece.radius, norm(vertex - middle));
-    const double least = nearest->distance - nearest->error - slack;
-    if (!is_good(piece.most) || least > least_) {
-      if (!piece.is_settled) piece.is_inside = is_inside(middle);
-      const double reach = piece.radius * (1 + 0x1p-40) + nearest->error + slack;
-      if (!piece.is_inside && nearest->distance > reach) return;
-      if (piece.is_inside) least_ = std::max(least_, least);
-      piece.most = std::min(piece.most, (piece.is_inside ? 1 : -1) * nearest->distance + reach);
+    if (!piece.near.empty() && lies_flat(piece)) {
+      laid_aside_ = std::max(laid_aside_, 2.5 * most_drift_ + slack);
+      return false;
     }
-    if (is_good(piece.most) || piece.drift > most_drift_) {
-      laid_aside_ = std::max(laid_aside_, piece.most);
+    // Beside triangles the side of the middle says little, unless it is deeper than what is known, or far from them.
+    if (!piece.near.empty() && piece.distance <= std::max(least_, piece.radius / 2)) return true;
+    if (!find_side(piece)) return false;
+    const double least = piece.distance - piece.error - slack;
+    if (piece.is_inside && least > least_) least_ = least, deepest_ = piece.polygon.middle();
+    const double reach = piece.radius * (1 + 0x1p-40) + piece.error + slack;
+    piece.most = std::min(piece.most, (piece.is_inside ? 1 : -1) * piece.distance + reach);
+    return piece.is_inside || piece.distance <= reach;
+  }
+
+  /// Finds out on which side the middle of a piece is, and whether all of the piece is inside; returns false if all of
+  /// it is outside.
+  bool find_side(TrianglePiece& piece) {
+    if (piece.is_settled) return piece.is_inside = true;
+    if (piece.near.empty())
+      if (const auto side = known_side(piece)) return piece.is_settled = piece.is_inside = *side;
+    const Vec3 middle = piece.polygon.middle();
+    const double winding = winding_.at(middle);
+    piece.is_inside = winding > 0.5;
+    const double reach = reach_of_side(winding_, winding, middle, std::max(piece.distance, kFarther * piece.radius));
+    const ClearBall ball{middle, std::min(piece.distance - piece.error, reach) - most_drift_ - floor_, piece.is_inside};
+    if (ball.radius > 0) balls_[next_ball_++ % balls_.size()] = ball;
+    if (!piece.near.empty()) return true;
+    if (piece.radius < reach) {
+      keep_side(piece.polygon, piece.is_inside, reach - piece.radius);
     } else {
-      open_.push(std::move(piece));
+      const bool is_clear = winding < 0.25 || winding > 0.75;
+      if (!is_clear || side_of_corners(piece.polygon) != piece.is_inside) return true;
+    }
+    return piece.is_settled = piece.is_inside;
+  }
+
+  /// The side of a piece that touches no triangle, where it lies in a known ball, or a corner's side is known to go on
+  /// over all of it.
+  std::optional<bool> known_side(const TrianglePiece& piece) {
+    for (const Vec3& corner : piece.polygon) {
+      const auto found = corners_.find(corner);
+      if (found == corners_.end() || !(found->second.reach > 2 * piece.radius)) continue;
+      const auto [is_inside, reach, number] = found->second;
+      keep_side(piece.polygon, is_inside, reach - 2 * piece.radius);
+      return is_inside;
+    }
+    const auto holds_all = [&](const ClearBall& ball) {
+      return std::all_of(piece.polygon.begin(), piece.polygon.end(),
+                         [&](const Vec3& vertex) { return ball.holds(vertex); });
+    };
+    const auto ball = std::find_if(balls_.begin(), balls_.end(), holds_all);
+    return ball != balls_.end() ? std::optional(ball->is_inside) : std::nullopt;
+  }
+
+  void keep_side(const Polygon& polygon, bool is_inside, double reach) {
+    for (const Vec3& vertex : polygon) {
+      Corner& corner = corners_[vertex];
+      if (reach > corner.reach) corner.is_inside = is_inside, corner.reach = reach;
     }
   }
 
-  [[nodiscard]] bool is_inside(const Vec3& point) const { return winding_.at(point) > 0.5; }
-
-  /// Finds out whether a piece that touches no triangle is inside as a whole; returns false if it is outside as a
-  /// whole.
-  bool settle(TrianglePiece& piece) const {
-    if (piece.is_settled) return true;
-    const double at_middle = winding_.at(piece.polygon.middle());
-    double least = at_middle, most = at_middle;
-    if (!winding_.closed) {
-      for (const Vec3& vertex : piece.polygon) {
-        if (least < 0.75 && most > 0.25) break;
-        const double at_vertex = winding_.at(vertex);
-        least = std::min(least, at_vertex), most = std::max(most, at_vertex);
-      }
+  /// Whether all corners of a polygon are inside, or all outside; nothing if neither.
+  [[nodiscard]] std::optional<bool> side_of_corners(const Polygon& polygon) {
+    double least = kInfinity, most = 0;
+    for (const Vec3& vertex : polygon) {
+      Corner& corner = corners_[vertex];
+      if (!corner.winding) corner.winding = winding_.at(vertex);
+      least = std::min(least, *corner.winding), most = std::max(most, *corner.winding);
+      if (least < 0.75 && most > 0.25) return std::nullopt;
     }
-    piece.is_settled = piece.is_inside = least > 0.75;
-    return most > 0.25;
+    return least > 0.5;
+  }
+
+  void keep(TrianglePiece piece) {
+    if (piece.most <= std::max(nothing_, goal_.enough) || (piece.is_examined && piece.drift > most_drift_)) {
+      laid_aside_ = std::max(laid_aside_, piece.most);
+      return;
+    }
+    open_.push({piece.most, pieces_.size()});
+    pieces_.push_back(std::move(piece));
+  }
+
+  TrianglePiece pop() {
+    TrianglePiece piece = std::move(pieces_[open_.top().piece]);
+    open_.pop();
+    return piece;
   }
 
   bool lies_flat(const TrianglePiece& piece) {
@@ -198,17 +397,14 @@ class Search {
   void divide(TrianglePiece& piece) {
     while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
       piece.near.pop_back();
-    if (piece.near.empty()) {
-      if (winding_.closed) piece.is_settled = piece.is_inside;  // the middle's side is that of all
-      if (!piece.is_settled && (winding_.closed || !settle(piece))) return;
-    }
+    if (piece.near.empty() && !piece.is_settled && !find_side(piece)) return;
     // A new vertex is rounded once, after a multiple of a difference of two that are no farther apart than 2 radii.
-    const double drift = piece.drift + 0x1p-53 * (1.75 * largest_ + 4 * piece.radius);
+    const double drift = piece.drift + 1.75 * 0x1p-8 * most_drift_ + 0x1p-51 * piece.radius;
     const Cut parts = part(piece);
     for (const Polygon* one : {&parts.within, &parts.beyond}) {
       if (one->size() == 0) continue;
       effort_ += piece.near.size() / kBoxesAPoint;
-      look_at({*one, drift, near_among(piece.near, *one), piece.whole, piece.is_settled, piece.is_settled});
+      look_at({*one, drift, near_among(piece.near, *one), piece.whole, piece.nearest, piece.is_settled});
     }
   }
 
@@ -239,32 +435,60 @@ class Search {
     return halve(piece.polygon);
   }
 
+  static constexpr double kFar = 1.5, kFarther = 16;
   static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
   static constexpr std::size_t kEdgesAPoint = 16;   ///< the edges of so many triangles take as much time as one point
 
   const solid::Body &inner_, &outer_;
   const Winding& winding_;
+  std::span<const TrianglePair> touching_;
   const DepthGoal& goal_;
-  double largest_;
-  double most_drift_ = 0x1p-45 * largest_;  ///< w above
+  double most_drift_;  ///< w above
   double near_ = 3.5 * most_drift_, beside_ = 4 * most_drift_;
   double nothing_ = std::max(8 * most_drift_, goal_.nothing);  ///< a depth up to this counts as 0
-  double floor_ = 0x1p-48 * largest_;                          ///< the rounding error of a length
-  double least_ = 0;                                           ///< some point is at least so deep
+  double floor_ = 0x1p-3 * most_drift_;                        ///< the rounding error of a length
+  double least_ = 0;                                           ///< some point is at least so deep:
+  Vec3 deepest_{};                                             ///< this one
   double laid_aside_ = 0;                                      ///< no piece that was laid aside is deeper
-  std::priority_queue<TrianglePiece> open_;
+  struct Open {
+    double most;
+    std::size_t piece;
+    friend bool operator<(const Open& p, const Open& q) { return p.most < q.most; }
+  };
+  std::priority_queue<Open> open_;
+  std::vector<TrianglePiece> pieces_;
+  std::array<ClearBall, 64> balls_{};  ///< the newest
+  std::size_t next_ball_ = 0;
+  std::uint32_t last_nearest_ = 0;
+  /// What is known of the corner of a piece that touches no triangle. Pieces share corners.
+  struct Corner {
+    bool is_inside = false;
+    double reach = 0;  ///< how far that goes on over triangles that meet no other
+    std::optional<double> winding{};
+  };
+  struct Hash {
+    std::size_t operator()(const Vec3& p) const {
+      return mix(mix(number_bits(p.x), number_bits(p.y)), number_bits(p.z));
+    }
+  };
+  std::unordered_map<Vec3, Corner, Hash> corners_;
   std::uint64_t effort_ = 0;  ///< in points examined
 };
 
 }  // namespace
 
-Interval depth_in(const solid::Body& inner, const solid::Body& outer, const Winding& winding, const DepthGoal& goal) {
-  return Search(inner, outer, winding, goal).run();
+std::vector<TrianglePair> touching_pairs(const solid::Body& a, const solid::Body& b, const std::stop_token& stop) {
+  std::vector<TrianglePair> pairs;
+  const auto take = [&](const TrianglePair& pair) { return pairs.push_back(pair), true; };
+  measure::near_pairs(a.placed, b.placed, 5 * Search::most_drift(a, b), take, stop);
+  return pairs;
 }
+
+Depth depth_in(const DepthSearch& search, const DepthGoal& goal) { return Search(search, goal).run(); }
 
 Interval depth_in(const solid::Body& inner, const solid::Body& outer, const DepthGoal& goal) {
   const Winding winding{[&](const Vec3& p) { return std::abs(solid::winding_number(outer.placed, p).value_or(0)); }};
-  return depth_in(inner, outer, winding, goal);
+  return depth_in({inner, outer, winding, touching_pairs(inner, outer, goal.stop)}, goal);
 }
 
 OverlapDepth depths_of(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,

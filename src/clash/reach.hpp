@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <stop_token>
 #include <vector>
 
-#include "core/local_frame.hpp"
 #include "impinge/clash.hpp"
 #include "solid/body.hpp"
-#include "solid/inner_points.hpp"
-#include "solid/triangle_tree.hpp"
+#include "solid/classed_piece.hpp"
 
 namespace impinge::clash {
 
@@ -20,15 +17,22 @@ struct PlacedPiece {
   PartClass part_class = PartClass::surface;
   std::vector<solid::InnerPoint> inner_points;  ///< in the world
   double radius = 0;                            ///< the largest of theirs
-  /// Of a cracked piece: its winding numbers, about points in a frame of its own.
-  std::optional<solid::TriangleTree> tree{};
+  /// Of a cracked piece: its winding numbers and open edges, in `frame` of the mesh that `body` places.
+  const solid::TriangleTree* tree = nullptr;
+  const solid::TriangleTree* open_edges = nullptr;
   LocalFrame frame{};
+  Mat3 to_mesh{};  ///< the inverse of the pose's matrix
 
   [[nodiscard]] bool has_inside() const { return part_class != PartClass::surface; }
   /// How often it winds around a point, in whatever direction: exactly if it is solid, and 0 on its triangles; 0 for a
   /// surface.
   [[nodiscard]] double winding(const Vec3& point) const;
   [[nodiscard]] bool holds(const Vec3& point) const { return winding(point) > 0.5; }
+  /// As `Winding::to_open_edge`.
+  [[nodiscard]] double to_open_edge(const Vec3& point, double within) const;
+
+ private:
+  [[nodiscard]] Vec3 local(const Vec3& point) const;
 };
 
 /// A placed part with its pieces.
@@ -40,13 +44,14 @@ struct PlacedPart {
   [[nodiscard]] double radius() const;                    ///< the largest of its pieces'
   [[nodiscard]] double winding(const Vec3& point) const;  ///< the most of its pieces'
   [[nodiscard]] bool holds(const Vec3& point) const { return winding(point) > 0.5; }
+  [[nodiscard]] double to_open_edge(const Vec3& point, double within) const;
+  [[nodiscard]] bool is_closed() const;  ///< all pieces are solid
 };
 
 /// How deep two parts reach into each other: the most of all pairs of their pieces.
 struct PairReach {
-  Interval a_in_b, b_in_a;                      ///< 0 into a surface
-  Interval triangles_a_in_b, triangles_b_in_a;  ///< the same of triangles alone
-  double crossing = 0;  ///< of two surfaces: how far triangles that cross stand out on both sides of each other
+  Interval a_in_b, b_in_a;  ///< 0 into a surface; the lesser of the two may be known less precisely
+  double crossing = 0;      ///< of two surfaces: how far triangles that cross stand out on both sides of each other
   /// Both of two pieces reach into each other by more than half of the other's radius, or a surface does so into a
   /// piece, or two surfaces are the same.
   bool through = false;
@@ -56,7 +61,9 @@ struct PairReach {
 };
 
 struct ReachGoal {
-  double precision = 0.05;  ///< of each depth, as in `DepthGoal`
+  /// Of each depth, as in `DepthGoal`; infinity where only the verdicts at these tolerances are asked for.
+  double precision = 0.05;
+  std::vector<double> levels{};  ///< tolerances that will be asked about; depths below the least need not be told apart
   std::stop_token stop{};
 };
 

@@ -2,27 +2,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clash/reach.hpp"
 #include "impinge/clash.hpp"
 #include "solid/cells.hpp"
 
 namespace impinge::clash {
 
-struct Finding {
+/// What is said of a pair at a tolerance.
+struct Judgement {
   Verdict verdict = Verdict::apart;
-  int inner = -1;  ///< as `Clash::inner`
+  int inner = -1;          ///< with `inside`: which of the two
+  bool undecided = false;  ///< the upper ends of the depths would say that it fails
 };
 
-/// Which of two parts are solid.
-struct Kinds {
-  bool a_is_solid, b_is_solid;
-};
+/// `reach` is that of the two parts; it decides whether the pair fails, and only the name of what fails needs more.
+/// `share_point`: it is known that they do.
+Judgement verdict_at(double tolerance, const PlacedPart& a, const PlacedPart& b, const PairReach& reach,
+                     bool share_point, const ReachGoal& goal);
 
-/// The verdict that follows from where the cells of either boundary are (docs/verdicts.md). kNear is ignored: the
-/// caller replaces it where it means that the boundaries are shared. `touch`: the parts share a point, or are no
-/// farther apart than the tolerance; `pass`: two surfaces cross.
-Finding verdict_of(const solid::Cells& cells, const Kinds& kinds, bool touch, bool pass);
+/// The verdict on two closed parts without tolerance, which follows from where the cells of either boundary are
+/// (docs/verdicts.md).
+Judgement exact_verdict(const solid::Cells& cells, bool share_point);
 
-/// Whether no further cell could change the verdict.
-bool is_settled(const solid::Cells& cells, const Kinds& kinds);
+/// Whether no further cell could change that verdict.
+bool is_settled(const solid::Cells& cells);
 
 }  // namespace impinge::clash

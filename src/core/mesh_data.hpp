@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/shapes.hpp"
+#include "impinge/mesh.hpp"
 
 namespace impinge {
 
@@ -20,6 +21,7 @@ struct MeshData {
   int min_exponent = 0;    ///< of the smallest non-zero |coordinate|: floor(log2)
   int min_bit = 0;         ///< of the lowest bit set in any coordinate: all are multiples of 2^min_bit
   std::uint64_t hash = 0;  ///< of vertices and triangles (docs/hash.md)
+  Precision precision = Precision::whole;
 };
 
 }  // namespace impinge

@@ -4,12 +4,11 @@
 
 #include <memory>
 
-#include "clash/defects.hpp"
 #include "core/mesh_data.hpp"
 #include "hierarchy/wide_tree.hpp"
 #include "impinge/mesh.hpp"
 #include "paper/obb_tree.hpp"
-#include "solid/classify.hpp"
+#include "pipeline/mesh_pieces.hpp"
 
 namespace impinge {
 
@@ -35,8 +34,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // Safe from many threads.
   mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
-  mutable clash::DefectCache defect_cache;
-  mutable solid::ClassificationCache classification_cache;
+  mutable MeshPiecesCache pieces_cache;
 };
 
 }  // namespace impinge

@@ -3,16 +3,8 @@
 #include "pipeline/part.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <tuple>
 
-#include "clash/self/self_crossings.hpp"
-#include "clash/self/self_edge_crossings.hpp"
-#include "clash/self/self_flush.hpp"
-#include "core/local_frame.hpp"
-#include "core/pose.hpp"
-#include "impinge/collide.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
 #include "solid/topology.hpp"
@@ -24,138 +16,76 @@ solid::Body body_of(const Mesh& mesh, const Pose& pose) {
   return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
 }
 
-bool before(const TrianglePair& x, const TrianglePair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
-
-/// The pairs of a placed mesh's own triangles that keep it from being a solid, in order.
-Result<std::vector<TrianglePair>> list_defects(const Placed& placed, const solid::Body& body,
-                                               const solid::Topology& topology, const ClashOptions& options,
-                                               int threads) {
-  const double most = tolerance_of(options, largest_coordinate(body.box));
-  const double tolerance = clash::defect_tolerance(body, topology, most);
-  std::optional<std::vector<TrianglePair>> flush;
-  if (topology.closed && most > 0) flush = clash::self_flush(body, topology, most, options.stop);
-  const std::uint8_t kinds = flush ? kCrossing : kCrossing | kCoplanar;
-  const auto contacts = collide(*placed.mesh, placed.pose, *placed.mesh, placed.pose,
-                                {.kinds = kinds, .threads = threads, .stop = options.stop});
-  if (!contacts) return contacts.error();
-  std::vector<TrianglePair> defects;
-  for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
-    if (options.stop.stop_requested()) return cancelled();
-    const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a < pair.b &&
-        clash::is_defect(body.triangle(pair.a), body.triangle(pair.b), contacts->kinds[i], tolerance))
-      defects.push_back(pair);
-  }
-  if (flush) {
-    const std::vector<TrianglePair> crossing = std::exchange(defects, {});
-    std::set_union(crossing.begin(), crossing.end(), flush->begin(), flush->end(), std::back_inserter(defects), before);
-  }
-  if (defects.empty() && topology.closed) defects = clash::self_edge_crossings(body, topology, tolerance, options.stop);
-  if (options.stop.stop_requested()) return cancelled();
-  return defects;
+solid::Part closed_part(solid::Body body) {
+  solid::Topology topology = solid::examine(body);
+  const bool closed = topology.closed;
+  return solid::make_part(std::move(body), std::move(topology), closed);
 }
 
-/// What is found out about a mesh once, however many objects have it.
-struct MeshFacts {
-  clash::Defects defects;
-  solid::Classification classification;
-};
-
-/// Takes from the mesh's caches what was found before.
-Result<MeshFacts> find_facts(const DefectChecks::Check& check, const ClashOptions& options, int threads) {
-  const MeshState& mesh = check.mesh->state();
-  std::optional<clash::Defects> defects;
-  std::optional<solid::Classification> classification;
-  if (check.pose_independent)
-    defects = mesh.defect_cache.find(options.tolerance), classification = mesh.classification_cache.find();
-  if (defects && classification) return MeshFacts{*defects, *classification};
-  const solid::Body body = body_of(*check.mesh, check.pose);
-  const solid::Topology topology = solid::examine(body);
-  if (!classification) {
-    classification = solid::classify(body, topology, options.stop);
-    if (options.stop.stop_requested()) return cancelled();
-    if (check.pose_independent) mesh.classification_cache.keep(*classification);
-  }
-  if (!defects) {
-    const auto list = list_defects(check, body, topology, options, threads);
-    if (!list) return list.error();
-    defects = clash::Defects{list->size()};
-    if (!list->empty()) defects->first = list->front();
-    if (check.pose_independent) mesh.defect_cache.keep(options.tolerance, *defects);
-  }
-  return MeshFacts{*defects, *classification};
+/// The meshes of some objects, each once.
+std::vector<const Mesh*> meshes_of(const std::vector<Placed>& objects) {
+  std::map<const MeshState*, const Mesh*> known;
+  std::vector<const Mesh*> meshes;
+  for (const Placed& object : objects)
+    if (object.mesh != nullptr && known.emplace(&object.mesh->state(), object.mesh).second)
+      meshes.push_back(object.mesh);
+  return meshes;
 }
 
-/// Examines large meshes one after the other, each by all threads, and small ones side by side.
-Result<std::vector<MeshFacts>> find_all_facts(const std::vector<DefectChecks::Check>& placed,
-                                              const ClashOptions& options) {
+/// Finds the pieces of large meshes one after the other, each by all threads, and of small ones side by side.
+Result<void> find_pieces(const std::vector<const Mesh*>& meshes, const ClashOptions& options) {
   constexpr std::size_t kLarge = 1 << 16;
-  const auto is_large = [&](std::size_t i) { return placed[i].mesh->triangle_count() >= kLarge; };
-  std::vector<Result<MeshFacts>> found(placed.size(), MeshFacts());
+  const auto is_large = [&](std::size_t i) { return meshes[i]->triangle_count() >= kLarge; };
+  std::vector<Result<void>> found(meshes.size());
   const auto search = [&](std::size_t i, int threads) {
     if (options.stop.stop_requested()) return;
-    found[i] = find_facts(placed[i], options, threads);
+    if (const auto pieces = pieces_of(*meshes[i], threads, options.stop); !pieces) found[i] = pieces.error();
     Steps(options.progress).step();
   };
-  run_each(on_threads(options.threads), placed.size(), [&](std::size_t i) {
+  run_each(on_threads(options.threads), meshes.size(), [&](std::size_t i) {
     if (!is_large(i)) search(i, 1);
   });
-  for (std::size_t i = 0; i < placed.size(); ++i)
+  for (std::size_t i = 0; i < meshes.size(); ++i)
     if (is_large(i)) search(i, options.threads);
   if (options.stop.stop_requested()) return cancelled();
-  std::vector<MeshFacts> facts;
-  for (const auto& some : found) {
-    if (!some) return some.error();
-    facts.push_back(*some);
-  }
-  return facts;
+  for (const Result<void>& one : found)
+    if (!one) return one.error();
+  return {};
 }
 
-void take_classes(const solid::Classification& found, const solid::Body& body, PartFacts& facts) {
-  facts.part_class = found.best, facts.pieces = found.pieces, facts.turned = found.turned;
-  facts.unclear_edges = found.unclear_edges;
-  if (found.unclear_edge)
-    facts.unclear_edge = Segment{body.world[(*found.unclear_edge)[0]], body.world[(*found.unclear_edge)[1]]};
-}
-
-Part make_part(const Placed& placed, solid::Body&& body, const MeshFacts& facts) {
-  Part result{clash::measured_part(std::move(body), facts.defects), {}, {}};
-  take_classes(facts.classification, result.judged.part.body, result.judged.facts);
-  const solid::Part& part = result.judged.part;
-  const auto is_wall = [](const solid::Part::Sides& sides) { return sides.front == sides.back; };
-  if (!part.solid || std::none_of(part.sides.begin(), part.sides.end(), is_wall)) return result;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t t = 0; t < part.body.size(); ++t)
-    if (part.is_boundary(t))
-      triangles.insert(triangles.end(), placed.mesh->triangles()[t].begin(), placed.mesh->triangles()[t].end());
-  std::vector<double> xyz;
-  for (const Point& vertex : placed.mesh->vertices()) xyz.insert(xyz.end(), {vertex.x, vertex.y, vertex.z});
-  result.mesh_without_walls = Mesh::create(xyz, triangles).value();
-  clash::MeasuredPart boundary = clash::measured_part(body_of(*result.mesh_without_walls, placed.pose), {});
-  boundary.facts = result.judged.facts;
-  result.with_walls = std::move(result.judged.part);
-  result.judged = std::move(boundary);
-  return result;
+Result<Part> make_part(const Placed& object, const solid::Body& body, const std::stop_token& stop) {
+  const auto pieces = pieces_of(*object.mesh, 1, stop);
+  if (!pieces) return pieces.error();
+  Part part;
+  part.mesh = *object.mesh, part.pose = object.pose, part.found = *pieces;
+  part.placed = placed_in_pieces(*part.found, body), part.rounding = rounding_of(body);
+  part.facts = part.found->facts;
+  const auto segment = [&](const std::array<std::uint32_t, 2>& edge) {
+    return Segment{body.world[edge[0]], body.world[edge[1]]};
+  };
+  if (part.found->open_edge) part.facts.open_edge = segment(*part.found->open_edge);
+  if (part.found->unclear_edge) part.facts.unclear_edge = segment(*part.found->unclear_edge);
+  return part;
 }
 
 }  // namespace
 
-DefectChecks list_defect_checks(const std::vector<Placed>& objects, const ClashOptions& options) {
-  DefectChecks checks;
-  std::map<const MeshState*, std::size_t> known;
-  for (const Placed& object : objects) {
-    checks.of_object.push_back(checks.placed.size());
-    if (object.mesh == nullptr) continue;
-    const MeshState& mesh = object.mesh->state();
-    if (options.tolerance.value_or(1) > 0 && in_exact_domain(Pose{}, mesh.data)) {
-      const auto [place, is_new] = known.emplace(&mesh, checks.placed.size());
-      checks.of_object.back() = place->second;
-      if (is_new) checks.placed.push_back({{object.mesh, Pose{}}, true});
-    } else {
-      checks.placed.push_back({object, false});
+const ExactPart& Part::exact(const std::stop_token& stop) const {
+  return exact_.get([&] {
+    const Mesh& boundary = found->boundary ? *found->boundary : *mesh;
+    solid::Body body = found->boundary ? body_of(boundary, pose) : placed.whole;
+    solid::Topology topology = solid::examine(body);
+    bool is_plain = topology.closed;
+    if (is_plain) {
+      const auto meets = meets_itself(boundary, body, stop);
+      is_plain = meets.has_value() && !meets.value();
     }
-  }
-  return checks;
+    return ExactPart{solid::make_part(std::move(body), std::move(topology), is_plain), is_plain};
+  });
+}
+
+const solid::Part& Part::whole() const {
+  return whole_.get([&] { return closed_part(placed.whole); });
 }
 
 std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threads) {
@@ -166,15 +96,26 @@ std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threa
   return bodies;
 }
 
+double rounding_of(const solid::Body& body) {
+  if (body.size() == 0) return 0;
+  const double diagonal = norm(body.box.hi - body.box.lo);
+  if (body.placed.mesh->precision != Precision::single) return 0x1p-20 * diagonal;
+  const auto& t = body.placed.pose.t;
+  const double largest =
+      std::max({max_component(body.placed.mesh->max_abs), std::abs(t[0]), std::abs(t[1]), std::abs(t[2])});
+  return 0x1p-20 * diagonal + 0x1p-22 * largest;
+}
+
+std::uint64_t steps_of_parts(const std::vector<Placed>& objects) { return meshes_of(objects).size() + objects.size(); }
+
 Result<std::vector<Part>> make_parts(const std::vector<Placed>& objects, std::vector<solid::Body> bodies,
-                                     const DefectChecks& checks, const ClashOptions& options) {
-  const auto facts = find_all_facts(checks.placed, options);
-  if (!facts) return facts.error();
+                                     const ClashOptions& options) {
+  if (auto found = find_pieces(meshes_of(objects), options); !found) return found.error();
   std::vector<Part> parts(objects.size());
   run_each(on_threads(options.threads), objects.size(), [&](std::size_t i) {
     if (options.stop.stop_requested()) return;
     if (objects[i].mesh != nullptr)
-      parts[i] = make_part(objects[i], std::move(bodies[i]), (*facts)[checks.of_object[i]]);
+      if (auto part = make_part(objects[i], bodies[i], options.stop)) parts[i] = *std::move(part);
     Steps(options.progress).step();
   });
   if (options.stop.stop_requested()) return cancelled();

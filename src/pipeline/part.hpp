@@ -3,13 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
-#include "clash/measured_part.hpp"
+#include "clash/reach.hpp"
 #include "impinge/clash.hpp"
 #include "impinge/mesh.hpp"
+#include "pipeline/mesh_pieces.hpp"
 #include "solid/body.hpp"
 #include "solid/part.hpp"
 
@@ -37,41 +41,60 @@ class Steps {
   Progress* progress_;
 };
 
-/// The tolerance that is applied to parts whose largest |world coordinate| is `largest`.
-inline double tolerance_of(const ClashOptions& options, double largest) {
-  return options.tolerance.value_or(0x1p-20 * largest);
-}
-
 inline Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
 
-/// The placed meshes to be searched for defects. With a tolerance a mesh is searched once, in its own frame, however
-/// many objects have it; without one each object is searched where it stands, since rounding differs from pose to pose.
-struct DefectChecks {
-  struct Check : Placed {
-    bool pose_independent;  ///< the mesh is searched in its own frame, so the result holds for every object that has it
-  };
-  std::vector<Check> placed;
-  std::vector<std::size_t> of_object;  ///< per object, the index of its check
+/// Made when it is first asked for. Safe to use from several threads.
+template <class T>
+class Lazily {
+ public:
+  template <class Make>
+  const T& get(const Make& make) const {
+    std::call_once(*once_, [&] { *value_ = make(); });
+    return **value_;
+  }
+
+ private:
+  std::unique_ptr<std::once_flag> once_ = std::make_unique<std::once_flag>();
+  std::unique_ptr<std::optional<T>> value_ = std::make_unique<std::optional<T>>();
 };
 
-DefectChecks list_defect_checks(const std::vector<Placed>& objects, const ClashOptions& options);
+/// The boundary of a placed mesh as exact cells are found in it.
+struct ExactPart {
+  solid::Part part;
+  bool is_plain;  ///< it is closed and does not meet itself
+};
 
-/// One placed mesh with what judging needs. Internal walls are shells with the interior, or the exterior, on both
-/// sides: they are no boundary, and verdicts ignore them.
+/// One placed mesh with what judging needs.
 struct Part {
-  clash::MeasuredPart judged;              ///< without internal walls: world triangles, adjacency, shells and measures
-  std::optional<Mesh> mesh_without_walls;  ///< the mesh that `judged` refers to, where internal walls were left out
-  std::optional<solid::Part> with_walls;   ///< then also the part with them, for contacts, regions and distances
+  std::optional<Mesh> mesh;
+  Pose pose;
+  std::shared_ptr<const MeshPieces> found;
+  clash::PlacedPart placed;
+  PartFacts facts;
+  double rounding = 0;  ///< how far rounding may have moved its vertices
 
-  [[nodiscard]] const solid::Part& whole() const { return with_walls ? *with_walls : judged.part; }
+  /// Once it is stopped, the result is meaningless.
+  [[nodiscard]] const ExactPart& exact(const std::stop_token& stop) const;
+  /// The whole mesh; solid if it is closed.
+  [[nodiscard]] const solid::Part& whole() const;
+
+ private:
+  Lazily<ExactPart> exact_;
+  Lazily<solid::Part> whole_;
 };
 
 /// The objects' world vertices; an empty body for an object without a mesh.
 std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threads);
 
-/// Searches each of `checks` for defects and makes a part of each object; `bodies` are the objects'. A step is counted
-/// for each check and each object. Errors: `cancelled`.
+/// How far rounding may have moved the vertices of a part: 2^-20 of the diagonal of its box, and 2^-22 of the largest
+/// |coordinate| of its mesh and |translation| if these were single-precision numbers, whose unit of rounding is 2^-24.
+double rounding_of(const solid::Body& body);
+
+/// How many steps `make_parts` counts: one for each mesh and one for each object.
+std::uint64_t steps_of_parts(const std::vector<Placed>& objects);
+
+/// Makes a part of each object; `bodies` are the objects'. Errors: `cancelled`.
 Result<std::vector<Part>> make_parts(const std::vector<Placed>& objects, std::vector<solid::Body> bodies,
-                                     const DefectChecks& checks, const ClashOptions& options);
+                                     const ClashOptions& options);
 
 }  // namespace impinge

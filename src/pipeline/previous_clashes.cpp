@@ -26,8 +26,7 @@ std::size_t ClashMemory::known_pairs() const noexcept { return state_->clashes.k
 
 PreviousClashes::PreviousClashes(const std::vector<Placed>& objects, std::vector<Part> parts,
                                  std::vector<JudgedPair> pairs, const ClashOptions& options)
-    : tolerance_(options.tolerance),
-      depth_(options.depth),
+    : depth_precision_(options.depth_precision),
       regions_(options.regions),
       parts_(std::move(parts)),
       pairs_(std::move(pairs)) {
@@ -38,8 +37,7 @@ PreviousClashes::PreviousClashes(const std::vector<Placed>& objects, std::vector
 }
 
 std::vector<Placed> PreviousClashes::forget_changed(const std::vector<Placed>& objects, const ClashOptions& options) {
-  if (tolerance_ != options.tolerance) *this = {};
-  if (depth_ != options.depth || regions_ != options.regions) pairs_.clear();
+  if (depth_precision_ != options.depth_precision || regions_ != options.regions) pairs_.clear();
   std::vector<Placed> others = objects;
   is_unchanged_.assign(objects.size(), 0);
   for (std::size_t i = 0; i < std::min(objects.size(), objects_.size()); ++i) {
@@ -50,14 +48,6 @@ std::vector<Placed> PreviousClashes::forget_changed(const std::vector<Placed>& o
     others[i].mesh = nullptr;
   }
   return others;
-}
-
-std::vector<Box> PreviousClashes::boxes(const std::vector<solid::Body>& others) const {
-  std::vector<Box> boxes;
-  boxes.reserve(others.size());
-  for (std::size_t i = 0; i < others.size(); ++i)
-    boxes.push_back(is_unchanged(i) ? parts_[i].whole().body.box : others[i].box);
-  return boxes;
 }
 
 void PreviousClashes::move_parts_to(std::vector<Part>& parts) {

@@ -33,8 +33,10 @@ class PreviousClashes {
   /// Forgets the results that another object or option invalidates. Returns the objects, with null for the mesh of each
   /// unchanged one.
   std::vector<Placed> forget_changed(const std::vector<Placed>& objects, const ClashOptions& options);
-  /// The world box of each object: the kept one of an unchanged object, that of its body in `others` otherwise.
-  [[nodiscard]] std::vector<Box> boxes(const std::vector<solid::Body>& others) const;
+  /// The kept body of an unchanged object; null for another.
+  [[nodiscard]] const solid::Body* unchanged_body(std::size_t object) const {
+    return is_unchanged(object) ? &parts_[object].placed.whole : nullptr;
+  }
   /// Moves the kept parts of unchanged objects to their places.
   void move_parts_to(std::vector<Part>& parts);
   /// The kept pair of two unchanged objects judged on the same terms; null if there is none.
@@ -52,8 +54,8 @@ class PreviousClashes {
     return object < is_unchanged_.size() && is_unchanged_[object] != 0;
   }
 
-  std::optional<double> tolerance_;
-  bool depth_ = false, regions_ = false;
+  double depth_precision_ = 0;
+  bool regions_ = false;
   std::vector<PlacedMesh> objects_;  ///< by object, as the next two
   std::vector<Part> parts_;
   std::vector<std::uint8_t> is_unchanged_;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/local_frame.hpp"
-#include "solid/classed_pieces.hpp"
 #include "solid/inner_points.hpp"
 #include "solid/orientation.hpp"
 #include "solid/pieces.hpp"
@@ -38,12 +37,9 @@ std::vector<bool> repeated_triangles(const Body& body, const Topology& topology)
 /// Classifies the pieces of a body, but for some of its triangles.
 class Classifier {
  public:
-  /// Lists the pieces too, if there is a list for them.
-  Classifier(const Body& body, const Topology& topology, const std::vector<bool>& left_out,
-             std::vector<ClassedPiece>* listed, const std::stop_token& stop)
+  Classifier(const Body& body, const Topology& topology, const std::vector<bool>& left_out, const std::stop_token& stop)
       : body_(body),
         topology_(topology),
-        listed_(listed),
         stop_(stop),
         frame_(local_frame(body.box, body.box)),
         orientation_(orient(body, topology, left_out, stop)),
@@ -54,23 +50,32 @@ class Classifier {
         static_cast<std::uint64_t>(std::count(orientation_.is_turned.begin(), orientation_.is_turned.end(), true));
     for (const Piece& piece : pieces_of(body_, topology_, orientation_, stop_)) {
       if (stop_.stop_requested()) break;
-      const PartClass found = piece.closed ? class_of_closed(piece) : class_of_open(piece);
-      ++result_.pieces[static_cast<std::size_t>(found)];
+      Local local = this->local(piece);
+      const PartClass found = piece.closed ? class_of_closed(piece, local) : class_of_open(piece, local);
       result_.best = std::min(result_.best, found);
-      if (listed_ != nullptr) list(piece, found);
+      list(piece, found, std::move(local.tree));
     }
-    return result_;
+    return std::move(result_);
   }
   [[nodiscard]] bool has_inner_point() const { return has_inner_point_; }
 
  private:
-  void list(const Piece& piece, PartClass part_class) {
-    ClassedPiece listed{part_class, {}, {}, 0};
-    for (const std::uint32_t t : piece.triangles) {
+  void list(const Piece& piece, PartClass part_class, TriangleTree&& tree) {
+    ClassedPiece listed{.part_class = part_class};
+    double volume = 0;
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+      const std::uint32_t t = piece.triangles[i];
       if (is_within_material_[t]) continue;
       auto triangle = body_.placed.mesh->triangles[t];
       if (orientation_.is_turned[t]) std::swap(triangle[1], triangle[2]);
       listed.triangles.push_back(triangle);
+      const Triangle& local = tree.triangles()[i];
+      volume += dot(local[0], cross(local[1], local[2])) / 6;
+    }
+    if (part_class == PartClass::solid) listed.volume = std::abs(volume) / frame_.unit / frame_.unit / frame_.unit;
+    if (part_class == PartClass::cracked) {
+      listed.tree = std::move(tree), listed.frame = frame_;
+      listed.open_edges.emplace(std::move(open_edges_), stop_);
     }
     if (part_class != PartClass::surface) {
       for (const InnerPoint& inner : inner_points_) {
@@ -78,7 +83,7 @@ class Classifier {
         listed.radius = std::max(listed.radius, listed.inner_points.back().radius);
       }
     }
-    listed_->push_back(std::move(listed));
+    result_.pieces.push_back(std::move(listed));
   }
 
   /// A piece in local coordinates, its triangles turned.
@@ -103,25 +108,23 @@ class Classifier {
     return {TriangleTree(std::move(triangles), stop_), norm(box.hi - box.lo), std::move(sample)};
   }
 
-  PartClass class_of_closed(const Piece& piece) {
-    const Local local = this->local(piece);
+  PartClass class_of_closed(const Piece& piece, const Local& local) {
     const InnerSearch search{local.tree, local.size, true, stop_};
-    find_inner_points(search, local, listed_ != nullptr);
+    find_inner_points(search, local);
     if (inner_points_.empty()) return PartClass::surface;
-    if (listed_ != nullptr) find_shells_within_material(piece, local);
+    find_shells_within_material(piece, local);
     has_inner_point_ = true;
     return PartClass::solid;
   }
 
-  /// Returns the largest radius. Most questions need no more than one point.
-  double find_inner_points(const InnerSearch& search, const Local& local, bool all) {
+  /// Returns the largest radius.
+  double find_inner_points(const InnerSearch& search, const Local& local) {
     inner_points_.clear();
     double largest = 0;
     for (const std::uint32_t t : local.sample) {
       const auto found = inner_point(search, t);
       if (!found) continue;
       inner_points_.push_back(*found), largest = std::max(largest, found->radius);
-      if (!all) break;
     }
     return largest;
   }
@@ -146,14 +149,19 @@ class Classifier {
     }
   }
 
-  PartClass class_of_open(const Piece& piece) {
-    const Local local = this->local(piece);
+  PartClass class_of_open(const Piece& piece, const Local& local) {
     const InnerSearch search{local.tree, local.size, false, stop_};
     const std::vector<OpenEdge> edges = open_edges_of(body_, topology_, orientation_, stop_);
-    double radius = find_inner_points(search, local, listed_ != nullptr);
+    const double radius = find_inner_points(search, local);
     result_.unclear_edges = edges.size();
     if (inner_points_.empty()) return PartClass::surface;
     has_inner_point_ = true;
+    open_edges_.clear();
+    for (const OpenEdge& edge : edges) {
+      const auto& corners = body_.placed.mesh->triangles[edge.triangle];
+      const Vec3 end = frame_.to_local(body_.world[corners[(edge.k + 1) % 3]]);
+      open_edges_.push_back({frame_.to_local(body_.world[corners[edge.k]]), end, end});
+    }
 
     std::vector<std::uint32_t> place(body_.size());
     for (std::uint32_t i = 0; i < piece.triangles.size(); ++i) place[piece.triangles[i]] = i;
@@ -170,7 +178,6 @@ class Classifier {
       result_.unclear_edge = {vertices[first.k], vertices[(first.k + 1) % 3]};
     }
     if (unclear.length > unclear.whole_length / 10) return PartClass::surface;
-    if (unclear.length > 4 * radius) radius = find_inner_points(search, local, true);
     return unclear.length <= 4 * radius ? PartClass::cracked : PartClass::surface;
   }
 
@@ -184,18 +191,19 @@ class Classifier {
 
   const Body& body_;
   const Topology& topology_;
-  std::vector<ClassedPiece>* listed_;
   const std::stop_token& stop_;
   LocalFrame frame_;
   Orientation orientation_;
   std::vector<bool> is_within_material_;  ///< per triangle
   Classification result_;
   std::vector<InnerPoint> inner_points_;  ///< of the last piece, in local coordinates
+  std::vector<Triangle> open_edges_;      ///< of the last open piece, likewise, as segments
   bool has_inner_point_ = false;
 };
 
-Classification classified(const Body& body, const Topology& topology, std::vector<ClassedPiece>* listed,
-                          const std::stop_token& stop) {
+}  // namespace
+
+Classification classify(const Body& body, const Topology& topology, const std::stop_token& stop) {
   std::vector<bool> left_out(body.size());
   if (body.size() == 0) return {};
   // A triangle with two equal corners runs through one edge to and fro.
@@ -203,31 +211,15 @@ Classification classified(const Body& body, const Topology& topology, std::vecto
     const auto [p, q, r] = topology.corners(body, t);
     left_out[t] = p == q || q == r || r == p;
   }
-  Classifier classifier(body, topology, left_out, listed, stop);
-  const Classification found = classifier.run();
+  Classifier classifier(body, topology, left_out, stop);
+  Classification found = classifier.run();
   if (classifier.has_inner_point() || stop.stop_requested()) return found;
   // Some programs write each triangle twice, once for each side: then nothing winds around anything.
   const std::vector<bool> repeated = repeated_triangles(body, topology);
   if (std::find(repeated.begin(), repeated.end(), true) == repeated.end()) return found;
   for (std::size_t t = 0; t < left_out.size(); ++t) left_out[t] = left_out[t] || repeated[t];
-  std::vector<ClassedPiece> once_listed;
-  const Classification once =
-      Classifier(body, topology, left_out, listed != nullptr ? &once_listed : nullptr, stop).run();
-  if (once.best == PartClass::surface) return found;
-  if (listed != nullptr) *listed = std::move(once_listed);
-  return once;
-}
-
-}  // namespace
-
-Classification classify(const Body& body, const Topology& topology, const std::stop_token& stop) {
-  return classified(body, topology, nullptr, stop);
-}
-
-std::vector<ClassedPiece> classed_pieces(const Body& body, const Topology& topology, const std::stop_token& stop) {
-  std::vector<ClassedPiece> pieces;
-  classified(body, topology, &pieces, stop);
-  return pieces;
+  Classification once = Classifier(body, topology, left_out, stop).run();
+  return once.best == PartClass::surface ? std::move(found) : std::move(once);
 }
 
 }  // namespace impinge::solid

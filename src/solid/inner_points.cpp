@@ -54,15 +54,20 @@ class NormalSearch {
   }
 
   void ascend() {
-    constexpr int kSteps = 8;
+    constexpr int kSteps = 16;
+    const auto unit = [](const Vec3& v) { return norm(v) > 0 ? (1 / norm(v)) * v : v; };
     double step = best_.radius / 2;
+    Vec3 away = unit(best_.point - nearest_);
     for (int i = 0; i < kSteps && step > best_.radius / 16 && !search_.stop.stop_requested(); ++i) {
-      const Vec3 point = best_.point + (step / best_.radius) * (best_.point - nearest_);
+      const Vec3 point = best_.point + step * away;
       const auto next = search_.tree.nearest(point, best_.radius + 2 * step);
-      if (next && next->distance > best_.radius && winds_around(point))
+      if (next && next->distance > best_.radius * (1 + 0x1p-10) && winds_around(point)) {
         take(point, *next);
-      else
+        away = unit(away + unit(point - next->point));
+      } else {
         step /= 2;
+        if (next) away = unit(away + unit(point - next->point));
+      }
     }
   }
 

@@ -17,7 +17,7 @@ namespace impinge::solid {
 namespace {
 
 /// Numbers positions in the order of their first vertices, by an open hash table with one vertex for each position.
-void number_positions(const std::vector<Vec3>& world, Topology& topology) {
+void number_positions(std::span<const Vec3> world, Topology& topology) {
   constexpr std::uint32_t kFree = 0xffffffff;
   const std::size_t slots = std::bit_ceil(2 * world.size() + 1);
   std::vector<std::uint32_t> table(slots, kFree);

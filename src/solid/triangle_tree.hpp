@@ -43,24 +43,35 @@ class TriangleTree {
   /// A cluster of triangles with the first terms of their winding number's expansion about its centre.
   struct Node {
     Box box;
-    std::uint32_t first, last;   ///< in `order_`
-    std::uint32_t right;         ///< the second child, the first one follows its parent; 0 for a leaf
-    Vec3 center;                 ///< of area
-    double radius;               ///< no point of a triangle is farther from the centre
-    double spread;               ///< the mean, over the area, of the squared distance from the centre
-    Vec3 area;                   ///< the sum of the triangles' normals times their areas
-    std::array<Vec3, 3> moment;  ///< of each component of the normal: the sum of it times area times (middle - centre)
+    std::uint32_t first, last;  ///< in `order_`
+    std::uint32_t right;        ///< the second child, the first one follows its parent; 0 for a leaf
+    Vec3 center;                ///< of area
+    double far;                 ///< farther than that from the centre, the expansion is good enough
+    Vec3 area;                  ///< the sum of the triangles' normals times their areas
+    // With n a triangle's normal times its area and p from the centre to a point of it, the sums over triangles of the
+    // mean
+    double trace;                    ///< n . p
+    std::array<double, 6> pairs;     ///< the quadratic form (n . r) (p . r)
+    std::array<double, 10> triples;  ///< the cubic form (n . r) (p . r)^2
+    Vec3 linear;                     ///< 2 (n . p) p + |p|^2 n
   };
 
   static constexpr std::uint32_t kLeaf = 8;
 
-  [[nodiscard]] double solid_angle(const Node& leaf, const Vec3& from) const;
+  /// The triangles of a leaf: of each corner the x, y and z of all.
+  struct Eight {
+    std::array<std::array<std::array<double, kLeaf>, 3>, 3> corners;
+  };
+  struct Turn;
+
+  [[nodiscard]] static Turn turn_around(const Eight& eight, const Vec3& from);
   void build(std::uint32_t first, std::uint32_t last, const std::stop_token& stop);
   [[nodiscard]] Node make_node(std::uint32_t first, std::uint32_t last) const;
 
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
+  std::vector<Eight> eights_;  ///< the triangles in the leaves' order
 };
 
 }  // namespace impinge::solid

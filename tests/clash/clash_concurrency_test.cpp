@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "clash/contact_pairs.hpp"
 #include "impinge/clash.hpp"
 #include "measure/nearest.hpp"
 #include "pipeline/mesh_state.hpp"
@@ -33,7 +32,7 @@ Scene scene_of_parts(std::uint64_t seed) {
 }
 
 ClashOptions everything(int threads) {
-  return {.tolerance = std::nullopt, .clearance = 0.01, .depth = true, .regions = true, .threads = threads};
+  return {.tolerance = std::nullopt, .clearance = 0.01, .regions = true, .threads = threads};
 }
 
 TEST(Clashes, AreTheSameForEveryThreadCountAndAtOnce) {
@@ -138,9 +137,6 @@ TEST(Stop, EndsWhatAllTrianglesAboutOneVertexWouldTake) {
     measure::near_pairs(
         placed, placed, 0, [](const TrianglePair&) { return true; }, stop);
   });
-  const solid::Body body = solid::make_body(placed);
-  stop_soon(
-      [&](const std::stop_token& stop) { clash::find_contact_pairs(body, body, {.within = 1e-6, .stop = stop}); });
   stop_soon([&](const std::stop_token& stop) {
     const auto clash = judge(middling, {}, middling, {}, {.threads = 1, .stop = stop});
     ASSERT_FALSE(clash);

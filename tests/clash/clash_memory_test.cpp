@@ -101,13 +101,13 @@ TEST(ClashMemory, ChangesNoAnswerWhateverMoves) {
     scenes::Random& random = seeded.random;
     Stage stage(parts(seed));
     ClashMemory memory;
-    ClashOptions options{.clearance = 0.01, .depth = true};
+    ClashOptions options{.clearance = 0.01};
     std::size_t known = 0;
     for (int frame = 0; frame < 16; ++frame) {
       SCOPED_TRACE("frame " + std::to_string(frame));
       switch (frame % 8) {
         case 0:
-          options.depth = frame == 0;  // all stand still, and something else is asked
+          options.depth_precision = frame == 0 ? 0.05 : 0.01;  // all stand still, and something else is asked
           break;
         case 1:
         case 5:
@@ -198,19 +198,6 @@ TEST(ClashMemory, ServesAnotherSceneAfterOneThatIsGoneOrWasStopped) {
   }
   const Scene none;
   EXPECT_TRUE(find_clashes(none, {}, &memory)->pairs.empty());
-}
-
-/// Defects are kept with the mesh, for one tolerance at a time.
-TEST(Examine, SaysTheSameOfAMeshThatItKnows) {
-  // Crosses itself by 0.001.
-  const scenes::MeshData twice =
-      scenes::joined(scenes::box({0, 0, 0}, {1, 1, 1}), scenes::box({0.999, 0.25, 0.25}, {2, 0.75, 0.75}));
-  const Mesh known = test::mesh_of(twice);
-  for (const std::optional<double>& tolerance : std::vector<std::optional<double>>{{}, 0.01, {}, 0.0, 0.01, 0.01}) {
-    const PartFacts facts = examine(known, {}, {.tolerance = tolerance}).value();
-    test::expect_same(examine(test::mesh_of(twice), {}, {.tolerance = tolerance}).value(), facts);
-    EXPECT_EQ(facts.solid, tolerance == 0.01);
-  }
 }
 
 TEST(Scene, AShapeThatChangesKeepsItsObject) {

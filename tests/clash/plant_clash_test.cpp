@@ -20,7 +20,8 @@ constexpr double kSlack = 1e-6;
 void expect_right(const scenes::Plant& plant, const ClashOptions& options) {
   const Result<Clashes> clashes = find_clashes(test::scene_of(plant.scene), options);
   ASSERT_TRUE(clashes) << clashes.error().message;
-  for (std::size_t i = 0; i < clashes->parts.size(); ++i) EXPECT_TRUE(clashes->parts[i].solid) << plant.names[i];
+  for (std::size_t i = 0; i < clashes->parts.size(); ++i)
+    EXPECT_EQ(clashes->parts[i].part_class, PartClass::solid) << plant.names[i];
   const auto answer = scenes::compare(plant, clashes->pairs, {.clearance = options.clearance, .slack = kSlack});
   for (const std::string& fault : answer.faults) ADD_FAILURE() << fault;
 }

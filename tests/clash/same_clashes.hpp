@@ -16,7 +16,6 @@ inline std::string text(const Interval& interval) {
 }
 
 inline void expect_same(const PartFacts& p, const PartFacts& q) {
-  EXPECT_EQ(p.solid, q.solid);
   EXPECT_EQ(p.closed, q.closed);
   EXPECT_EQ(p.part_class, q.part_class);
   EXPECT_EQ(p.pieces, q.pieces);
@@ -34,7 +33,7 @@ inline void expect_same(const PartFacts& p, const PartFacts& q) {
   }
   EXPECT_EQ(p.volume, q.volume);
   EXPECT_EQ(p.area, q.area);
-  EXPECT_EQ(p.wall, q.wall);
+  EXPECT_EQ(p.radius, q.radius);
 }
 
 inline void expect_same(const Region& p, const Region& q) {
@@ -56,6 +55,7 @@ inline void expect_same(const Clash& p, const Clash& q) {
   EXPECT_EQ(p.inner, q.inner);
   EXPECT_EQ(p.note, q.note);
   EXPECT_EQ(p.tolerance, q.tolerance);
+  EXPECT_EQ(p.fails_below, q.fails_below);
   EXPECT_EQ(p.contacts, q.contacts);
   ASSERT_EQ(p.nearest.has_value(), q.nearest.has_value());
   if (p.nearest) {

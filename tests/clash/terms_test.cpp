@@ -50,7 +50,7 @@ const std::vector<ClashTerms>& all_terms() {
 
 TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
   const Scene scene = row_of_boxes();
-  ClashOptions options{.clearance = 1, .depth = true, .regions = true};
+  ClashOptions options{.clearance = 1, .regions = true};
   options.terms = [](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
     EXPECT_LT(a, b);
     EXPECT_TRUE(terms.empty());
@@ -62,8 +62,8 @@ TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
   std::size_t expected = 0;
   for (std::size_t i = 0; i < all_terms().size(); ++i) {
     const ClashTerms& terms = all_terms()[i];
-    const Result<Clashes> alone = find_clashes(
-        scene, {.tolerance = terms.tolerance, .clearance = terms.clearance, .depth = true, .regions = true});
+    const Result<Clashes> alone =
+        find_clashes(scene, {.tolerance = terms.tolerance, .clearance = terms.clearance, .regions = true});
     ASSERT_TRUE(alone) << alone.error().message;
     std::vector<const Clash*> of_test, wanted;
     for (const Clash& clash : found->pairs)
@@ -110,7 +110,7 @@ TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
     ASSERT_TRUE(scene.add(parts.back().first, pose));
   }
   for (const std::optional<double> tolerance : {std::optional<double>(), std::optional<double>(0)}) {
-    ClashOptions options{.tolerance = tolerance, .clearance = 1, .depth = true, .regions = true};
+    ClashOptions options{.tolerance = tolerance, .clearance = 1, .regions = true};
     const Result<Clashes> found = find_clashes(scene, options);
     ASSERT_TRUE(found) << found.error().message;
     auto next = found->pairs.begin();

@@ -41,7 +41,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
                                          {"clearance", 0.0},
-                                         {"depth", false},
+                                         {"depth_precision", 0.05},
                                          {"regions", false},
                                          {"fail_on", {"penetration", "inside"}},
                                          {"ignore", json::array()},
@@ -58,9 +58,8 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   ASSERT_EQ(answer.at("objects").size(), 5U);
   for (const json& object : answer.at("objects"))
     EXPECT_EQ(keys(object),
-              "area class closed file first_open_edge first_self_crossing first_unclear_edge id name open_edges path "
-              "pieces placed product "
-              "self_crossings solid triangles turned type unclear_edges volume wall");
+              "area class closed file first_open_edge first_self_crossing first_unclear_edge id inner_radius name "
+              "open_edges path pieces placed product self_crossings triangles turned type unclear_edges volume");
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
@@ -70,6 +69,10 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                                std::regex("[0-9a-f]{8}-[0-9a-f]{4}-5[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}")));
   EXPECT_NE(first.at("id"), answer.at("pairs").at(1).at("id"));
   first.erase("id");
+  EXPECT_EQ(keys(first.at("overlap_depth")), "a_in_b b_in_a");
+  EXPECT_TRUE(first.at("fails_below").is_null());  // a corner of each is the middle of the other
+  EXPECT_NEAR(first.at("tolerance").get<double>(), 0x1p-20 * 4 * std::sqrt(3), 0x1p-30);  // of two cubes of 2
+  first.erase("overlap_depth"), first.erase("fails_below"), first.erase("tolerance");
   EXPECT_EQ(first, (json{{"test", nullptr},
                          {"change", nullptr},
                          {"status", nullptr},
@@ -83,7 +86,6 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"verdict", "penetrating"},
                          {"inner", nullptr},
                          {"note", nullptr},
-                         {"tolerance", std::ldexp(3.0, -20)},
                          {"fails", true}}));
   EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
   EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);
@@ -104,19 +106,19 @@ TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
   const json objects = json::parse(clash({}).out).at("objects");
   const json& solid = objects.at(2);
   EXPECT_EQ(solid.at("name"), "big");
-  EXPECT_EQ(solid.at("solid"), true);
+  EXPECT_EQ(solid.at("class"), "solid");
   EXPECT_EQ(solid.at("open_edges"), 0);
   EXPECT_TRUE(solid.at("first_open_edge").is_null());
   EXPECT_NEAR(solid.at("volume"), 216, 1e-9);
   EXPECT_NEAR(solid.at("area"), 216, 1e-9);
-  EXPECT_NEAR(solid.at("wall"), 2, 1e-9);
+  EXPECT_NEAR(solid.at("inner_radius"), 3, 0.15);
   const json& surface = objects.at(4);
-  EXPECT_EQ(surface.at("solid"), false);
+  EXPECT_EQ(surface.at("class"), "surface");
   EXPECT_EQ(surface.at("closed"), false);
   EXPECT_EQ(surface.at("open_edges"), 4);
   EXPECT_EQ(surface.at("self_crossings"), 0);
   EXPECT_TRUE(surface.at("volume").is_null());
-  EXPECT_TRUE(surface.at("wall").is_null());
+  EXPECT_TRUE(surface.at("inner_radius").is_null());
   EXPECT_NEAR(surface.at("area"), 12, 1e-9);
   // Which edge is the first is open; it is a side of the rectangle.
   json edge = surface.at("first_open_edge");
@@ -131,7 +133,8 @@ TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
 
 TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
   const json answer = json::parse(
-      clash({"--depth", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"}).out);
+      clash({"--depth", "0.01", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"})
+          .out);
   EXPECT_EQ(answer.at("settings").at("tolerance"), 0.25);
   EXPECT_EQ(answer.at("settings").at("clearance"), 3.5);
   EXPECT_EQ(answer.at("settings").at("fail_on"), json::array({"clearance"}));

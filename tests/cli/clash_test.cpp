@@ -44,7 +44,7 @@ class Clash : public testing::Test {
 std::string first_block(const std::string& text) { return text.substr(0, text.find("\n\n") + 1); }
 
 TEST_F(Clash, PrintsARankedTableTheSurfacesAndASummary) {
-  const Ended run = clash({"--tolerance", "0.001"});
+  const Ended run = clash({"--tolerance", "0.001", "--depth", "none"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(first_block(run.out),
@@ -54,33 +54,35 @@ TEST_F(Clash, PrintsARankedTableTheSurfacesAndASummary) {
             "penetrating  a      b\n"
             "crossing     e      sheet\n"
             "touching     b      c\n");
-  EXPECT_NE(run.out.find("\n\nsheet is no solid: 4 open edges, first at ("), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("\n\n11 parts, 10 solids, 1 surface; 1 duplicate, 1 inside, 1 penetrating, 1 crossing, "
-                         "1 touching; tolerance 0.001.\n"
-                         "4 pairs fail (penetration, inside).\n"
-                         "122 triangles; read in "),
-            std::string::npos)
+  EXPECT_NE(run.out.find("\n\nsheet is a surface: 4 open edges, first at ("), std::string::npos) << run.out;
+  EXPECT_NE(
+      run.out.find(
+          "\n\n11 parts, 10 solids, 0 cracked solids, 1 surface; 1 duplicate, 1 inside, 1 penetrating, 1 crossing, "
+          "1 touching; tolerance 0.001.\n"
+          "4 pairs fail (penetration, inside).\n"
+          "122 triangles; read in "),
+      std::string::npos)
       << run.out;
 }
 
 TEST_F(Clash, ClearanceListsWhatIsNearWithItsDistance) {
   // The distance is the square root of 13.
-  const Ended run = clash({"--clearance", "3.61", "--tolerance", "0"});
+  const Ended run = clash({"--clearance", "3.61", "--tolerance", "0", "--depth", "none"});
   EXPECT_EQ(first_block(run.out),
-            "verdict      part   part   distance\n"
-            "duplicate    d      d2            -\n"
-            "inside       small  big           2\n"
-            "penetrating  a      b             -\n"
-            "crossing     e      sheet         -\n"
-            "touching     b      c             -\n"
-            "apart        a      c             1\n"
-            "apart        f      g         3.606\n");
+            "verdict      part   part   distance  note\n"
+            "duplicate    d      d2            -  -\n"
+            "inside       small  big           2  -\n"
+            "penetrating  a      b             -  -\n"
+            "crossing     e      sheet         -  tolerance raised\n"
+            "touching     b      c             -  -\n"
+            "apart        a      c             1  -\n"
+            "apart        f      g         3.606  -\n");
   EXPECT_NE(run.out.find("1 touching, 2 nearer than 3.61; no tolerance.\n"), std::string::npos) << run.out;
   EXPECT_EQ(clash({"--clearance", "3.6"}).out.find("apart        f"), std::string::npos);
 }
 
 TEST_F(Clash, DepthAndRegionsHaveColumns) {
-  const Ended run = clash({"--depth", "--regions"});
+  const Ended run = clash({"--depth", "0.01", "--regions"});
   std::istringstream lines(run.out);
   std::map<std::string, std::vector<std::string>> rows;
   for (std::string line; std::getline(lines, line) && !line.empty();) {
@@ -94,15 +96,17 @@ TEST_F(Clash, DepthAndRegionsHaveColumns) {
   EXPECT_NEAR(std::stod(rows["penetrating"][2]), 1.0, 0.011);  // a corner of each is the middle of the other
   EXPECT_EQ(rows["penetrating"][3], "1");
   ASSERT_EQ(rows["inside"].size(), 4U) << run.out;
-  EXPECT_NEAR(std::stod(rows["inside"][2]), 2.0, 0.021);  // the small one's faces are 2 from the big one's
+  EXPECT_NEAR(std::stod(rows["inside"][2]), 3.0, 0.15);  // the middle of the big one is in the small one
   EXPECT_EQ(rows["inside"][3], "0");
-  // Of surfaces and of what only touches there is no depth.
+  // What only touches has no depth.
   EXPECT_EQ(rows["touching"], (std::vector<std::string>{"b", "c", "-", "1"})) << run.out;
-  EXPECT_EQ(rows["crossing"], (std::vector<std::string>{"e", "sheet", "-", "1"})) << run.out;
+  ASSERT_EQ(rows["crossing"].size(), 4U) << run.out;
+  EXPECT_NEAR(std::stod(rows["crossing"][2]), 1.0, 0.011);  // the sheet goes through the middle
+  EXPECT_EQ(first_block(clash({"--depth", "none"}).out).find("depth"), std::string::npos);
 }
 
 TEST_F(Clash, LimitShortensTheTableAlone) {
-  const Ended run = clash({"--limit", "2", "--json", "out.json"});
+  const Ended run = clash({"--limit", "2", "--json", "out.json", "--depth", "none"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(first_block(run.out),
             "verdict    part   part\n"
@@ -142,7 +146,7 @@ TEST_F(Clash, ExitCodeIsWhatFailOnNames) {
 }
 
 TEST_F(Clash, MarksWhatFailsIfTheVerdictsAloneDoNotTell) {
-  EXPECT_EQ(first_block(clash({"--fail-on", "inside"}).out),
+  EXPECT_EQ(first_block(clash({"--fail-on", "inside", "--depth", "none"}).out),
             "verdict      part   part   fails\n"
             "duplicate    d      d2     -\n"
             "inside       small  big    yes\n"
@@ -157,7 +161,7 @@ TEST_F(Clash, SaysThatNothingTouchesOrIsNear) {
   const Ended far = impinge(folder, {"clash", "a.off", "g.off"});
   EXPECT_EQ(far.code, 0);
   EXPECT_EQ(far.out.substr(0, far.out.rfind("24 triangles")),
-            "2 parts, 2 solids, 0 surfaces; nothing touches; tolerance auto.\n"
+            "2 parts, 2 solids, 0 cracked solids, 0 surfaces; nothing touches; tolerance auto.\n"
             "No pair fails (penetration, inside).\n");
   const Ended clear = impinge(folder, {"clash", "a.off", "g.off", "--clearance", "0.5"});
   EXPECT_NE(clear.out.find("; nothing is nearer than 0.5; "), std::string::npos) << clear.out;
@@ -181,8 +185,6 @@ class Tolerance : public testing::Test {
     folder.write("block.off", off(box({0, 0, 0}, {2000, 2000, 2000})));
     folder.write("in.off", off(box({1999, 500, 500}, {3999, 1500, 1500})));
     folder.write("off.off", off(box({2001, 500, 500}, {4001, 1500, 1500})));
-    folder.write("plate.off", off(box({0, 0, 0}, {100, 100, 4})));
-    folder.write("lid.off", off(box({10, 10, 1}, {90, 90, 5})));
   }
   [[nodiscard]] Ended clash(const std::string& a, const std::string& b, const std::string& tolerance) const {
     return impinge(folder, {"clash", a, b, "--tolerance", tolerance, "--fail-on", "penetration"});
@@ -199,14 +201,14 @@ TEST_F(Tolerance, ExcusesWhatOverlapsByNoMore) {
   EXPECT_EQ(pair.at("tolerance"), 2.0);
   EXPECT_EQ(pair.at("note"), sentence(Note::overlap_within_tolerance));
   EXPECT_EQ(first_block(excused.out),
-            "verdict   part   part  note\n"
-            "touching  block  in    overlap within tolerance\n");
+            "verdict   part   part  depth  note\n"
+            "touching  block  in        1  overlap within tolerance\n");
   for (const char* tolerance : {"0", "0.9", "auto"}) {
     const Ended run = clash("block.off", "in.off", tolerance);
     EXPECT_EQ(run.code, 1) << tolerance;
     EXPECT_EQ(first_block(run.out),
-              "verdict      part   part\n"
-              "penetrating  block  in\n")
+              "verdict      part   part  depth\n"
+              "penetrating  block  in        1\n")
         << tolerance;
   }
 }
@@ -218,13 +220,19 @@ TEST_F(Tolerance, TakesASmallGapForContact) {
   EXPECT_NE(clash("block.off", "off.off", "0").out.find("nothing touches"), std::string::npos);
 }
 
-TEST_F(Tolerance, DoesNotExcuseThinPartsAndSaysSo) {
-  // The plate's wall is 2 x 40000 / 21600, a quarter of it below 1.
-  const Ended run = clash("plate.off", "lid.off", "3");
-  EXPECT_EQ(run.code, 1);
-  EXPECT_EQ(first_block(run.out),
-            "verdict      part   part  note\n"
-            "penetrating  plate  lid   tolerance not applied\n");
+TEST_F(Tolerance, IsNamedWhereItLeavesOutWhatIsShallow) {
+  std::vector<std::string> words{"clash", "block.off", "deep.off"};
+  folder.write("deep.off", off(box({1900, 500, 500}, {3900, 1500, 1500})));
+  for (int i = 0; i < 6; ++i) {
+    words.push_back("pin" + std::to_string(i) + ".off");
+    folder.write(words.back(), off(box({100 * i, 0, 1999}, {100 * i + 50, 50, 2099})));
+  }
+  const std::string line = "6 of 7 failing pairs are shallower than 1.1; --tolerance 1.1 leaves 1.\n";
+  const Ended run = impinge(folder, words);
+  EXPECT_NE(run.out.find("\n7 pairs fail (penetration, inside).\n" + line), std::string::npos) << run.out;
+  EXPECT_NE(impinge(folder, joined(words, {"--tolerance", "1.1"})).out.find("\n1 pair fails ("), std::string::npos);
+  // Of what touches a tolerance excuses nothing.
+  EXPECT_EQ(impinge(folder, joined(words, {"--fail-on", "contact"})).out.find("shallower"), std::string::npos);
 }
 
 }  // namespace

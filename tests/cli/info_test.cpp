@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The place that the defects' line names between two texts, if it is one of the edges that (2 0 0), (2 2 2) and (2 0
-/// 2) are the ends of: which of them comes first is open.
+/// The place that the line of its facts names between two texts, if it is one of the edges that (2 0 0), (2 2 2) and (2
+/// 0 2) are the ends of: which of them comes first is open.
 std::string edge_between(const std::string& text, const std::string& before, const std::string& after) {
   for (const char* a : {"(2 0 0)", "(2 2 2)", "(2 0 2)"})
     for (const char* b : {"(2 0 0)", "(2 2 2)", "(2 0 2)"}) {
@@ -36,13 +36,13 @@ TEST(Info, ListsObjectsTrianglesAndOpenEdges) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out,
             "closed.off: 1 object, 12 triangles\n"
-            "object  triangles  vertices  degenerate  open edges  solid             centre  radius\n"
-            "closed         12         8           0      closed  yes    5.000 6.000 7.000   1.732\n"
+            "object  triangles  vertices  degenerate  open edges  class             centre  radius\n"
+            "closed         12         8           0      closed  solid  5.000 6.000 7.000   1.732\n"
             "\n"
             "open.off: 1 object, 12 triangles\n"
-            "object  triangles  vertices  degenerate  open edges  solid             centre  radius\n"
-            "open           12         8           1           3  no     1.000 1.000 1.000   1.732\n"
-            "open is no solid: 3 open edges, first at " +
+            "object  triangles  vertices  degenerate  open edges  class               centre  radius\n"
+            "open           12         8           1           3  surface  1.000 1.000 1.000   1.732\n"
+            "open is a surface: 3 open edges, first at " +
                 edge_between(run.out, "3 open edges, first at ", "; ") + "; 3 unclear edges, first at " +
                 edge_between(run.out, "3 unclear edges, first at ", "\n") + "\n");
 }
@@ -69,13 +69,13 @@ TEST(Info, JsonHoldsTheSame) {
   EXPECT_EQ(object.at("degenerate"), 0);
   EXPECT_EQ(object.at("closed"), true);
   EXPECT_EQ(object.at("open_edges"), 0);
-  EXPECT_EQ(object.at("solid"), true);
+  EXPECT_EQ(object.at("class"), "solid");
   EXPECT_EQ(object.at("self_crossings"), 0);
   EXPECT_TRUE(object.at("first_open_edge").is_null());
   EXPECT_TRUE(object.at("first_self_crossing").is_null());
   EXPECT_NEAR(object.at("volume"), 8.0, 1e-9);
   EXPECT_NEAR(object.at("area"), 24.0, 1e-9);
-  EXPECT_NEAR(object.at("wall"), 2.0 / 3, 1e-9);
+  EXPECT_NEAR(object.at("inner_radius"), 1.0, 0.05);
   EXPECT_NEAR(object.at("center").at(2), 7.0, 1e-9);
   EXPECT_NEAR(object.at("radius"), std::sqrt(3.0), 1e-9);
   EXPECT_TRUE(answer.at("files").at(1).at("error").is_string());
@@ -94,13 +94,10 @@ TEST(Info, NamesWhereAPartCrossesItself) {
   both.vertices.insert(both.vertices.end(), second.vertices.begin(), second.vertices.end());
   folder.write("both.off", off(both));
   const Ended run = impinge(folder, {"info", "both.off", "--json", "out.json"});
-  EXPECT_NE(run.out.find("both is no solid: "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find(" self-crossings, first near ("), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("both is "), std::string::npos) << run.out;  // it has an inside
   const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
   EXPECT_EQ(object.at("closed"), true);
-  EXPECT_EQ(object.at("solid"), false);
-  EXPECT_TRUE(object.at("volume").is_null());
-  EXPECT_TRUE(object.at("wall").is_null());
+  EXPECT_EQ(object.at("class"), "solid");
   EXPECT_GT(object.at("self_crossings"), 0);
   const json& crossing = object.at("first_self_crossing");
   // One triangle of each box, and a place that is in the box of both.
@@ -118,7 +115,7 @@ TEST(Info, WhereNothingIsExactNothingIsSaidOfSolids) {
   const Ended run = impinge(folder, {"info", "far.off", "--json", "out.json"});
   EXPECT_NE(run.out.find("unknown"), std::string::npos) << run.out;
   const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
-  for (const char* key : {"solid", "closed", "open_edges", "self_crossings", "volume", "area", "wall"})
+  for (const char* key : {"class", "closed", "open_edges", "self_crossings", "volume", "area", "inner_radius"})
     EXPECT_TRUE(object.at(key).is_null()) << key;
 }
 

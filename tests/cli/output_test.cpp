@@ -125,7 +125,8 @@ TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
     Launch launch;
     launch.environment["COLUMNS"] = std::to_string(width);
     for (const std::vector<std::string>& asked :
-         {std::vector<std::string>{"check"}, {"clash", "--depth", "--clearance", "1", "--fail-on", "contact"}}) {
+         {std::vector<std::string>{"check"},
+          {"clash", "--depth", "0.01", "--clearance", "1", "--fail-on", "contact"}}) {
       const Ended run = impinge(folder, joined(asked, {"a.off", "b.off", name}), launch);
       EXPECT_EQ(run.code, 1) << run.err;
       EXPECT_EQ(run.out.find('\x1b'), std::string::npos);

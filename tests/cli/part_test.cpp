@@ -20,21 +20,21 @@ Mesh two_triangles() {
   return Mesh::create(std::span<const double>(xyz), triangles).value();
 }
 
-TEST(Part, DefectsAreNamedWithPlaces) {
+TEST(Part, FactsAreNamedWithPlaces) {
   Part part;
   part.size = 1;
-  EXPECT_EQ(defects_text(part), "it encloses nothing");
+  EXPECT_EQ(facts_text(part), "it encloses nothing");
   part.facts.open_edges = 1;
   part.facts.open_edge = Segment{Point{0, -0.0, 0.25}, Point{100, 0, 1.0 / 3}};
-  EXPECT_EQ(defects_text(part), "1 open edge, first at (0 0 0.25)-(100 0 0.333)");
+  EXPECT_EQ(facts_text(part), "1 open edge, first at (0 0 0.25)-(100 0 0.333)");
   part.facts.self_crossings = 1200;
   part.crossing_near = Point{-1, 2, 1e6};
-  EXPECT_EQ(defects_text(part),
+  EXPECT_EQ(facts_text(part),
             "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1,200 self-crossings, first near (-1 2 1000000)");
   part.facts.unclear_edges = 1;
   part.facts.unclear_edge = Segment{Point{0, 0, 0}, Point{0, 0, 1}};
   part.facts.turned = 2;
-  EXPECT_EQ(defects_text(part),
+  EXPECT_EQ(facts_text(part),
             "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1 unclear edge, first at (0 0 0)-(0 0 1); 1,200 "
             "self-crossings, first near (-1 2 1000000); 2 triangles turned");
 }
@@ -53,13 +53,11 @@ TEST(Part, ACrossingIsNearBothTriangles) {
 
 TEST(Part, JsonIsNullWhereNothingIsKnown) {
   Part part;
-  part.facts.solid = true;
-  part.facts.volume = 8, part.facts.area = 24, part.facts.wall = 0.5;
+  part.facts.volume = 8, part.facts.area = 24, part.facts.radius = 0.5;
   const auto parse = [](const std::optional<Part>& of) { return json::parse(json_text(json_facts(of))); };
   part.facts.part_class = PartClass::solid;
   part.facts.pieces = {2, 0, 1};
-  EXPECT_EQ(parse(part), (json{{"solid", true},
-                               {"class", "solid"},
+  EXPECT_EQ(parse(part), (json{{"class", "solid"},
                                {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
                                {"turned", 0},
                                {"unclear_edges", 0},
@@ -69,8 +67,7 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
                                {"first_self_crossing", nullptr},
                                {"volume", 8.0},
                                {"area", 24.0},
-                               {"wall", 0.5}}));
-  part.facts.solid = false;
+                               {"inner_radius", 0.5}}));
   part.facts.open_edges = 1;
   part.facts.open_edge = Segment{Point{0, 0, 1}, Point{0, 0, 1e300}};
   part.facts.self_crossings = 2;
@@ -80,8 +77,7 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   part.facts.turned = 5;
   part.facts.unclear_edges = 1;
   part.facts.unclear_edge = Segment{Point{0, 0, 1}, Point{0, 0, 2}};
-  EXPECT_EQ(parse(part), (json{{"solid", false},
-                               {"class", "cracked"},
+  EXPECT_EQ(parse(part), (json{{"class", "cracked"},
                                {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
                                {"turned", 5},
                                {"unclear_edges", 1},
@@ -91,15 +87,17 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
                                {"first_self_crossing", {{"triangles", {3, 7}}, {"near", {0.1, 0.0, 0.0}}}},
                                {"volume", nullptr},
                                {"area", 24.0},
-                               {"wall", nullptr}}));
+                               {"inner_radius", 0.5}}));
+  part.facts.part_class = PartClass::surface;
+  EXPECT_TRUE(parse(part).at("inner_radius").is_null());
   const json unknown = parse(std::nullopt);
   for (const auto& item : unknown.items()) EXPECT_TRUE(item.value().is_null()) << item.key();
   EXPECT_EQ(unknown.size(), parse(part).size());
 }
 
-TEST(Part, TheListOfSurfacesIsCut) {
+TEST(Part, TheListOfSurfacesAndCrackedPartsIsCut) {
   std::vector<Part> parts(13);
-  parts[0].facts.solid = true;
+  parts[0].facts.part_class = PartClass::solid;
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < parts.size(); ++i) labels.push_back("a_rather_long_name_" + std::to_string(i));
   const auto printed = [&](std::size_t count, std::optional<std::size_t> width) {
@@ -113,14 +111,18 @@ TEST(Part, TheListOfSurfacesIsCut) {
     return text;
   };
   EXPECT_EQ(printed(1, {}), "");
-  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is no solid: it encloses nothing\n");
+  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is a surface: it encloses nothing\n");
   parts[1].facts.part_class = PartClass::cracked;
-  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is a cracked solid: it encloses nothing\n");
+  parts[1].facts.open_edges = 2;
+  EXPECT_EQ(printed(3, {}),
+            "a_rather_long_name_2 is a surface: it encloses nothing\n"
+            "a_rather_long_name_1 is cracked: 2 open edges\n");
+  parts[1].facts.open_edges = 0;
   parts[1].facts.part_class = PartClass::surface;
-  EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is no solid: it encloses nothing\n");
+  EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is a surface: it encloses nothing\n");
   EXPECT_EQ(printed(11, {}).find("more"), std::string::npos);
   EXPECT_TRUE(
-      printed(13, {}).ends_with("name_10 is no solid: it encloses nothing\n"
+      printed(13, {}).ends_with("name_10 is a surface: it encloses nothing\n"
                                 "(2 more are no solids; --json lists them.)\n"))
       << printed(13, {});
 }

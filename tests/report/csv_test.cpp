@@ -20,7 +20,7 @@ const std::string kHead =
     "rank,verdict,fails,id,a,b,a_path,b_path,a_product,b_product,a_file,b_file,inner,depth,a_in_b_least,"
     "a_in_b_most,b_in_a_least,b_in_a_most,distance,distance_error,regions,area,length,x,y,z,normal_x,normal_y,"
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
-    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m\r\n";
+    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below\r\n";
 
 class Csv : public testing::Test {
  protected:
@@ -63,6 +63,10 @@ TEST_F(Csv, SaysWhatTheJsonSaysWorstFirst) {
     EXPECT_EQ(number(row.at("tolerance")), pair.at("tolerance").get<double>());
     const json& depth = pair.at("overlap_depth");
     EXPECT_EQ(row.at("a_in_b_least").empty(), depth.is_null());
+    EXPECT_EQ(row.at("fails_below").empty(), pair.at("fails_below").is_null());
+    if (!row.at("fails_below").empty()) {
+      EXPECT_EQ(number(row.at("fails_below")), pair.at("fails_below").get<double>());
+    }
     if (!depth.is_null()) {
       EXPECT_EQ(number(row.at("a_in_b_least")), depth.at("a_in_b").at(0).get<double>());
       EXPECT_EQ(number(row.at("b_in_a_most")), depth.at("b_in_a").at(1).get<double>());

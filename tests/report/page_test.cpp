@@ -146,7 +146,7 @@ TEST_F(PageFile, HoldsTheReportAndWhatIsDrawn) {
   EXPECT_EQ(out.before, kPageHead + "<title>t</title>\n");
   EXPECT_EQ(out.after, "\n<script>run()</script>\n");
   EXPECT_EQ(out.report, json::parse(folder.read("out.json")));
-  EXPECT_TRUE(out.report.at("settings").at("depth"));
+  EXPECT_EQ(out.report.at("settings").at("depth_precision"), 0.05);
   EXPECT_TRUE(out.report.at("settings").at("regions"));
   EXPECT_EQ(out.scene.at("version"), 1);
   EXPECT_EQ(out.scene.at("title"), "a.off, b.off, far.off");
@@ -321,7 +321,7 @@ TEST_F(PageFile, OfAViewHasNoClashes) {
   EXPECT_TRUE(out.report.at("counts").is_null());
   ASSERT_EQ(out.report.at("objects").size(), 2U);
   EXPECT_EQ(out.report.at("objects").at(1).at("name"), "b");
-  EXPECT_TRUE(out.report.at("objects").at(1).at("solid").is_null());
+  EXPECT_TRUE(out.report.at("objects").at(1).at("class").is_null());
   EXPECT_EQ(out.corners(1), corners(box({1, 1, 1}, {3, 3, 3})));
   EXPECT_EQ(run({"view", "a.off", "--quiet"}).out, "") << "it may replace its own page";
 }

@@ -32,7 +32,7 @@ TEST(Classify, DamagedSolidsAreSolidOrCrackedWhatTheyWere) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << solid.name);
       const solid::Classification found = classified(solid.damaged);
       EXPECT_EQ(found.best, solid.is_open ? PartClass::cracked : PartClass::solid);
-      EXPECT_EQ(found.pieces, (solid.is_open ? Pieces{0, 1, 0} : Pieces{1, 0, 0}));
+      EXPECT_EQ(found.counts(), (solid.is_open ? Pieces{0, 1, 0} : Pieces{1, 0, 0}));
       EXPECT_EQ(found.unclear_edges, 0U);
     }
   }
@@ -43,7 +43,7 @@ TEST(Classify, OpenShapesStaySurfaces) {
     SCOPED_TRACE(shape.name);
     const solid::Classification found = classified(shape.mesh);
     EXPECT_EQ(found.best, PartClass::surface);
-    EXPECT_EQ(found.pieces, (Pieces{0, 0, 1}));
+    EXPECT_EQ(found.counts(), (Pieces{0, 0, 1}));
     // Also where a large cracked block is in the same part: its open edges are longer than those of the duct's ends.
     scenes::Random random(1);
     const scenes::MeshData block =
@@ -64,39 +64,39 @@ TEST(Classify, TurnsTheLesserAreaAndWhatWindsNegatively) {
   const scenes::MeshData both =
       scenes::joined(scenes::cube(), scenes::inverted(scenes::shifted(scenes::cube(), 3, 0, 0)));
   EXPECT_EQ(classified(both).turned, 12U);
-  EXPECT_EQ(classified(both).pieces, (Pieces{2, 0, 0}));
+  EXPECT_EQ(classified(both).counts(), (Pieces{2, 0, 0}));
 }
 
 TEST(Classify, ACavityIsOnePieceWithItsShellAndTurnsWithIt) {
   const scenes::MeshData shell = scenes::box({0, 0, 0}, {4, 4, 4}), hole = scenes::box({1, 1, 1}, {3, 3, 3});
   const scenes::MeshData core = scenes::shifted(scenes::cube(), 1.5, 1.5, 1.5);
   const scenes::MeshData hollow = scenes::joined(scenes::joined(shell, scenes::inverted(hole)), core);
-  EXPECT_EQ(classified(hollow).pieces, (Pieces{1, 0, 0}));
+  EXPECT_EQ(classified(hollow).counts(), (Pieces{1, 0, 0}));
   EXPECT_EQ(classified(hollow).turned, 0U);
-  EXPECT_EQ(classified(scenes::inverted(hollow)).pieces, (Pieces{1, 0, 0}));
+  EXPECT_EQ(classified(scenes::inverted(hollow)).counts(), (Pieces{1, 0, 0}));
   EXPECT_EQ(classified(scenes::inverted(hollow)).turned, 36U);
   // A block across the shell is not within it.
   const scenes::MeshData across = scenes::joined(shell, scenes::inverted(scenes::box({1, 1, 1}, {3, 3, 5})));
-  EXPECT_EQ(classified(across).pieces, (Pieces{2, 0, 0}));
+  EXPECT_EQ(classified(across).counts(), (Pieces{2, 0, 0}));
   EXPECT_EQ(classified(across).turned, 12U);
 }
 
 TEST(Classify, PiecesOfEachClassAreCounted) {
   const scenes::MeshData sheet = scenes::shifted(scenes::flat_grid(3, 3), 10, 0, 0);
-  EXPECT_EQ(classified(scenes::joined(scenes::cube(), sheet)).pieces, (Pieces{1, 0, 1}));
+  EXPECT_EQ(classified(scenes::joined(scenes::cube(), sheet)).counts(), (Pieces{1, 0, 1}));
   scenes::Random random(3);
   const scenes::MeshData cracked = scenes::faces_apart(scenes::shifted(scenes::cube(), -5, 0, 0), 1e-4, random);
   const scenes::MeshData blocks = scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 5, 0, 0));
   const solid::Classification found = classified(scenes::joined(blocks, cracked));
-  EXPECT_EQ(found.pieces, (Pieces{2, 1, 0}));
+  EXPECT_EQ(found.counts(), (Pieces{2, 1, 0}));
   EXPECT_EQ(found.best, PartClass::solid);
 }
 
 TEST(Classify, WhatMeetsItselfIsSolid) {
   const scenes::MeshData across = scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 0.5, 0.5, 0.5));
-  EXPECT_EQ(classified(across).pieces, (Pieces{2, 0, 0}));
+  EXPECT_EQ(classified(across).counts(), (Pieces{2, 0, 0}));
   // Twice the same, which winds twice around points.
-  EXPECT_EQ(classified(scenes::joined(scenes::cube(), scenes::cube())).pieces, (Pieces{1, 0, 0}));
+  EXPECT_EQ(classified(scenes::joined(scenes::cube(), scenes::cube())).counts(), (Pieces{1, 0, 0}));
 }
 
 TEST(Classify, AMobiusBandIsASurfaceAndIsNotTurned) {
@@ -123,7 +123,7 @@ TEST(Classify, FewOrDegenerateTrianglesAreSurfaces) {
   EXPECT_EQ(classified({}).best, PartClass::surface);
   scenes::MeshData one;
   one.add_triangle({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  EXPECT_EQ(classified(one).pieces, (Pieces{0, 0, 1}));
+  EXPECT_EQ(classified(one).counts(), (Pieces{0, 0, 1}));
   scenes::MeshData segments;
   segments.add_triangle({0, 0, 0, 1, 0, 0, 2, 0, 0});
   segments.add_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0});
@@ -156,7 +156,7 @@ TEST(Classify, ManyShellsTakeTimeLinearInThem) {
         shells.xyz.insert(shells.xyz.end(), cube.xyz.begin(), cube.xyz.end());
         for (const std::uint32_t v : cube.triangles) shells.triangles.push_back(first + v);
       }
-  EXPECT_EQ(classified(shells).pieces, (Pieces{10000, 0, 0}));
+  EXPECT_EQ(classified(shells).counts(), (Pieces{10000, 0, 0}));
 }
 
 TEST(Classify, StopsWithinATenthOfASecond) {

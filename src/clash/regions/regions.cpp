@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "clash/contact_pairs.hpp"
 #include "clash/regions/grouping.hpp"
 #include "clash/regions/region_measures.hpp"
 #include "clash/regions/shared_parts.hpp"
 #include "clash/regions/welded.hpp"
-#include "clash/slab.hpp"
 #include "core/local_frame.hpp"
 #include "measure/nearest.hpp"
 #include "solid/locate.hpp"
@@ -76,6 +74,12 @@ IsInside inside_of(const solid::Part& part, double tolerance) {
     return solid::winding_number(part.body.placed, p).value_or(0) != 0 &&
            !(tolerance > 0 && measure::nearest_point(part.body.placed, p, tolerance, tolerance));
   };
+}
+
+bool is_small(const Triangle& triangle, double tolerance) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (norm(triangle[(i + 1) % 3] - triangle[i]) > 4 * tolerance) return false;
+  return true;
 }
 
 }  // namespace

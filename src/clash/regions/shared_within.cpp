@@ -23,8 +23,8 @@ struct Face {
   Vec3 normal;
 };
 
-/// The bound is that of make_slab: the error of the normal lifts no point of the triangle by more than a quarter of the
-/// tolerance.
+/// The computed normal is off by an angle of at most 2^-50 / s, s being the sine of the two shorter edges' angle: it
+/// lifts no point of the triangle by more than a quarter of the tolerance.
 std::optional<Face> face_of(const Triangle& t, double tolerance, double scale) {
   const std::array<Vec3, 3> edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3 normal = cross(edges[0], edges[1]);
