@@ -369,12 +369,15 @@ class Search {
       laid_aside_ = std::max(laid_aside_, piece.most);
       return;
     }
-    open_.push({piece.most, pieces_.size()});
-    pieces_.push_back(std::move(piece));
+    if (free_.empty()) free_.push_back(pieces_.size()), pieces_.emplace_back();
+    open_.push({piece.most, free_.back()});
+    pieces_[free_.back()] = std::move(piece);
+    free_.pop_back();
   }
 
   TrianglePiece pop() {
     TrianglePiece piece = std::move(pieces_[open_.top().piece]);
+    free_.push_back(open_.top().piece);
     open_.pop();
     return piece;
   }
@@ -457,6 +460,7 @@ class Search {
   };
   std::priority_queue<Open> open_;
   std::vector<TrianglePiece> pieces_;
+  std::vector<std::size_t> free_;      ///< places in it
   std::array<ClearBall, 64> balls_{};  ///< the newest
   std::size_t next_ball_ = 0;
   std::uint32_t last_nearest_ = 0;
