@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <queue>
 #include <unordered_map>
 #include <vector>
 
 #include "clash/cover.hpp"
+#include "clash/patch_sides.hpp"
 #include "clash/polygon.hpp"
 #include "core/hash.hpp"
 #include "core/local_frame.hpp"
@@ -49,19 +49,6 @@ struct ClearBall {
     return dot(off, off) < radius * radius;
   }
 };
-
-/// How far from a point its winding number stays on its side of 1/2, on every way that meets no triangle.
-///
-/// Go on through triangles as if they were not there, and the number is a harmonic function wherever no open edge is.
-/// If it stays on one side of an integer and is off it by v at the centre of a ball without open edges, it is off it by
-/// v (1 + q) / (1 - q)^2 at most within the share q of the radius (Harnack's inequality). That is at most 1/4 within
-/// the share returned. v counts as 2^-6 more: the number is in error, and may pass the integer by a little.
-double reach_of_side(const Winding& winding, double number, const Vec3& point, double within) {
-  if (winding.closed) return kInfinity;
-  const double ratio = 0.25 / (std::abs(number - std::round(number)) + 0x1p-6);
-  const double share = ratio > 1 ? (2 * ratio + 1 - std::sqrt(8 * ratio + 1)) / (2 * ratio) : 0;
-  return share > 0 ? share * winding.to_open_edge(point, within / share) : 0;
-}
 
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
@@ -151,7 +138,7 @@ class Search {
       else
         candidates.push_back(t);
     }
-    PatchSides sides(inner_, outer_, winding_, candidates, near);
+    PatchSides sides({inner_, outer_, winding_, touching_}, candidates);
     auto pair = near.begin();
     for (const std::uint32_t t : candidates) {
       if (goal_.stop.stop_requested()) break;
@@ -175,76 +162,6 @@ class Search {
   }
 
  private:
-  /// On which side triangles are that touch none of the other body's: those that hang together by vertices are on one,
-  /// as far as no open edge is near.
-  class PatchSides {
-   public:
-    /// Of the candidates, where `near` lists what touches.
-    PatchSides(const solid::Body& inner, const solid::Body& outer, const Winding& winding,
-               const std::vector<std::uint32_t>& candidates, const std::vector<TrianglePair>& near)
-        : inner_(inner), outer_(outer), winding_(winding), side_(inner.size(), Side::touching) {
-      for (const std::uint32_t t : candidates) side_[t] = Side::unknown;
-      for (const TrianglePair& pair : near) side_[pair.a] = Side::touching;
-      list_fans(candidates);
-    }
-    /// Whether a triangle is inside; nothing where that is not known of all of it.
-    std::optional<bool> is_inside(std::uint32_t triangle) {
-      if (side_[triangle] == Side::unknown) look_around(triangle);
-      if (side_[triangle] == Side::touching || side_[triangle] == Side::unknown) return std::nullopt;
-      return side_[triangle] == Side::inside;
-    }
-
-   private:
-    enum class Side : std::uint8_t { touching, unknown, inside, outside };
-    [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const {
-      return inner_.placed.mesh->triangles[triangle];
-    }
-
-    void list_fans(const std::vector<std::uint32_t>& candidates) {
-      offsets_.assign(inner_.world.size() + 1, 0);
-      const auto each_corner = [&](const auto& visit) {
-        for (const std::uint32_t t : candidates)
-          if (side_[t] == Side::unknown)
-            for (const std::uint32_t v : corners(t)) visit(v, t);
-      };
-      each_corner([&](std::uint32_t v, std::uint32_t) { ++offsets_[v + 1]; });
-      std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-      fans_.resize(offsets_.back());
-      std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
-      each_corner([&](std::uint32_t v, std::uint32_t t) { fans_[next[v]++] = t; });
-    }
-
-    void look_around(std::uint32_t first) {
-      const Vec3 middle = inner_.world[corners(first)[0]];
-      double winding = winding_.closed ? 0 : winding_.at(middle);
-      const double reach = reach_of_side(winding_, winding, middle, kInfinity);
-      const auto is_far = [&](std::uint32_t v) { return norm(inner_.world[v] - middle) > reach; };
-      patch_.clear();
-      const auto visit = [&](std::uint32_t t) {
-        if (side_[t] != Side::unknown || std::any_of(corners(t).begin(), corners(t).end(), is_far)) return;
-        side_[t] = Side::outside, patch_.push_back(t);
-      };
-      visit(first);
-      bool is_out = false;  // of the box of a closed body, and so of the body
-      for (std::size_t i = 0; i < patch_.size(); ++i) {
-        for (const std::uint32_t v : corners(patch_[i])) {
-          is_out = is_out || (winding_.closed && !overlap({inner_.world[v], inner_.world[v]}, outer_.box));
-          for (std::uint32_t k = offsets_[v]; k < offsets_[v + 1]; ++k) visit(fans_[k]);
-        }
-      }
-      if (patch_.empty() || is_out) return;
-      if (winding_.closed) winding = winding_.at(middle);
-      if (winding > 0.5)
-        for (const std::uint32_t t : patch_) side_[t] = Side::inside;
-    }
-
-    const solid::Body &inner_, &outer_;
-    const Winding& winding_;
-    std::vector<Side> side_;                     ///< per triangle
-    std::vector<std::uint32_t> offsets_, fans_;  ///< per vertex the free triangles that use it, in compressed rows
-    std::vector<std::uint32_t> patch_;
-  };
-
   [[nodiscard]] bool is_done() const {
     if (open_.empty()) return true;
     const double most = open_.top().most;
@@ -438,7 +355,8 @@ class Search {
     return halve(piece.polygon);
   }
 
-  static constexpr double kFar = 1.5, kFarther = 16;
+  static constexpr double kFar = 1.5;               ///< radii: a ball so large soon holds other pieces
+  static constexpr double kFarther = 16;            ///< radii: no open edge beyond is looked for
   static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
   static constexpr std::size_t kEdgesAPoint = 16;   ///< the edges of so many triangles take as much time as one point
 

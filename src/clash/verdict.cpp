@@ -14,12 +14,12 @@ namespace {
 /// Whether one part lies in another, up to a length.
 class Containment {
  public:
-  Containment(const PlacedPart& inner, const PlacedPart& outer, double length, const ReachGoal& goal)
-      : inner_(inner), outer_(outer), length_(length), goal_(goal) {}
+  Containment(const PlacedPart& inner, const PlacedPart& outer, double length, const std::stop_token& stop)
+      : inner_(inner), outer_(outer), length_(length), stop_(stop) {}
 
   /// No point of the inner part's triangles is outside by more than the length, none of its inner points whose radius
   /// is more, and the outer part has no bounds within it.
-  bool holds() const {
+  [[nodiscard]] bool holds() const {
     const Box &inner = inner_.whole.box, &outer = outer_.whole.box;
     const double out = std::max(max_component(outer.lo - inner.lo), max_component(inner.hi - outer.hi));
     return out <= length_ && hold_samples() && !sticks_out() && !is_bounded_within();
@@ -27,7 +27,7 @@ class Containment {
 
  private:
   [[nodiscard]] bool is_out(const Vec3& point) const {
-    return !outer_.holds(point) && !measure::nearest_point(outer_.whole.placed, point, length_, length_, goal_.stop);
+    return !outer_.holds(point) && !measure::nearest_point(outer_.whole.placed, point, length_, length_, stop_);
   }
 
   /// One vertex is enough to say no, and most pairs have one.
@@ -43,13 +43,13 @@ class Containment {
   }
 
   [[nodiscard]] DepthGoal goal() const {
-    return {.precision = kInfinity, .levels = {length_}, .enough = length_, .stop = goal_.stop};
+    return {.precision = kInfinity, .levels = {length_}, .enough = length_, .stop = stop_};
   }
 
   [[nodiscard]] bool sticks_out() const {
     const Winding outside{[&](const Vec3& point) { return 1 - outer_.winding(point); }, outer_.is_closed(),
                           [&](const Vec3& point, double within) { return outer_.to_open_edge(point, within); }};
-    const auto touching = touching_pairs(inner_.whole, outer_.whole, goal_.stop);
+    const auto touching = touching_pairs(inner_.whole, outer_.whole, stop_);
     return depth_in({inner_.whole, outer_.whole, outside, touching}, goal()).lo > length_;
   }
 
@@ -59,12 +59,12 @@ class Containment {
   [[nodiscard]] bool is_bounded_within() const {
     const Winding within{[&](const Vec3& point) { return inner_.winding(point); }, inner_.is_closed(),
                          [&](const Vec3& point, double near) { return inner_.to_open_edge(point, near); }};
-    const auto touching = touching_pairs(outer_.whole, inner_.whole, goal_.stop);
+    const auto touching = touching_pairs(outer_.whole, inner_.whole, stop_);
     const Depth found = depth_in({outer_.whole, inner_.whole, within, touching}, goal());
     if (!(found.lo > length_)) return false;
     if (is_bound(found.deepest)) return true;
     constexpr int kRows = 4;
-    for (std::uint32_t t = 0; t < outer_.whole.size() && !goal_.stop.stop_requested(); ++t) {
+    for (std::uint32_t t = 0; t < outer_.whole.size() && !stop_.stop_requested(); ++t) {
       const Triangle triangle = outer_.whole.triangle(t);
       if (!overlap(box_of(triangle), inner_.whole.box)) continue;
       for (int i = 0; i < kRows; ++i) {
@@ -94,19 +94,19 @@ class Containment {
 
   const PlacedPart &inner_, &outer_;
   double length_;
-  const ReachGoal& goal_;
+  const std::stop_token& stop_;
 };
 
 /// The name of a pair that fails.
-Judgement name_of_failure(double tolerance, const PlacedPart& a, const PlacedPart& b, const ReachGoal& goal) {
+Judgement name_of_failure(double tolerance, const PlacedPart& a, const PlacedPart& b, const std::stop_token& stop) {
   const bool both = a.has_inside() && b.has_inside(), one = a.has_inside() || b.has_inside();
-  if (are_same(a.whole, b.whole, !one, goal.stop)) return {Verdict::duplicate};
+  if (are_same(a.whole, b.whole, !one, stop)) return {Verdict::duplicate};
   if (!one) return {Verdict::crossing};
   const double radius = both ? std::min(a.radius(), b.radius()) : std::max(a.radius(), b.radius());
   const Box box{min(a.whole.box.lo, b.whole.box.lo), max(a.whole.box.hi, b.whole.box.hi)};
   const double s = std::max(std::min(tolerance, radius / 2), 0x1p-20 * norm(box.hi - box.lo));
-  const bool a_in_b = b.has_inside() && Containment(a, b, s, goal).holds();
-  const bool b_in_a = a.has_inside() && Containment(b, a, s, goal).holds();
+  const bool a_in_b = b.has_inside() && Containment(a, b, s, stop).holds();
+  const bool b_in_a = a.has_inside() && Containment(b, a, s, stop).holds();
   if (a_in_b && b_in_a) return {Verdict::duplicate};
   if (a_in_b || b_in_a) return {Verdict::inside, a_in_b ? 0 : 1};
   return {both ? Verdict::penetrating : Verdict::crossing};
@@ -115,11 +115,11 @@ Judgement name_of_failure(double tolerance, const PlacedPart& a, const PlacedPar
 }  // namespace
 
 Judgement verdict_at(double tolerance, const PlacedPart& a, const PlacedPart& b, const PairReach& reach,
-                     bool share_point, const ReachGoal& goal) {
-  if (tolerance < reach.fails_below()) return name_of_failure(tolerance, a, b, goal);
+                     bool share_point, const std::stop_token& stop) {
+  if (tolerance < reach.fails_below()) return name_of_failure(tolerance, a, b, stop);
   Judgement result;
   const auto are_near = [&] {
-    return measure::nearest_pair(a.whole.placed, b.whole.placed, tolerance, tolerance, {.stop = goal.stop}).has_value();
+    return measure::nearest_pair(a.whole.placed, b.whole.placed, tolerance, tolerance, {.stop = stop}).has_value();
   };
   if (share_point || reach.fails_below() > 0 || are_near()) result.verdict = Verdict::touching;
   // No search tells depths apart that differ by less.

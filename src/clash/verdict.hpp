@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stop_token>
+
 #include "clash/reach.hpp"
 #include "impinge/clash.hpp"
 #include "solid/cells.hpp"
@@ -18,7 +20,7 @@ struct Judgement {
 /// `reach` is that of the two parts; it decides whether the pair fails, and only the name of what fails needs more.
 /// `share_point`: it is known that they do.
 Judgement verdict_at(double tolerance, const PlacedPart& a, const PlacedPart& b, const PairReach& reach,
-                     bool share_point, const ReachGoal& goal);
+                     bool share_point, const std::stop_token& stop = {});
 
 /// The verdict on two closed parts without tolerance, which follows from where the cells of either boundary are
 /// (docs/verdicts.md).

@@ -96,9 +96,7 @@ Clash PairJudge::judge(const ClashTerms& terms) {
     clash.nearest = nearest_->nearest;
   }
   if (options_.regions && clash.verdict != Verdict::apart) {
-    // Outlines are told less finely than depths: far from the origin they need more than rounding.
-    const double tolerance = std::max(found.applied.tolerance, terms.tolerance ? 0 : 0x1p-20 * largest_);
-    if (!found.regions) found.regions = find_regions(tolerance);
+    if (!found.regions) found.regions = find_regions(found.applied.of_regions);
     clash.regions = *found.regions;
   }
   return clash;
@@ -112,12 +110,17 @@ bool PairJudge::are_plain() const {
   return may_be(a_) && may_be(b_) && a_.exact(options_.stop).is_plain && b_.exact(options_.stop).is_plain;
 }
 
-/// Coordinates are doubles with 53 bits, of which sums and products in a few steps leave some 42.
+/// Coordinates are doubles with 53 bits, of which sums and products in a few steps leave some 42. Outlines of regions
+/// are told less finely than depths: far from the origin the automatic tolerance is too small for them.
 PairJudge::Applied PairJudge::applied(const std::optional<double>& tolerance) const {
   const double least = 0x1p-42 * largest_;
-  if (!tolerance) return {a_.rounding + b_.rounding + 2 * least, false};
-  if (*tolerance >= least || (*tolerance == 0 && are_plain())) return {*tolerance, false};
-  return {least, true};
+  if (!tolerance) {
+    const double rounding = a_.rounding + b_.rounding + 2 * least;
+    return {rounding, std::max(rounding, 0x1p-20 * largest_), false};
+  }
+  const bool is_raised = *tolerance < least && !(*tolerance == 0 && are_plain());
+  const double at = is_raised ? least : *tolerance;
+  return {at, at, is_raised};
 }
 
 /// Keeps the results for the last 16 tolerances: callers use few, unless every pair has a tolerance of its own.
@@ -153,8 +156,7 @@ Clash PairJudge::find_exactly() const {
 Clash PairJudge::find_within(const Applied& applied) const {
   const bool share_point = !contacts_->triangles.empty();
   const clash::Judgement judgement =
-      clash::verdict_at(applied.tolerance, a_.placed, b_.placed, *reach_, share_point,
-                        {.precision = options_.depth_precision, .levels = levels_, .stop = options_.stop});
+      clash::verdict_at(applied.tolerance, a_.placed, b_.placed, *reach_, share_point, options_.stop);
   Clash clash{.verdict = judgement.verdict, .inner = judgement.inner};
   clash.fails_below = reach_->fails_below();
   const bool both = a_.placed.has_inside() && b_.placed.has_inside();

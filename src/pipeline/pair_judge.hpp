@@ -28,9 +28,9 @@ class PairJudge {
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
  private:
-  /// A tolerance as it is applied.
+  /// The tolerance that a pair is judged at, and the one that its regions are found with.
   struct Applied {
-    double tolerance = 0;
+    double tolerance = 0, of_regions = 0;
     bool is_raised = false;
     friend bool operator==(const Applied&, const Applied&) = default;
   };

@@ -11,7 +11,6 @@
 #include "core/disjoint_sets.hpp"
 #include "exact/triangle_pair.hpp"
 #include "solid/cut_triangle.hpp"
-#include "solid/degenerate_cells.hpp"
 #include "solid/locate.hpp"
 #include "solid/triangles.hpp"
 
@@ -43,7 +42,6 @@ std::vector<Touch> turned(std::vector<Touch> touches) {
 
 /// The bit of the area that two triangles share. A side is +1 if the interior is where the normal points to.
 Where shared_cell(const Part& a, const Part& b, const Touch& touch) {
-  if (!a.solid || !b.solid) return kSameSide;
   const int side_a = a.sides[a.topology.shell[touch.own]].front ? 1 : -1;
   const int side_b = b.sides[b.topology.shell[touch.other]].front ? 1 : -1;
   const bool turned = !same_orientation(a.body.triangle(touch.own), b.body.triangle(touch.other));
@@ -97,11 +95,6 @@ class Located {
     for (Touched& t : touched_) {
       if (enough()) return;
       for (const Touch& touch : t.touches) t.is_cut = t.is_cut || cuts(touch);
-      if (!other_.solid) {
-        t.is_done = !t.is_cut;
-        if (t.is_done) bits_ |= kOutside;
-        continue;
-      }
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint8_t where = location_of_vertex(t.triangle, corner);
         bits_ |= where;
@@ -112,11 +105,10 @@ class Located {
 
   /// Cuts the remaining triangles to pieces and locates a point of each.
   template <class Enough>
-  void locate_pieces(const Enough& enough, bool of_shared = true) {
-    const auto shares = [](const Touch& touch) { return touch.shares_area; };
+  void locate_pieces(const Enough& enough) {
     for (const Touched& t : touched_) {
       if (enough() || is_complete()) return;
-      if (!t.is_done && (of_shared || std::none_of(t.touches.begin(), t.touches.end(), shares))) locate_pieces_of(t);
+      if (!t.is_done) locate_pieces_of(t);
     }
   }
 
@@ -131,9 +123,7 @@ class Located {
   static constexpr std::uint8_t kUnknown = 0xff;
 
   /// Whether no other bit can be found.
-  [[nodiscard]] bool is_complete() const {
-    return (bits_ & kOutside) != 0 && ((bits_ & kInside) != 0 || !other_.solid);
-  }
+  [[nodiscard]] bool is_complete() const { return (bits_ & kOutside) != 0 && (bits_ & kInside) != 0; }
 
   /// Whether the other triangle reaches into the interior of the own one.
   [[nodiscard]] bool cuts(const Touch& touch) const {
@@ -150,9 +140,8 @@ class Located {
     return found.beside != 0 ? kInside : kOutside;
   }
 
-  /// Where a corner of a triangle lies: any corner if the other part is solid, else one of an untouched triangle.
+  /// Where a corner of a triangle lies.
   std::uint8_t location_of_vertex(std::uint32_t t, std::size_t corner) {
-    if (!other_.solid) return kOutside;
     std::uint8_t& known = of_group_[groups_.find(own_.corners(t)[corner])];
     if (known == kUnknown) known = location_of(own_.body.triangle(t)[corner]);
     return known;
@@ -166,16 +155,9 @@ class Located {
       const Triangle other = other_.body.triangle(touch.other);
       if (!cuts(touch)) continue;
       if (touch.shares_area && covers(other, triangle)) return;
-      if (touch.shares_area)
-        shared.push_back(other);
-      else if (other_.solid)
-        cutting.push_back(other);  // all pieces outside of a surface have one bit
+      (touch.shares_area ? shared : cutting).push_back(other);
     }
     const CutTriangle cut(triangle, shared, cutting);
-    if (!other_.solid) {
-      if (cut.pieces() > 0) bits_ |= kOutside;
-      return;
-    }
     for (std::size_t i = 0; i < cut.pieces() && !is_complete(); ++i) {
       const std::uint8_t where = location_of(cut.point_in(i));
       assert(where != 0);  // no piece meets the other boundary
@@ -190,26 +172,6 @@ class Located {
   std::vector<std::uint8_t> of_group_;
   std::uint8_t bits_ = 0;
 };
-
-/// The bits of a surface's degenerate triangles, which are segments and points.
-template <class Enough>
-std::uint8_t locate_degenerate(const Part& own, const Part& other, std::span<const exact::Contact> contacts,
-                               bool own_is_first, const Enough& enough) {
-  std::uint8_t bits = 0;
-  if (own.solid || own.topology.degenerate == 0) return bits;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (const exact::Contact& contact : contacts)
-    pairs.push_back(own_is_first ? std::pair(contact.a, contact.b) : std::pair(contact.b, contact.a));
-  std::sort(pairs.begin(), pairs.end());
-  auto next = pairs.begin();
-  std::vector<std::uint32_t> touching;
-  for (std::uint32_t t = 0; t < own.body.size() && !enough(bits); ++t) {
-    touching.clear();
-    for (; next != pairs.end() && next->first == t; ++next) touching.push_back(next->second);
-    if (own.topology.shell[t] == Topology::kNoShell) bits |= cells_of_degenerate(own.body.triangle(t), other, touching);
-  }
-  return bits;
-}
 
 }  // namespace
 
@@ -229,24 +191,7 @@ Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> con
   for (Located* const located : {&in_b, &in_a}) located->locate_patches(is_enough);
   for (Located* const located : {&in_b, &in_a}) located->locate_vertices(is_enough);
   for (Located* const located : {&in_b, &in_a}) located->locate_pieces(is_enough);
-  Cells all = cells();
-  all.a |= locate_degenerate(a, b, contacts, true, [&](std::uint8_t bits) {
-    return enough({static_cast<std::uint8_t>(all.a | bits), all.b});
-  });
-  all.b |= locate_degenerate(b, a, contacts, false, [&](std::uint8_t bits) {
-    return enough({all.a, static_cast<std::uint8_t>(all.b | bits)});
-  });
-  return all;
-}
-
-bool reach_into_each_other(const Part& a, const Part& b, std::span<const exact::Contact> contacts) {
-  std::vector<Touch> touches = touches_of(a, b, contacts);
-  Located in_b(a, b, touches), in_a(b, a, turned(std::move(touches)));
-  const auto is_inside = [&] { return ((in_b.bits() | in_a.bits()) & kInside) != 0; };
-  for (Located* const located : {&in_b, &in_a}) located->locate_patches(is_inside);
-  for (Located* const located : {&in_b, &in_a}) located->locate_vertices(is_inside);
-  for (Located* const located : {&in_b, &in_a}) located->locate_pieces(is_inside, false);
-  return is_inside();
+  return cells();
 }
 
 }  // namespace impinge::solid

@@ -15,9 +15,8 @@ namespace impinge::solid {
 enum Where : std::uint8_t {
   kInside = 1,     ///< in its interior (winding number not 0)
   kOutside = 2,    ///< in its exterior
-  kSameSide = 4,   ///< in its boundary, both interiors on one side; of a body that is not solid: in its triangles
+  kSameSide = 4,   ///< in its boundary, both interiors on one side
   kOtherSide = 8,  ///< in its boundary, the interiors on either side
-  kNear = 16,      ///< within the tolerance of its boundary (with a tolerance: in place of the two above)
 };
 
 /// The bits of the cells of a (cut by b) and of b (cut by a).
@@ -28,15 +27,9 @@ struct Cells {
 /// Returns whether no further cell matters.
 using Enough = std::function<bool(const Cells&)>;
 
-/// Locates the cells exactly, by rational numbers where points must be constructed. `contacts` are all pairs of
-/// triangles that share a point, of any kind. A part that is not solid has no inside: the other's cells are in its
-/// triangles or kOutside. A common cell is kSameSide unless both parts are solid. Stops early, with the bits found so
-/// far, once `enough(cells)`.
+/// Locates the cells of two solid parts exactly, by rational numbers where points must be constructed. `contacts` are
+/// all pairs of triangles that share a point, of any kind. Stops early, with the bits found so far, once
+/// `enough(cells)`.
 Cells cells_of(const Part& a, const Part& b, std::span<const exact::Contact> contacts, const Enough& enough);
-
-/// Whether a cell of one part lies in the interior of the other, in a part of the time: by vertices, and by pieces of
-/// triangles that share no area with the other part. A cell with all corners on the other boundary and all sides in the
-/// other's faces is missed.
-bool reach_into_each_other(const Part& a, const Part& b, std::span<const exact::Contact> contacts);
 
 }  // namespace impinge::solid

@@ -24,9 +24,9 @@ struct Orientation {
 };
 
 /// Neighbours in a patch are turned to agree: the larger area keeps its side, of equals the first triangle's; a patch
-/// where that is impossible stays as it is. A closed patch that does not lie within another, but winds negatively, is
-/// then turned with all closed patches within it. Triangles in `left_out` count nowhere. Once it is stopped, the result
-/// is meaningless.
+/// where that is impossible stays as it is. Then each outermost closed patch that winds negatively is turned, together
+/// with all closed patches within it. Triangles in `left_out` count nowhere. Once it is stopped, the result is
+/// meaningless.
 Orientation orient(const Body& body, const Topology& topology, const std::vector<bool>& left_out,
                    const std::stop_token& stop);
 

@@ -46,19 +46,6 @@ struct Topology {
     const auto& [a, b, c] = body.placed.mesh->triangles[triangle];
     return {position[a], position[b], position[c]};
   }
-
-  /// Calls visit(triangle, k) for each use of the edge between two positions: the triangle, in ascending order, has the
-  /// edge from its corner k to the next, in either direction.
-  template <class Visit>
-  void for_each_use(const Body& body, std::uint32_t p, std::uint32_t q, const Visit& visit) const {
-    for (const std::uint32_t t : fan(fan(p).size() <= fan(q).size() ? p : q)) {
-      const auto at = corners(body, t);
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = at[k], to = at[(k + 1) % 3];
-        if ((from == p && to == q) || (from == q && to == p)) visit(t, k);
-      }
-    }
-  }
 };
 
 Topology examine(const Body& body);

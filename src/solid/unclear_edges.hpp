@@ -23,8 +23,9 @@ struct UnclearEdges {
 
 /// Beside an open edge winding is clear if the winding number is within 1/10 of an integer at two points above and
 /// below its middle, half of the largest inner radius of its component away. A crack that is narrow beside that radius
-/// hardly shows there; at the rim of an opening the number is near 1/2. Without an inner point nothing is clear. Edges
-/// and components, which hang together by vertices, name triangles by their place in the tree.
+/// hardly shows there; at the rim of an opening the number is near 1/2. Without an inner point nothing is clear. A
+/// component is a set of triangles that hang together by vertices. Edges and components name triangles by their place
+/// in the tree.
 UnclearEdges unclear_edges(const InnerSearch& search, std::span<const OpenEdge> edges,
                            std::span<const std::vector<std::uint32_t>> components);
 

@@ -297,24 +297,6 @@ bool is_inside(const std::vector<Triangle>& triangles, const Vec3& p) {
   return std::abs(plain_winding(triangles, p)) > 0.5;
 }
 
-double plain_distance(const std::vector<Triangle>& triangles, const Vec3& p) {
-  double least = kInfinity;
-  for (const Triangle& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 along = t[(i + 1) % 3] - t[i];
-      const double square = dot(along, along);
-      const double s = square > 0 ? std::clamp(dot(along, p - t[i]) / square, 0.0, 1.0) : 0;
-      least = std::min(least, norm(t[i] + s * along - p));
-    }
-    const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0], n = cross(u, v);
-    const double square = dot(n, n);
-    if (square == 0) continue;
-    const double beta = dot(cross(w, v), n) / square, gamma = dot(cross(u, w), n) / square;
-    if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) least = std::min(least, std::abs(dot(n, w)) / std::sqrt(square));
-  }
-  return least;
-}
-
 /// A part of a triangle, and a box: where deep points are looked for.
 struct TrianglePart {
   Triangle corners;
@@ -372,14 +354,14 @@ Interval deepest(const std::vector<Part>& parts, const std::vector<Triangle>& ou
     const Vec3 middle = part.middle();
     const double radius = part.radius();
     if (max_component(max(box.low - middle, middle - box.high)) > radius) return;
-    const double distance = plain_distance(outer, middle);
+    const double distance = test::plain_distance(outer, middle);
     if (distance + radius <= least + kOracleWidth) return;
     if (distance > std::min(least, radius)) {
       const bool in_outer = is_inside(outer, middle);
       if (!in_outer && distance > radius) return;
       const bool in_both = in_outer && (material == nullptr || is_inside(*material, middle));
       if (in_both) least = std::max(least, distance);
-      if (in_outer && !in_both && plain_distance(*material, middle) > radius) return;
+      if (in_outer && !in_both && test::plain_distance(*material, middle) > radius) return;
     }
     open.push({distance + radius, part});
   };

@@ -193,4 +193,22 @@ std::vector<NamedScene> hard_scenes(scenes::Random& random, int triangles) {
   return all;
 }
 
+double plain_distance(const std::vector<Triangle>& triangles, const Vec3& p) {
+  double least = kInfinity;
+  for (const Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 along = t[(i + 1) % 3] - t[i];
+      const double square = dot(along, along);
+      const double s = square > 0 ? std::clamp(dot(along, p - t[i]) / square, 0.0, 1.0) : 0;
+      least = std::min(least, norm(t[i] + s * along - p));
+    }
+    const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0], n = cross(u, v);
+    const double square = dot(n, n);
+    if (square == 0) continue;
+    const double beta = dot(cross(w, v), n) / square, gamma = dot(cross(u, w), n) / square;
+    if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) least = std::min(least, std::abs(dot(n, w)) / std::sqrt(square));
+  }
+  return least;
+}
+
 }  // namespace impinge::test

@@ -32,6 +32,8 @@ const MeshData& numbers_of(const Mesh& mesh);
 std::vector<Mesh> meshes_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0);
 Scene scene_of(const scenes::PlacedScene& scene, std::uint32_t leaf_size = 0);
 std::vector<Triangle> world_triangles(const Mesh& mesh, const Pose& pose);
+/// The distance of a point from some triangles by trying out all corners, edges, and feet within the triangle.
+double plain_distance(const std::vector<Triangle>& triangles, const Vec3& p);
 
 /// Object a, object b, triangle a, triangle b, kind.
 using Contact = std::array<std::uint32_t, 5>;

@@ -31,25 +31,6 @@ double plain_winding(const std::vector<Triangle>& triangles, const Vec3& p) {
   return sum / (4 * std::numbers::pi);
 }
 
-double plain_distance(const std::vector<Triangle>& triangles, const Vec3& p) {
-  double least = kInfinity;
-  for (const Triangle& t : triangles) {
-    // Nearest points by trying out: corners, edges, and the foot where it is within the triangle.
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 along = t[(i + 1) % 3] - t[i];
-      const double square = dot(along, along);
-      const double s = square > 0 ? std::clamp(dot(along, p - t[i]) / square, 0.0, 1.0) : 0;
-      least = std::min(least, norm(t[i] + s * along - p));
-    }
-    const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0], n = cross(u, v);
-    const double square = dot(n, n);
-    if (square == 0) continue;
-    const double beta = dot(cross(w, v), n) / square, gamma = dot(cross(u, w), n) / square;
-    if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) least = std::min(least, std::abs(dot(n, w)) / std::sqrt(square));
-  }
-  return least;
-}
-
 struct Sample {
   std::vector<Triangle> triangles;
   std::vector<Vec3> points;  ///< far, near and between
@@ -108,7 +89,7 @@ TEST(TriangleTree, TheNearestPointIsThatOfAllTriangles) {
     const Sample sample = sample_of(solid.damaged, seeded.random);
     const solid::TriangleTree tree(sample.triangles);
     for (const Vec3& p : sample.points) {
-      const double distance = plain_distance(sample.triangles, p);
+      const double distance = test::plain_distance(sample.triangles, p);
       const auto nearest = tree.nearest(p, kInfinity);
       ASSERT_TRUE(nearest);
       EXPECT_NEAR(nearest->distance, distance, 1e-12);
