@@ -249,6 +249,8 @@ TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double 
   const Vec3 across = (local.b[0] + local.b[1] + local.b[2]) - (local.a[0] + local.a[1] + local.a[2]);
   if (const auto far = apart_by(across, local, enough_apart, 0)) return *far;
   if (const auto far = apart_by(guess, local, enough_apart, kAllowance)) return *far;
+  for (const Triangle* const t : {&local.a, &local.b})
+    if (const auto far = apart_by(cross((*t)[1] - (*t)[0], (*t)[2] - (*t)[0]), local, enough_apart, 0)) return *far;
   return finished(local, nearest_features(local));
 }
 

@@ -185,45 +185,6 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, const std::sto
   build(middle, last, stop);
 }
 
-/// Half of the solid angle of a triangle is the angle of a complex number, positive behind the triangle (Van Oosterom
-/// and Strackee, "The Solid Angle of a Plane Triangle", 1983). Angles are added up by multiplying the numbers, as most
-/// of the time would go into arctangents. The angle of a product is within half a round, so that the sum is a round
-/// more where both factors turn one way and the product the other.
-struct TriangleTree::Turn {
-  std::array<double, kLeaf> x{1}, y{}, rounds{};
-
-  void multiply(std::size_t i, double other_x, double other_y, double other_rounds) {
-    const double product_x = x[i] * other_x - y[i] * other_y, product_y = x[i] * other_y + y[i] * other_x;
-    const double more = y[i] >= 0 && other_y >= 0 && product_y < 0 ? 1 : 0;
-    const double less = y[i] < 0 && other_y < 0 && product_y >= 0 ? 1 : 0;
-    rounds[i] += other_rounds + more - less;
-    x[i] = product_x, y[i] = product_y;
-  }
-  void multiply(const Turn& other) {
-    multiply(0, other.x[0], other.y[0], other.rounds[0]);
-    const double size = std::abs(x[0]) + std::abs(y[0]);
-    x[0] /= size, y[0] /= size;
-  }
-  [[nodiscard]] double angle() const { return 2 * std::numbers::pi * rounds[0] + std::atan2(y[0], x[0]); }
-};
-
-TriangleTree::Turn TriangleTree::turn_around(const Eight& eight, const Vec3& from) {
-  Turn turn;
-  const auto& t = eight.corners;
-  for (std::size_t i = 0; i < kLeaf; ++i) {
-    const Vec3 a{t[0][0][i] - from.x, t[0][1][i] - from.y, t[0][2][i] - from.z};
-    const Vec3 b{t[1][0][i] - from.x, t[1][1][i] - from.y, t[1][2][i] - from.z};
-    const Vec3 c{t[2][0][i] - from.x, t[2][1][i] - from.y, t[2][2][i] - from.z};
-    const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
-    const double x = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, y = dot(a, cross(b, c));
-    const double size = std::abs(x) + std::abs(y);  // 0 at a corner or on an edge: no angle
-    turn.x[i] = size > 0 ? x / size : 1, turn.y[i] = size > 0 ? y / size : 0;
-  }
-  for (std::size_t half = kLeaf / 2; half > 0; half /= 2)
-    for (std::size_t i = 0; i < half; ++i) turn.multiply(i, turn.x[i + half], turn.y[i + half], turn.rounds[i + half]);
-  return turn;
-}
-
 // 4 pi w is the sum of the integrals of n . g(y - x) over triangles, with g(r) = r / |r|^3, the gradient of -1 / |r|.
 // Expanded about the centre c of a cluster, the first three terms are those below. The fourth derivatives of 1 / |r|
 // along one direction, and so along any four, are at most 24 / |r|^5, so that the rest is at most the integral of
@@ -232,7 +193,7 @@ TriangleTree::Turn TriangleTree::turn_around(const Eight& eight, const Vec3& fro
 // is far less: no winding number was ever off by more than 2^-6.
 double TriangleTree::winding_number(const Vec3& point) const {
   double sum = 0;
-  Turn turn;
+  SolidAngles near;
   Waiting open;
   if (!nodes_.empty()) open.push(0);
   while (!open.is_empty()) {
@@ -246,12 +207,12 @@ double TriangleTree::winding_number(const Vec3& point) const {
       const double second = (7.5 * along(node.triples, r) / square - 1.5 * dot(node.linear, r)) / square;
       sum += (dot(node.area, r) + first + second) / (square * distance);
     } else if (node.right == 0) {
-      turn.multiply(turn_around(eights_[node.first / kLeaf], point));
+      near.add(eights_[node.first / kLeaf], point);
     } else {
       open.push(node.right), open.push(at + 1);
     }
   }
-  return (sum + 2 * turn.angle()) / (4 * std::numbers::pi);
+  return (sum + near.sum()) / (4 * std::numbers::pi);
 }
 
 std::optional<TriangleTree::Nearest> TriangleTree::nearest(const Vec3& point, double within) const {

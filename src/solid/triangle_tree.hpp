@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/shapes.hpp"
+#include "solid/solid_angles.hpp"
 
 namespace impinge::solid {
 
@@ -56,22 +57,15 @@ class TriangleTree {
     Vec3 linear;                     ///< 2 (n . p) p + |p|^2 n
   };
 
-  static constexpr std::uint32_t kLeaf = 8;
+  static constexpr std::uint32_t kLeaf = EightTriangles::kCount;
 
-  /// The triangles of a leaf: of each corner the x, y and z of all.
-  struct Eight {
-    std::array<std::array<std::array<double, kLeaf>, 3>, 3> corners;
-  };
-  struct Turn;
-
-  [[nodiscard]] static Turn turn_around(const Eight& eight, const Vec3& from);
   void build(std::uint32_t first, std::uint32_t last, const std::stop_token& stop);
   [[nodiscard]] Node make_node(std::uint32_t first, std::uint32_t last) const;
 
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
-  std::vector<Eight> eights_;  ///< the triangles in the leaves' order
+  std::vector<EightTriangles> eights_;  ///< in the leaves' order
 };
 
 }  // namespace impinge::solid
