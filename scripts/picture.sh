@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
 #
-# scripts/picture.sh [PROGRAM]: takes docs/report.png anew, the picture in the README: the report of the engine with two gears
-# chosen. PROGRAM is the command line, build/release's unless said otherwise; ./dev page and ./dev demo build what it needs.
+# scripts/picture.sh [PROGRAM]: takes docs/report.png anew, the picture in the README: the report of the engine with its
+# deepest clash chosen. PROGRAM is the command line, build/release's unless said otherwise; ./dev page and ./dev demo
+# build what it needs.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${1:-$root/build/release/cli/impinge}
@@ -13,4 +14,4 @@ trap 'rm -f "$report"' EXIT
 : >"$report"
 "$program" clash "$engine" --html "$report" --quiet || [ $? -eq 1 ]
 cd "$root/page"
-node picture.mjs "$report" "$root/docs/report.png" '#clash=3'
+node picture.mjs "$report" "$root/docs/report.png" '#clash=1'
