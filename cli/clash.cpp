@@ -93,6 +93,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   if (auto ordered = documents.order(kGltf, arguments.gltf); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
+  const Decisions decisions = input->decisions;
   const Result<Review> review = read_and_review(*std::move(input), arguments.quiet, stop);
   if (!review) return review.error();
   mention_missing(review->assembly);
@@ -109,6 +110,8 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     return write_page(sink, *page, head_of(arguments.files, arguments), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
+  if (arguments.csv && !arguments.force)
+    if (auto kept = check_replaced_table(*arguments.csv, decisions, *review); !kept) return kept.error();
   const auto csv = [&](Sink& sink) { return write_csv(sink, *review); };
   if (auto written = documents.write(kCsv, csv); !written) return written.error();
   const auto gltf = [&](Sink& sink) { return write_gltf(sink, *review); };

@@ -299,8 +299,8 @@ void add_clash(CLI::App& command, ClashArguments& to) {
              "--regions");
   add_output(
       command, "--decisions", to.decisions,
-      "what people decided about pairs: a JSON file with a status and comment for each, by its id or by two names "
-      "of parts (docs/triage.md); it is only read");
+      "what people decided about pairs: a status and comment for each, in JSON by its id or by two names of parts, or "
+      "in a table that --csv wrote (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth_precision);
   command.add_flag("--regions", to.regions,

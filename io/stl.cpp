@@ -70,6 +70,11 @@ Result<Model> read_binary(std::string_view bytes, const Source& source) {
                       sentence("the header promises ", count, " triangles, but the file holds only ", present,
                                " whole ones; it is cut short, or not an STL file"));
   }
+  if (count < present) {
+    return byte_error(source, 80,
+                      sentence("the header promises ", count, " triangles, but there is room for ", present,
+                               " in the file; it is another format, or its header is wrong"));
+  }
   Parts out;
   out.floats = true;
   Part& part = out.parts.emplace_back();

@@ -191,6 +191,10 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
+std::string without_defusing(std::string_view cell) {
+  return std::string(cell.starts_with('\'') && needs_defusing(cell.substr(1)) ? cell.substr(1) : cell);
+}
+
 Result<void> write_csv(Sink& sink, const Review& review) {
   const Conventions conventions = conventions_of(review.options);
   sink.write(line([](const Column& column) { return column.name; }));

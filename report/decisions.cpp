@@ -24,12 +24,12 @@ constexpr std::uint64_t kMostBytesOfDecisions = 16'000'000;
 constexpr std::size_t kMostValuesOfDecisions = 1'000'000;
 constexpr std::string_view kBetweenNames = " | ";
 
+}  // namespace
+
 bool is_pair_id(std::string_view key) {
   constexpr std::size_t kLengthOfUuid = 36;
   return key.size() == kLengthOfUuid && key.find_first_not_of("0123456789abcdef-") == std::string_view::npos;
 }
-
-}  // namespace
 
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text) {
   static const json schema = json::parse(kDecisionsSchema);
@@ -55,9 +55,10 @@ Result<Decisions> parse_decisions(const std::string& name, const std::string& te
 }
 
 Result<Decisions> read_decisions(const std::string& name) {
-  const Result<std::string> text = read_text_file(name, kMostBytesOfDecisions);
+  const bool is_table = name.ends_with(".csv");
+  const Result<std::string> text = read_text_file(name, is_table ? kMostBytesOfTable : kMostBytesOfDecisions);
   if (!text) return text.error();
-  return parse_decisions(name, *text);
+  return is_table ? parse_decided_table(name, *text) : parse_decisions(name, *text);
 }
 
 std::vector<std::string> decide(const Decisions& decisions, Review& review) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "impinge/result.hpp"
@@ -11,6 +13,9 @@
 
 /// What people decided about pairs: a file that they own, and that is only read (docs/triage.md, "Decisions").
 namespace impinge::report {
+
+/// What is larger was not written by people.
+inline constexpr std::uint64_t kMostBytesOfTable = 256'000'000;
 
 struct Decisions {
   /// Of all pairs of a part that the one pattern describes and a part that the other one does.
@@ -23,12 +28,22 @@ struct Decisions {
   std::vector<ByNames> by_names;          ///< in the order of the file
 };
 
-/// Errors: `bad_file`, with the line and the place.
+/// From JSON, or from a table with columns as `write_csv` has them if the name ends in ".csv". Errors: `bad_file`, with
+/// the line and the place.
 Result<Decisions> read_decisions(const std::string& name);
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text);
+/// Rows without a status and a comment decide nothing.
+Result<Decisions> parse_decided_table(const std::string& name, const std::string& text);
+
+/// Whether a text looks like the id of a pair.
+bool is_pair_id(std::string_view key);
 
 /// Gives each pair the decision about its id, or else the first one about its parts' names. Returns the keys that match
 /// no pair.
 std::vector<std::string> decide(const Decisions& decisions, Review& review);
+
+/// Whether a new table of the review, whose decisions are those given, may take an earlier one's place. Errors:
+/// `bad_file`, where it holds decisions that the new one would not.
+Result<void> check_replaced_table(const std::string& name, const Decisions& given, const Review& review);
 
 }  // namespace impinge::report

@@ -26,6 +26,8 @@ Result<void> write_csv(Sink& sink, const Review& review);
 
 /// A text as a cell: one printable line, which no spreadsheet takes for a formula, in quotes where it needs them.
 std::string csv_cell(std::string_view text);
+/// The text of a cell, out of its quotes, without the apostrophe that kept it from being a formula.
+std::string without_defusing(std::string_view cell);
 
 /// The places of the clashes as binary glTF 2.0, worst first: a node for each pair, and in it one for each region of
 /// contact, with its lines and centroid, and one for the nearest points (docs/reports.md). Errors: also `bad_file`,

@@ -108,6 +108,12 @@ TEST(Stl, ErrorsNameThePlace) {
   cut.pop_back();
   EXPECT_THAT(error_of(read_stl(cut, "a.stl")),
               HasSubstr("a.stl, byte 80: the header promises 1 triangles, but the file holds only 0"));
+  // Many programs have few bits at byte 80, and what follows are floats of some kind.
+  EXPECT_THAT(error_of(read_stl("\x7f"
+                                "ELF" +
+                                    std::string(300, '\0'),
+                                "a.stl")),
+              HasSubstr("byte 80: the header promises 0 triangles, but there is room for 4"));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(error_of(read_stl(binary_stl("", {{0, 0, 0, 1, 0, 0, 0, nan, 0}}), "a.stl")),
               HasSubstr("byte 124: triangle 0"));

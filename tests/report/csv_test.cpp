@@ -111,6 +111,57 @@ TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
   }
 }
 
+/// A table that a spreadsheet saved: with words typed into the columns of one pair.
+TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
+  const auto clash = [&](std::vector<std::string> files, const std::vector<std::string>& more) {
+    files.insert(files.begin(), "clash"), files.insert(files.end(), {"--csv", "t.csv"});
+    files.insert(files.end(), more.begin(), more.end());
+    return impinge(folder, files);
+  };
+  const std::vector<std::string> both{"a.off", "b.off", "small.off", "big.off"}, one{"small.off", "big.off"};
+  EXPECT_EQ(clash(both, {}).code, 1);
+  const std::vector<Row> rows = rows_of(folder.read("t.csv"));
+  ASSERT_EQ(rows.size(), 2U);
+  const std::string id = rows[1].at("id");
+  folder.write("saved.csv",
+               "\xEF\xBB\xBF"
+               "comment;id;status\n\"'-3 mm; see \"\"A\"\"\";" +
+                   id + ";approved\n;" + rows[0].at("id") + ";\n");
+  EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
+  const std::string decided = folder.read("t.csv");
+  EXPECT_EQ(rows_of(decided)[0].at("status"), "");
+  EXPECT_EQ(rows_of(decided)[1].at("status"), "approved");
+  EXPECT_EQ(rows_of(decided)[1].at("comment"), "'-3 mm; see \"A\"");
+
+  const auto is_refused = [&](const Ended& ended) {
+    EXPECT_EQ(folder.read("t.csv"), decided);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("t.csv holds 1 decision that would be lost, the first about the pair " + id),
+              std::string::npos)
+        << ended.err;
+  };
+  is_refused(clash(both, {}));
+  EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
+  // Where the pair is gone, another file may still tell what was decided.
+  is_refused(clash(one, {}));
+  folder.write("d.json", R"({"a | b":{"status":"approved","comment":"-3 mm; see \"A\""}})");
+  EXPECT_EQ(clash(one, {"--decisions", "d.json"}).code, 1);
+  folder.write("t.csv", decided);
+  EXPECT_EQ(clash(both, {"--force"}).code, 1);
+  EXPECT_EQ(rows_of(folder.read("t.csv"))[1].at("status"), "");
+
+  for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+           {"", "bad.csv:1: a table of decisions has the columns"},
+           {"id,area\n", "bad.csv:1: a table of decisions has the columns"},
+           {"id,status\n,\n7,open\n", "bad.csv:3: the cell under 'id' is no id of a pair: '7'"},
+           {"id,status\n" + id + ",a\n" + id + ",b\n", "bad.csv:3: another row decides otherwise"}}) {
+    folder.write("bad.csv", text);
+    const Ended ended = impinge(folder, {"clash", "a.off", "--decisions", "bad.csv"});
+    EXPECT_EQ(ended.code, 2) << text;
+    EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+  }
+}
+
 TEST(CsvCell, IsDefusedByAnApostropheAlone) {
   EXPECT_EQ(report::csv_cell("bolt"), "bolt");
   EXPECT_EQ(report::csv_cell(""), "");
