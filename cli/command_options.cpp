@@ -151,6 +151,10 @@ void check_scales(const SceneOptions& arguments) {
       refuse(fmt::format("--scale {}: it is none of the files to read; write it as it stands among them", file));
 }
 
+void add_skip_unreadable(CLI::App& command, bool& skip) {
+  command.add_flag("--skip-unreadable", skip, "go on without files that cannot be read, and say so with every answer");
+}
+
 void add_max_file(CLI::App& command, std::uint64_t& bytes) {
   command.add_option("--max-file", bytes, "refuse larger files unread: bytes, or 500M, 2G (default: 2G)")
       ->transform(CLI::AsSizeValue(true).description(""))
@@ -197,6 +201,7 @@ void add_check(CLI::App& command, CheckArguments& to) {
   command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
   begin_group(command, "Reading");
   add_scale(command, to);
+  add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
   begin_group(command, "Work");
   add_threads(command, to.threads);
@@ -322,6 +327,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_exports(command, to);
   begin_group(command, "Reading and work");
   add_scale(command, to);
+  add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
   add_threads(command, to.threads);
   command.final_callback([&] { complete(to, command.count("--fail-on") > 0); });
@@ -362,6 +368,7 @@ void add_view(CLI::App& command, ViewArguments& to) {
   add_page_triangles(command, to);
   add_up(command, to, "the page");
   add_scale(command, to);
+  add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
   add_quiet(command, to.quiet);
   add_force(command, to.force);

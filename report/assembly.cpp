@@ -44,6 +44,7 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
 
 Result<Assembly> read_assembly(const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file) {
   std::vector<io::Model> models;
+  std::vector<std::string> skipped, missing;
   for (const std::string& file : options.files) {
     begin_file(models.size());
     io::ReadOptions read;
@@ -52,10 +53,17 @@ Result<Assembly> read_assembly(const SceneOptions& options, const std::function<
     read.stop = options.stop;
     Result<io::Model> model = io::read(file, read);
     if (options.stop.stop_requested()) return interrupted();
-    if (!model) return model.error();
+    if (!model) {
+      if (!options.skip_unreadable || skipped.size() + 1 == options.files.size()) return model.error();
+      skipped.push_back(file), missing.push_back("skipped: " + model.error().message);
+      model = io::Model();
+    }
     models.push_back(*std::move(model));
   }
-  return assemble(options.files, std::move(models));
+  Assembly assembly = assemble(options.files, std::move(models));
+  assembly.skipped = std::move(skipped);
+  assembly.missing.insert(assembly.missing.end(), missing.begin(), missing.end());
+  return assembly;
 }
 
 std::vector<std::string> labels_of(const Assembly& assembly) {

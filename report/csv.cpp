@@ -206,6 +206,10 @@ Result<void> write_csv(Sink& sink, const Review& review) {
                   ++rank, review.ids[i], place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
+  for (const std::string& file : review.assembly.skipped)
+    sink.write(line([&](const Column& column) {
+      return column.name == "verdict" ? "skipped" : column.name == "a_file" ? csv_cell(file) : std::string();
+    }));
   for (const Resolved& gone : review.resolved) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -94,6 +95,13 @@ void compare_with_previous(const Previous* previous, Review& review) {
     return 0.1 * std::min(review.parts[pair.objects[0]].size, review.parts[pair.objects[1]].size);
   };
   review.standings = compare({review.clashes.pairs, review.ids, slack, is_named}, previous, review.resolved);
+  const auto is_skipped = [&](const OldPart& part) {
+    const auto& skipped = review.assembly.skipped;
+    return std::any_of(skipped.begin(), skipped.end(), [&](const std::string& file) {
+      return std::filesystem::path(file).filename() == std::filesystem::path(part.file).filename();
+    });
+  };
+  std::erase_if(review.resolved, [&](const Resolved& gone) { return is_skipped(gone.a) || is_skipped(gone.b); });
   const auto is_new = [](const Standing& standing) {
     return standing.change == Change::fresh || has_new_region(standing);
   };

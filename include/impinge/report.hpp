@@ -27,6 +27,7 @@ struct SceneOptions {
   std::vector<std::string> files;
   std::vector<std::pair<std::string, std::string>> ignored;  ///< names or patterns: such pairs are not tested
   std::vector<std::pair<std::string, double>> scales;        ///< of files; each at most once
+  bool skip_unreadable = false;                              ///< go on without files that cannot be read
   std::uint64_t max_file_bytes = 2'000'000'000;              ///< larger files are refused unread
   int threads = 0;                                           ///< at most so many; 0: all there are
   Progress* progress = nullptr;                              ///< counts steps of judging, or the frames of a motion
@@ -86,6 +87,7 @@ struct Assembly {
   std::vector<std::string> labels;     ///< for each object, what a person is shown; printable
   std::vector<std::string> warnings;
   std::vector<std::string> missing;  ///< of the files, with their names: no answer is about it
+  std::vector<std::string> skipped;  ///< files that could not be read, by `SceneOptions::skip_unreadable`
   std::uint64_t triangles = 0;
 };
 
@@ -93,7 +95,7 @@ struct Assembly {
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models);
 
 /// Reads `options.files`; `begin_file` is called with the number of each before it is read. Errors: those of
-/// `io::read`.
+/// `io::read`; with `skip_unreadable` only if no file can be read.
 Result<Assembly> read_assembly(
     const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file = [](std::size_t) {});
 

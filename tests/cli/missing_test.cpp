@@ -64,6 +64,30 @@ TEST_F(Missing, IsOnThePage) {
   }
 }
 
+TEST_F(Missing, FilesAreSkippedOnlyIfAsked) {
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder.write("b.off", "OFF\n3 1 0\n0.1 0.1 -1\n0.1 0.1 1\n0.2 0.1 1\n3 0 1 2\n");
+  folder.write("bad.off", "OFF\n3 1 0\n0.1 0.1 -1\n");
+  const std::vector<std::string> good{"clash", "a.off", "b.off", "--quiet", "--json", "last.json"};
+  EXPECT_EQ(impinge(folder, good, launch).code, 1);
+  std::filesystem::rename(folder.path() / "b.off", folder.path() / "kept.off");
+  folder.write("b.off", folder.read("bad.off"));
+  std::vector<std::string> run{"clash", "a.off", "b.off",  "--quiet", "--json",     "j.json",
+                               "--csv", "c.csv", "--html", "p.html",  "--previous", "last.json"};
+  EXPECT_EQ(impinge(folder, run, launch).code, 2);
+  run.emplace_back("--skip-unreadable");
+  const Ended ended = impinge(folder, run, launch);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(ended.err.starts_with("impinge: skipped: b.off, line ")) << ended.err;
+  const json answer = json::parse(folder.read("j.json"));
+  EXPECT_EQ("impinge: " + answer.at("missing").at(0).get<std::string>() + "\n", ended.err);
+  EXPECT_EQ(answer.at("resolved").size(), 0U) << "nobody knows";
+  EXPECT_NE(folder.read("p.html").find("skipped: b.off"), std::string::npos);
+  EXPECT_NE(folder.read("c.csv").find(",skipped,"), std::string::npos);
+  for (const char* const command : {"check", "view", "clash"})
+    EXPECT_EQ(impinge(folder, {command, "bad.off", "b.off", "--skip-unreadable"}, launch).code, 2) << command;
+}
+
 TEST_F(Missing, IsNoMemberWhereNothingIs) {
   folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Ended run = impinge(folder, {"clash", "a.off", "--quiet", "--json", "-"}, launch);
