@@ -12,6 +12,7 @@
 
 #include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
+#include "clash/overlap_volume.hpp"
 #include "core/guarded.hpp"
 #include "core/local_frame.hpp"
 #include "core/pose.hpp"
@@ -248,22 +249,45 @@ Result<Clash> judge(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, 
   });
 }
 
+namespace {
+
+/// The parts of a measure of solids.
+Result<std::vector<Part>> closed_parts(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                       const MeasureOptions& options) {
+  auto parts =
+      make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, {.threads = options.threads, .stop = options.stop});
+  for (std::size_t i = 0; parts && i < 2; ++i)
+    if (!(*parts)[i].facts.closed)
+      return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
+                                       " is not closed, so that nothing is inside of it; close it, or ask for the "
+                                       "distance instead"};
+  return parts;
+}
+
+}  // namespace
+
 Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                                    double precision, const MeasureOptions& options) {
   return guarded([&]() -> Result<OverlapDepth> {
     if (!(precision > 0 && precision <= 1))
       return Error{Code::bad_option, "precision is " + std::to_string(precision) + "; choose one above 0, up to 1"};
-    const auto parts =
-        make_placed_parts({{&mesh_a, pose_a}, {&mesh_b, pose_b}}, {.threads = options.threads, .stop = options.stop});
+    const auto parts = closed_parts(mesh_a, pose_a, mesh_b, pose_b, options);
     if (!parts) return parts.error();
-    for (std::size_t i = 0; i < 2; ++i)
-      if (!(*parts)[i].facts.closed)
-        return Error{Code::bad_mesh, std::string(i == 0 ? "the first mesh" : "the second mesh") +
-                                         " is not closed, so that nothing is inside of it; close it, or ask for the "
-                                         "distance instead"};
     const OverlapDepth depth = find_depths((*parts)[0], (*parts)[1], {.precision = precision, .stop = options.stop});
     if (options.stop.stop_requested()) return cancelled();
     return depth;
+  });
+}
+
+Result<OverlapVolume> overlap_volume(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                                     const MeasureOptions& options) {
+  return guarded([&]() -> Result<OverlapVolume> {
+    const auto parts = closed_parts(mesh_a, pose_a, mesh_b, pose_b, options);
+    if (!parts) return parts.error();
+    const auto found = clash::overlap_volume((*parts)[0].placed, (*parts)[1].placed, options.stop);
+    if (options.stop.stop_requested()) return cancelled();
+    if (!found) return Error{Code::bad_mesh, "the two meshes touch in more ways than shifting one of them can part"};
+    return *found;
   });
 }
 

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// The volume that two solids share, against counted cells and against sums over a partition of space.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "impinge/clash.hpp"
+#include "impinge/measures.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+using scenes::MeshData;
+
+void expect_volume(double truth, const MeshData& a, const Pose& pose_a, const MeshData& b, const Pose& pose_b,
+                   double rounding = 1e-12) {
+  const Mesh mesh_a = test::mesh_of(a), mesh_b = test::mesh_of(b);
+  for (const bool is_swapped : {false, true}) {
+    const auto found =
+        is_swapped ? overlap_volume(mesh_b, pose_b, mesh_a, pose_a) : overlap_volume(mesh_a, pose_a, mesh_b, pose_b);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_LE(std::abs(found->volume - truth), found->error + rounding * truth) << "truth " << truth;
+    EXPECT_LE(found->error, 2e-6 * (1 + truth)) << "truth " << truth;
+  }
+}
+
+/// Flush faces, edges and vertices everywhere, and cells that meet along an edge alone.
+TEST(OverlapVolume, OfCellsOfALatticeIsCounted) {
+  test::Seeded seeded(7);
+  const std::vector<double> x{0, 1, 1.5, 3, 4}, y{0, 2, 3, 3.25}, z{0, 1, 2, 4};
+  int left_out = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::array<std::array<bool, 36>, 2> filled{};
+    for (auto& part : filled)
+      for (bool& cell : part) cell = seeded.random.integer(0, 2) > 0;
+    const auto part = [&](std::size_t which) {
+      return scenes::boundary({x, y, z, [&, which](int i, int j, int k) { return filled[which][9 * i + 3 * j + k]; }},
+                              1 + which);
+    };
+    double truth = 0;
+    for (std::size_t i = 0; i < 36; ++i)
+      if (filled[0][i] && filled[1][i])
+        truth += (x[i / 9 + 1] - x[i / 9]) * (y[i / 3 % 3 + 1] - y[i / 3 % 3]) * (z[i % 3 + 1] - z[i % 3]);
+    // A hole all of whose corners are on the surface around it is taken for a solid that touches it.
+    if (examine(test::mesh_of(part(0)))->turned + examine(test::mesh_of(part(1)))->turned > 0) {
+      ++left_out;
+      continue;
+    }
+    const Pose pose = round % 3 == 0 ? Pose{} : scenes::random_motion(seeded.random, round % 3 == 1 ? 10 : 1e5);
+    expect_volume(truth, part(0), pose, part(1), pose, 1e-9);
+  }
+  EXPECT_LE(left_out, 2);
+}
+
+TEST(OverlapVolume, OfASolidWithItselfIsItsVolume) {
+  test::Seeded seeded(3);
+  for (const MeshData& mesh : {scenes::cube(), scenes::uv_sphere(24, 12), scenes::torus_knot_of(2000)}) {
+    double volume = 0;
+    for (const auto& [p, q, r] : test::world_triangles(test::mesh_of(mesh), {})) volume += dot(p, cross(q, r)) / 6;
+    volume = std::abs(volume);  // whichever way they look
+    const Pose pose = scenes::random_motion(seeded.random, 9);
+    expect_volume(volume, mesh, pose, mesh, pose, 1e-9);
+    expect_volume(volume, mesh, {}, scenes::box({-9, -9, -9}, {9, 9, 9}, 3), {});
+    expect_volume(0, mesh, {}, scenes::box({-9, -9, 5}, {9, 9, 9}), {});
+  }
+}
+
+/// What boxes that fill space have in common with a solid is the whole of it.
+TEST(OverlapVolume, OfAPartitionAddsUp) {
+  test::Seeded seeded(11);
+  const MeshData knot = scenes::torus_knot_of(1200);
+  const double volume = overlap_volume(test::mesh_of(knot), {}, test::mesh_of(knot), {})->volume;
+  for (int round = 0; round < 4; ++round) {
+    const Pose pose = scenes::random_motion(seeded.random, 0.5), grid = scenes::random_motion(seeded.random, 0.5);
+    double sum = 0;
+    for (int i = 0; i < 27; ++i) {
+      const std::array<double, 4> cuts{-20, -1, 0.75, 20};
+      const int x = i / 9, y = i / 3 % 3, z = i % 3;
+      const Mesh cell =
+          test::mesh_of(scenes::box({cuts[x], cuts[y], cuts[z]}, {cuts[x + 1], cuts[y + 1], cuts[z + 1]}));
+      const auto part = overlap_volume(test::mesh_of(knot), pose, cell, grid);
+      ASSERT_TRUE(part) << part.error().message;
+      sum += part->volume;
+    }
+    EXPECT_NEAR(sum, volume, 1e-6 * volume);
+  }
+}
+
+TEST(OverlapVolume, CountsCavitiesAndTurnedPartsAsTheyAre) {
+  const MeshData shell = joined(scenes::box({0, 0, 0}, {10, 10, 10}), inverted(scenes::box({2, 2, 2}, {8, 8, 8})));
+  const MeshData plug = scenes::box({2, 2, 2}, {8, 8, 9});
+  expect_volume(36, shell, {}, plug, {});
+  expect_volume(36, inverted(shell), {}, plug, {});
+  expect_volume(36, shell, {}, inverted(plug), {});
+  expect_volume(0, shell, {}, scenes::box({2, 2, 2}, {8, 8, 8}), {});
+  EXPECT_EQ(overlap_volume(test::mesh_of(scenes::opened(plug)), {}, test::mesh_of(plug), {}).error().code,
+            Code::bad_mesh);
+}
+
+}  // namespace
+}  // namespace impinge
