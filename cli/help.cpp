@@ -47,9 +47,10 @@ const HelpPage kProgramHelp{
 exactly: no tolerance, nothing missed, nothing made up. Triangles that share a
 single point touch.
 )",
-    R"(Files: OBJ, OFF, PLY and STL, read in double precision; glTF, GLB, 3MF, COLLADA,
-IFC, FBX and others through assimp. Several files make one scene, in the
-coordinates that they have.
+    R"(Files: OBJ, OFF, PLY and STL, read in double precision; IFC through web-ifc,
+which needs Node.js; glTF, GLB, 3MF, COLLADA, FBX and others through assimp.
+Several files make one scene, in the coordinates that they have; units that
+files say are brought to those of the first.
 
 Examples:
   impinge check engine.obj fixture.stl

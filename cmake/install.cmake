@@ -1,4 +1,4 @@
-# What `cmake --install` lays down beside the command line (cli/): headers, libraries, the importer that the readers start,
+# What `cmake --install` lays down beside the command line (cli/): headers, libraries, the importer that the readers start (io/ lays its script beside it),
 # and the package that find_package(impinge) reads.
 include(CMakePackageConfigHelpers)
 

@@ -31,8 +31,11 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
   Model model;
   model.warnings = std::move(imported.warnings), model.missing = std::move(imported.missing);
   std::vector<Mesh> meshes;
+  // Where objects are placed in double precision, their floats are about their own middle, and have lost no more than
+  // parts of any origin are assumed to have.
+  const Precision numbers = imported.exact_places ? Precision::whole : Precision::single;
   for (ImportedMesh& raw : imported.meshes) {
-    Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles, {}, Precision::single);
+    Result<Mesh> mesh = Mesh::create(raw.xyz, raw.triangles, {}, numbers);
     if (!mesh) return file_error(source, sentence("mesh ", meshes.size(), ": ", mesh.error().message));
     meshes.push_back(std::move(*mesh));
     raw = {};
@@ -42,6 +45,7 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
   }
   for (ImportedGroup& group : imported.groups) model.groups.push_back({std::move(group.name), known(group.parent)});
   model.animations = std::move(imported.animations);
+  model.unit_in_metres = imported.unit_in_metres;
   PrecisionCheck precision;
   for (ImportedObject& object : imported.objects) {
     const Mesh& mesh = meshes[object.mesh];
@@ -54,16 +58,16 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
     const std::optional<std::uint32_t> node = known(object.node), group = known(object.group);
     const Affine map = affine_of(object.world);
     const Pose pose{map.m, map.t};
-    precision.add(name, mesh, map);
+    precision.add(name, mesh, imported.exact_places ? Affine{} : map);
     if (scene::validate(pose)) {
-      model.objects.push_back(
-          {name, std::move(object.path), std::move(object.product), mesh, pose, node, false, group});
+      model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose, node, false, group,
+                               std::move(object.properties)});
       continue;
     }
     Result<Mesh> baked = mesh.transformed(map);
     if (!baked) return file_error(source, sentence("object '", name, "': ", baked.error().message));
-    model.objects.push_back(
-        {name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node, true, group});
+    model.objects.push_back({name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node,
+                             true, group, std::move(object.properties)});
   }
   if (model.objects.empty()) {
     return file_error(source, "the file holds no triangles; export the part as a mesh with faces");

@@ -44,7 +44,7 @@ std::string cause_of(const ChildReport& report, const ReadOptions& options) {
                       " s; raise the limit if the file is good");
     }
     return sentence("the importer stopped (signal ", signal, ", ", strsignal(signal), ") on this file",
-                    last_words(report.said), "; the file is probably broken, or needs a newer assimp");
+                    last_words(report.said), "; the file is probably broken, or needs a newer importer");
   }
   return sentence("the importer ended with status ", WEXITSTATUS(report.status), last_words(report.said));
 }
@@ -91,8 +91,7 @@ Result<Model> import_file(const std::filesystem::path& file, const Source& sourc
   const bool ended_well = !report.timed_out && !report.too_much && WIFEXITED(report.status);
   Result<Imported> imported = decode_import(report.output);
   if (ended_well && imported && !imported->error.empty()) {
-    return file_error(source, sentence("assimp cannot read the file (", trimmed(imported->error),
-                                       "); mend it, or export to another format"));
+    return file_error(source, trimmed(imported->error));
   }
   if (!ended_well || WEXITSTATUS(report.status) != 0) return file_error(source, cause_of(report, options));
   if (!imported) return file_error(source, sentence("the importer ended well, but ", imported.error().message));

@@ -8,7 +8,7 @@
 
 namespace impinge::io {
 
-/// Reads a file by assimp in a child process, whose crash, hang or hunger is an error that names the file.
+/// Reads a file by assimp or web-ifc in a child process, whose crash, hang or hunger is an error that names the file.
 /// Errors: `bad_file`, `cancelled`.
 Result<Model> import_file(const std::filesystem::path& file, const Source& source, const ReadOptions& options);
 

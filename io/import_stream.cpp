@@ -11,7 +11,7 @@
 namespace impinge::io {
 namespace {
 
-constexpr std::string_view kMagic = "impinge3";
+constexpr std::string_view kMagic = "impinge4";
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 /// Numbers of a key.
@@ -48,6 +48,12 @@ class Decoder {
         return group();
       case 'O':
         return object();
+      case 'P':
+        return property();
+      case 'L':
+        return read(out_.unit_in_metres.emplace());
+      case 'D':
+        return out_.exact_places = true;
       case 'N':
         return node();
       case 'A':
@@ -119,6 +125,12 @@ class Decoder {
     ImportedObject& object = out_.objects.emplace_back();
     return read(object.name, object.path, object.product, object.mesh, object.node, object.group, object.world) &&
            object.mesh < out_.meshes.size() && is_known(object.node, out_.nodes) && is_known(object.group, out_.groups);
+  }
+
+  bool property() {
+    if (out_.objects.empty()) return false;
+    auto& [name, value] = out_.objects.back().properties.emplace_back();
+    return read(name, value);
   }
 
   bool node() {
@@ -228,6 +240,12 @@ void ImportWriter::animation(const Animation& animation) {
   for (const Unfollowed& lost : animation.unfollowed)
     record('U', lost.node.value_or(kNoNode), number(lost.what), lost.sentence);
 }
+
+void ImportWriter::property(std::string_view name, std::string_view value) { record('P', name, value); }
+
+void ImportWriter::unit(double metres) { record('L', metres); }
+
+void ImportWriter::exact_places() { record('D'); }
 
 void ImportWriter::warning(std::string_view message) { record('W', message); }
 

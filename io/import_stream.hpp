@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impinge/io.hpp"
@@ -16,10 +18,13 @@
 /// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
 /// text is its length (32 bits) and its bytes.
 ///
-///     "impinge3"
+///     "impinge4"
 ///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
 ///     'G' group    name; parent (32)
 ///     'O' object   name, path, product: texts; mesh, node, group (32 each), 16 doubles: the world matrix, row-major
+///     'P' property of the last 'O': name, value: texts
+///     'L' unit     double: metres in one of the file's units of length
+///     'D' places   no field: the world matrices never were 32-bit floats
 ///     'N' node     parent (32), 16 doubles: its matrix to its parent; 3 doubles: scale, 4: rotation, 3: translation
 ///     'A' anim     name; double: seconds
 ///     'T' track    of the last 'A': node, property, between (32 each), keys (64), a double a key, and the values
@@ -47,6 +52,7 @@ struct ImportedObject {
   std::string name, path, product;
   std::uint32_t mesh, node, group;
   std::array<double, 16> world;
+  std::vector<std::pair<std::string, std::string>> properties;
 };
 struct ImportedNode {
   std::uint32_t parent;
@@ -62,6 +68,8 @@ struct Imported {
   std::vector<ImportedGroup> groups;
   std::vector<Animation> animations;
   std::vector<std::string> warnings, missing;
+  std::optional<double> unit_in_metres;
+  bool exact_places = false;
   std::string error;  ///< not empty: the importer's own reason why there is no answer
 };
 
@@ -75,6 +83,9 @@ class ImportWriter {
               std::uint32_t node, std::uint32_t group, const std::array<double, 16>& world);
   void node(const ImportedNode& node);
   void animation(const Animation& animation);
+  void property(std::string_view name, std::string_view value);
+  void unit(double metres);
+  void exact_places();
   void warning(std::string_view text);
   void missing(std::string_view text);
   void error(std::string_view text);

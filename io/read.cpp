@@ -142,8 +142,16 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
   } else {
     model = import_file(file, source, options);
   }
-  if (!model || options.scale == 1) return model;
-  if (const Result<void> scaled = scale_model(*model, options.scale, source); !scaled) return scaled.error();
+  if (!model) return model;
+  double scale = options.scale;
+  if (scale != 1) {
+    model->unit_in_metres.reset();
+  } else if (options.unit_in_metres && model->unit_in_metres) {
+    scale = *model->unit_in_metres / *options.unit_in_metres;
+    model->unit_in_metres = options.unit_in_metres;
+  }
+  if (scale == 1) return model;
+  if (const Result<void> scaled = scale_model(*model, scale, source); !scaled) return scaled.error();
   return model;
 }
 

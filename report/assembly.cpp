@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "report/conventions.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -18,11 +21,37 @@ double scale_of(const SceneOptions& options, const std::string& file) {
   return 1;
 }
 
+/// The same place where Z is up instead of Y, or Y instead of Z: exact, as entries only change places and signs.
+Pose turned(const Pose& pose, bool to_y_up) {
+  Pose result = pose;
+  const auto turn = [&](const double* from, double* to, std::size_t stride) {
+    const double y = from[stride], z = from[2 * stride];
+    to[stride] = to_y_up ? z : -z, to[2 * stride] = to_y_up ? -y : y;
+  };
+  for (std::size_t column = 0; column < 3; ++column) turn(pose.R.data() + column, result.R.data() + column, 3);
+  turn(pose.t.data(), result.t.data(), 1);
+  return result;
+}
+
+/// Turns the models of files whose format says that another axis is up than in the first one's.
+void bring_to_first_axes(const std::vector<std::string>& files, std::vector<io::Model>& models) {
+  std::optional<bool> first;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::optional<bool> is_y_up = has_y_up(files[i]);
+    if (!first) first = is_y_up;
+    if (!is_y_up || is_y_up == first) continue;
+    for (io::Object& object : models[i].objects) object.pose = turned(object.pose, *first);
+    models[i].warnings.push_back(fmt::format("{} was turned so that {} is up, as in the files before it.",
+                                             printable(files[i]), *first ? 'Y' : 'Z'));
+  }
+}
+
 }  // namespace
 
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models) {
   Assembly assembly;
   assembly.files = files;
+  std::vector<std::optional<double>> units;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const auto groups_before = static_cast<std::uint32_t>(assembly.groups.size());
     for (io::Group& group : models[i].groups) {
@@ -35,9 +64,12 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
       assembly.file_of.push_back(static_cast<std::uint32_t>(i));
       assembly.objects.push_back(std::move(object));
     }
+    if (!models[i].objects.empty()) units.push_back(models[i].unit_in_metres);  // or else it was skipped
     for (std::string& warning : models[i].warnings) assembly.warnings.push_back(std::move(warning));
     for (const std::string& sentence : models[i].missing) assembly.missing.push_back(files[i] + ": " + sentence);
   }
+  if (!units.empty() && std::count(units.begin(), units.end(), units[0]) == std::ssize(units))
+    assembly.unit_in_metres = units[0];
   assembly.labels = labels_of(assembly);
   return assembly;
 }
@@ -51,6 +83,8 @@ Result<Assembly> read_assembly(const SceneOptions& options, const std::function<
     read.max_file_bytes = options.max_file_bytes;
     read.scale = scale_of(options, file);
     read.stop = options.stop;
+    for (const io::Model& earlier : models)
+      if (!read.unit_in_metres) read.unit_in_metres = earlier.unit_in_metres;
     Result<io::Model> model = io::read(file, read);
     if (options.stop.stop_requested()) return interrupted();
     if (!model) {
@@ -60,6 +94,7 @@ Result<Assembly> read_assembly(const SceneOptions& options, const std::function<
     }
     models.push_back(*std::move(model));
   }
+  bring_to_first_axes(options.files, models);
   Assembly assembly = assemble(options.files, std::move(models));
   assembly.skipped = std::move(skipped);
   assembly.missing.insert(assembly.missing.end(), missing.begin(), missing.end());

@@ -25,20 +25,13 @@ bool is_any_of(const std::string& ending, std::initializer_list<std::string_view
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Whether a file has Y up when it is read, or else Z: by its format's rules, or because assimp's reader turns it so.
-/// Nothing where there are no rules, and programs write either.
+}  // namespace
+
 std::optional<bool> has_y_up(const std::string& file) {
   const std::string ending = ending_of(file);
   if (is_any_of(ending, {".obj", ".off", ".ply", ".stl", ".amf"})) return std::nullopt;
-  return !is_any_of(ending, {".3mf", ".blend"});
+  return !is_any_of(ending, {".ifc", ".ifczip", ".3mf", ".blend"});
 }
-
-/// glTF has metres; assimp's readers of IFC and COLLADA convert to them.
-bool is_in_metres(const std::string& file) {
-  return is_any_of(ending_of(file), {".gltf", ".glb", ".ifc", ".ifczip", ".dae"});
-}
-
-}  // namespace
 
 bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said) {
   if (said) return *said;
@@ -48,11 +41,9 @@ bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said) {
   return false;
 }
 
-Conventions conventions_of(const ReportOptions& options) {
-  // A file that is scaled is brought to the unit of the others, whatever that is.
-  const bool is_known = options.metres || (options.scales.empty() &&
-                                           std::all_of(options.files.begin(), options.files.end(), is_in_metres));
-  return {options.metres.value_or(1), is_y_up(options.files, options.y_up), is_known};
+Conventions conventions_of(const ReportOptions& options, const Assembly& assembly) {
+  const std::optional<double> metres = options.metres ? options.metres : assembly.unit_in_metres;
+  return {metres.value_or(1), is_y_up(options.files, options.y_up), metres.has_value()};
 }
 
 Point direction_in_bcf(const Conventions& conventions, const Point& direction) {

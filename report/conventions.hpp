@@ -16,16 +16,20 @@ namespace impinge::report {
 struct Conventions {
   double metres = 1;      ///< that one of the files' units has
   bool y_up = false;      ///< or Z
-  bool is_known = false;  ///< the unit: the call says it, or all files have metres as they are read
+  bool is_known = false;  ///< the unit: the call says it, or all files do
 };
 
+/// Whether a file has Y up when it is read, or else Z: by its format's rules, or because assimp's reader turns it so.
+/// Nothing where there are no rules, and programs write either.
+std::optional<bool> has_y_up(const std::string& file);
+
 /// Which axis is up, Y or Z, in the coordinates of all files as they are read: as the call says, or else as the first
-/// file has it whose format or reader leaves no choice: Z in 3MF and Blender's, Y in others that assimp reads, which
-/// turns most of them so. OBJ, OFF, PLY, STL and AMF leave it open; where there is nothing else, it is Z.
+/// file has it whose format or reader leaves no choice: Z in IFC, 3MF and Blender's, Y in others that assimp reads,
+/// which turns most of them so. OBJ, OFF, PLY, STL and AMF leave it open; where there is nothing else, it is Z.
 bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said);
 
-/// As the call says, or else metres, and up as above.
-Conventions conventions_of(const ReportOptions& options);
+/// As the call says, or else as the files do, or else metres; and up as above.
+Conventions conventions_of(const ReportOptions& options, const Assembly& assembly);
 
 /// In metres with Z up, as BCF has it; and a direction likewise.
 Point place_in_bcf(const Conventions& conventions, const Point& point);

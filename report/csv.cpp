@@ -196,7 +196,7 @@ std::string without_defusing(std::string_view cell) {
 }
 
 Result<void> write_csv(Sink& sink, const Review& review) {
-  const Conventions conventions = conventions_of(review.options);
+  const Conventions conventions = conventions_of(review.options, review.assembly);
   sink.write(line([](const Column& column) { return column.name; }));
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {

@@ -224,7 +224,7 @@ Result<void> write_gltf(Sink& sink, const Review& review) {
     if (review.options.stop.stop_requested()) return interrupted();
     clashes.push_back(node_of(document, review, pair, ++rank));
   }
-  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(review.options))}};
+  Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(review.options, review.assembly))}};
   if (!clashes.empty()) root["children"] = clashes;
   return document.write(sink, document.node(std::move(root)));
 }

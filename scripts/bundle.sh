@@ -22,6 +22,7 @@ for program in cli/impinge bin/impinge-import bin/impinge-gpu-figures; do
   [ -x "$build/$program" ] || fail "$build/$program is missing; build the preset release first"
 done
 [ -e "$root/build/page/report.html" ] || fail "$root/build/page/report.html is missing; './dev page' builds it"
+[ -e "$root/build/ifc/import-ifc.cjs" ] || fail "$root/build/ifc/import-ifc.cjs is missing; './dev page' builds it"
 for tool in cmake ldd readelf tar gzip; do
   command -v "$tool" >/dev/null || fail "$tool is missing"
 done
@@ -82,6 +83,7 @@ for header in /usr/include/CLI/CLI.hpp /usr/include/nlohmann/json.hpp /usr/inclu
   bring_licence "$header"
 done
 cp "$root/LICENSE" "$bundle/LICENSE"
+mv "$bundle/libexec/impinge/web-ifc-license.md" "$bundle/licenses/web-ifc.md"
 install -m 755 "$root/scripts/gpu-figures.sh" "$bundle/gpu-figures.sh"
 
 # newest PREFIX: the newest version of the host's library that any file here asks for.
@@ -96,7 +98,7 @@ impinge finds every pair of triangles that touch between meshes, exactly. Unpack
 be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC) or newer and a libstdc++ that has
 GLIBCXX_$(newest GLIBCXX).
 
-    bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA, IFC and others
+    bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA and others, and IFC
     bin/impinge clash FILE... --html report.html   # which parts clash, and a page to look at it
     bin/impinge --help
     ./gpu-figures.sh              # measures the CPU, a GPU and both: one table, within minutes
@@ -104,6 +106,9 @@ GLIBCXX_$(newest GLIBCXX).
 
 A GPU needs its maker's driver and the Vulkan loader, libvulkan.so.1, which are the system's: this folder has neither.
 Without them impinge works on the CPU, with the same answers.
+
+IFC needs Node.js 18 or newer as the command \`node\`, which is not in this folder. \`node\` runs libexec/impinge/import-ifc.cjs, which
+contains web-ifc (MPL-2.0; its source: https://github.com/ThatOpen/engine_web-ifc).
 
 Licence: MIT, see LICENSE. Those of the libraries within are in the folder licenses.
 README
@@ -174,6 +179,7 @@ said=$("$name/bin/impinge" --version)
 case $said in *"$version"*) ;; *) fail "'impinge --version' says $said" ;; esac
 touches flat.obj upright.obj
 touches flat.gltf upright.obj
+[ -s "$name/libexec/impinge/web-ifc-node.wasm" ] || fail 'the reader of IFC is missing'
 "$name/bin/impinge" clash --quiet --fail-on inside flat.gltf upright.obj --html report.html --bcf report.bcf >report.txt ||
   fail "'impinge clash' ended with status $?"
 grep -q 'id="report"' report.html || fail 'there is no report in the page'

@@ -10,13 +10,15 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
 
-/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; glTF, 3MF, COLLADA, IFC, FBX and the rest by
-/// assimp in a child process with limits on time and memory. Link `impinge::io`.
+/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; IFC by web-ifc, which needs Node.js, and glTF,
+/// 3MF, COLLADA, FBX and the rest by assimp, both in a child process with limits on time and memory. Link
+/// `impinge::io`.
 namespace impinge::io {
 
 /// A node that objects hang under, themselves or in other groups.
@@ -35,6 +37,8 @@ struct Object {
   std::optional<std::uint32_t> node{};   ///< of the model's nodes, where the file has animations
   bool is_baked = false;                 ///< the mesh is that of the node, mapped by where the node is at rest
   std::optional<std::uint32_t> group{};  ///< of the model's groups, that it hangs under; nothing: it is at the top
+  /// Names and values, of IFC alone: class, GlobalId, Tag, ObjectType, storey and building, those that the file gives.
+  std::vector<std::pair<std::string, std::string>> properties{};
 };
 
 /// A node of an animated file.
@@ -82,6 +86,7 @@ struct Model {
   std::vector<Node> nodes;            ///< of a file with animations, parents first
   std::vector<Group> groups;          ///< parents first
   std::vector<Animation> animations;
+  std::optional<double> unit_in_metres{};  ///< metres in one of the units of the coordinates, where the file says it
 };
 
 /// Where each of the model's nodes is in the world at a time of an animation; before its first key and after its last
@@ -93,8 +98,11 @@ Affine product(const Affine& a, const Affine& b);
 
 struct ReadOptions {
   std::uint64_t max_file_bytes = 2'000'000'000;  ///< larger files are refused unread
-  double scale = 1;                              ///< positive and finite; multiplies every coordinate of the file
-  std::chrono::seconds time_limit{300};          ///< for the child process
+  /// Positive and finite; multiplies every coordinate of the file, whose unit is then unknown.
+  double scale = 1;
+  /// Without a scale: a file whose unit is known is brought to the one of so many metres.
+  std::optional<double> unit_in_metres{};
+  std::chrono::seconds time_limit{300};                       ///< for the child process
   std::uint64_t memory_limit_bytes = std::uint64_t{8} << 30;  ///< for the child process
   std::filesystem::path importer{};  ///< the child's program; empty: beside the running program, or as installed
   std::stop_token stop{};            ///< ends the child process

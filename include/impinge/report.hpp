@@ -89,13 +89,14 @@ struct Assembly {
   std::vector<std::string> missing;  ///< of the files, with their names: no answer is about it
   std::vector<std::string> skipped;  ///< files that could not be read, by `SceneOptions::skip_unreadable`
   std::uint64_t triangles = 0;
+  std::optional<double> unit_in_metres{};  ///< metres in one of the units of all files, where each says so
 };
 
 /// The objects of several files, as they were read.
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models);
 
-/// Reads `options.files`; `begin_file` is called with the number of each before it is read. Errors: those of
-/// `io::read`; with `skip_unreadable` only if no file can be read.
+/// Reads `options.files`, whose units are brought to the first that is known; `begin_file` is called with the number of
+/// each before it is read. Errors: those of `io::read`; with `skip_unreadable` only if no file can be read.
 Result<Assembly> read_assembly(
     const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file = [](std::size_t) {});
 

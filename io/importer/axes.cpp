@@ -54,6 +54,11 @@ std::string reader_of(const aiScene& scene) {
   return {name.data, name.length};
 }
 
+bool is_in_metres(const aiScene& scene) {
+  const std::string reader = reader_of(scene);
+  return reader.find("glTF") != reader.npos || reader.find("Collada") != reader.npos;
+}
+
 std::vector<std::string> axis_warnings(const aiScene& scene) {
   const std::string reader = reader_of(scene);
   const aiMatrix4x4& root = scene.mRootNode->mTransformation;
@@ -62,16 +67,11 @@ std::vector<std::string> axis_warnings(const aiScene& scene) {
   if (!std::isfinite(scale) || scale == 0) return {};
   const std::string who = sentence("assimp's ", reader.empty() ? "reader" : reader);
   std::vector<std::string> warnings;
-  const bool is_ifc = reader.find("(IFC)") != reader.npos;
   const std::optional<std::string> axes = swapped_axes(root, scale);
-  if (axes && *axes != "(x, y, z)") {
+  if (axes && *axes != "(x, y, z)")
     warnings.push_back(sentence(who, " turned the axes: the file's (x, y, z) became ", *axes, "."));
-  } else if (is_ifc) {  // the site's own placement is part of the root's matrix
-    warnings.push_back(sentence(who, " turned the axes: the file's Z, which is up, became Y."));
-  }
   if (std::abs(scale - 1) > kTurnError) {
-    const bool is_metres = is_ifc || reader.find("Collada") != reader.npos;
-    warnings.push_back(sentence(who, " changed the unit", is_metres ? " to metres" : "",
+    warnings.push_back(sentence(who, " changed the unit", is_in_metres(scene) ? " to metres" : "",
                                 ": the file's lengths were multiplied by ", scale, "."));
   }
   return warnings;

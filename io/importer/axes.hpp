@@ -12,10 +12,13 @@ namespace impinge::importer {
 /// The name of the assimp reader that made a scene, as in "Collada Importer".
 std::string reader_of(const aiScene& scene);
 
+/// Whether the coordinates are metres, because the format's are (glTF) or the reader converts them (COLLADA).
+bool is_in_metres(const aiScene& scene);
+
 /// Sentences on how the reader's coordinates differ from the file's: turned axes, changed units.
-/// Of assimp 5.2: the IFC and COLLADA readers, and those of the older formats with Z up, put a matrix at the root that
-/// makes Y the upward axis; IFC and COLLADA convert to metres in the same matrix. The glTF, FBX, 3MF, X, LightWave and
-/// Quick3D readers leave axes and units as they are: what stands at their root is the file's own.
+/// Of assimp 5.2: the COLLADA reader, and those of the older formats with Z up, put a matrix at the root that makes Y
+/// the upward axis; that of COLLADA converts to metres in the same matrix. The glTF, FBX, 3MF, X, LightWave and Quick3D
+/// readers leave axes and units as they are: what stands at their root is the file's own.
 std::vector<std::string> axis_warnings(const aiScene& scene);
 
 }  // namespace impinge::importer

@@ -4,7 +4,8 @@
 /// impinge-import FILE MEMORY_BYTES CPU_SECONDS
 ///
 /// Reads a mesh file by assimp and writes it to standard output as io/import_stream.hpp describes. A process of its
-/// own, because assimp crashes, hangs and takes all memory on some broken files.
+/// own, because assimp crashes, hangs and takes all memory on some broken files. For IFC it becomes another program,
+/// with the same limits.
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -17,6 +18,7 @@
 #include <string>
 
 #include "io/import_stream.hpp"
+#include "io/importer/ifc.hpp"
 #include "io/importer/scene_writer.hpp"
 #include "io/text.hpp"
 
@@ -39,13 +41,13 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t value) {
   setrlimit(what, &wanted);
 }
 
-void set_limits(std::int64_t memory_bytes, std::int64_t cpu_seconds) {
+void set_limits(decltype(RLIMIT_CPU) memory, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<rlim_t>(cpu_seconds));
 #if !IMPINGE_IS_SANITIZED  // sanitizers reserve terabytes of addresses
-  limit(RLIMIT_AS, static_cast<rlim_t>(memory_bytes));
+  limit(memory, static_cast<rlim_t>(memory_bytes));
 #else
-  (void)memory_bytes;
+  (void)memory, (void)memory_bytes;
 #endif
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer of an orphan
 }
@@ -58,7 +60,16 @@ int take_standard_output() {
   return stream;
 }
 
-int run(const char* file, std::int64_t memory_bytes) {
+int run_ifc(const char* file, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
+  // WebAssembly reserves more addresses than any limit on these would leave it.
+  set_limits(RLIMIT_DATA, memory_bytes, cpu_seconds);
+  const std::string problem = become_ifc_importer(file);
+  io::ImportWriter(STDOUT_FILENO).error(problem);
+  return 0;
+}
+
+int run(const char* file, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
+  set_limits(RLIMIT_AS, memory_bytes, cpu_seconds);
   const int stream = take_standard_output();
   if (stream < 0) return 1;
   io::ImportWriter writer(stream);
@@ -67,12 +78,13 @@ int run(const char* file, std::int64_t memory_bytes) {
     if (problem.empty()) return writer.end() ? 0 : 1;
     const bool is_memory = problem.find("bad_alloc") != problem.npos;
     if (!is_memory) {
-      writer.error(problem);
+      writer.error(io::sentence("assimp cannot read the file (", io::trimmed(problem),
+                                "); mend it, or export to another format"));
       return 0;
     }
   } catch (const std::bad_alloc&) {
   } catch (const std::exception& error) {
-    writer.error(error.what());
+    writer.error(io::sentence("assimp cannot read the file (", error.what(), ")"));
     return 0;
   }
   writer.error(io::sentence("it needs more than the memory limit of ", memory_bytes,
@@ -91,6 +103,6 @@ int main(int argc, char** argv) {
     std::fputs("usage: impinge-import FILE MEMORY_BYTES CPU_SECONDS\n", stderr);
     return 2;
   }
-  impinge::importer::set_limits(memory_bytes, cpu_seconds);
-  return impinge::importer::run(argv[1], memory_bytes);
+  const bool is_ifc = impinge::importer::is_ifc(argv[1]);
+  return (is_ifc ? impinge::importer::run_ifc : impinge::importer::run)(argv[1], memory_bytes, cpu_seconds);
 }

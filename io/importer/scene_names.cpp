@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "io/importer/axes.hpp"
-#include "io/importer/ifc_name.hpp"
 
 namespace impinge::importer {
 namespace {
@@ -34,19 +33,12 @@ std::string_view text_of(const aiString& text) { return {text.data, text.length}
 
 SceneNames::SceneNames(const aiScene& scene) : scene_(scene) {
   const std::string reader = reader_of(scene);
-  is_ifc_ = reader.find("(IFC)") != reader.npos;
   is_gltf_ = reader.find("glTF") != reader.npos;
   is_3mf_ = reader.find("3mf") != reader.npos;
 }
 
 std::string SceneNames::given_name(const aiNode& node) const {
   const std::string_view name = text_of(node.mName);
-  if (is_ifc_) {
-    IfcProduct product;
-    if (!parse_ifc_product(name, product)) return {};  // IfcMappedItem, $RelAggregates and the like
-    const bool has_name = !product.name.empty() && product.name != "Unnamed";
-    return std::string(has_name ? product.name : product.type);
-  }
   const bool is_root = node.mParent == nullptr;
   if (is_gltf_) {  // whatever else stands there, a person may have given
     const bool is_made_up = is_gltf_placeholder(name) || (is_root && name == "ROOT");
@@ -62,8 +54,6 @@ std::string SceneNames::given_name(const aiNode& node) const {
 /// Whether the node is one of the file's, with a name or without, and not one that assimp puts in between.
 bool SceneNames::is_of_file(const aiNode& node) const {
   if (node.mParent == nullptr) return true;
-  IfcProduct ignored;
-  if (is_ifc_) return parse_ifc_product(text_of(node.mName), ignored);
   return is_gltf_ || text_of(node.mName).find(kPivot) == std::string_view::npos;
 }
 
@@ -85,21 +75,7 @@ std::string SceneNames::mesh_name(const aiNode& node) const {
   return std::string(name);
 }
 
-std::string SceneNames::product_of(const aiNode& node) {
-  if (!is_ifc_) return {};
-  IfcProduct ignored;
-  const aiNode* product = &node;
-  while (product && !parse_ifc_product(text_of(product->mName), ignored)) product = product->mParent;
-  if (!product) return {};
-  std::string& key = products_[product];
-  if (!key.empty()) return key;
-  const std::string name(text_of(product->mName));
-  key = name;  // unique by its GlobalId, unless the file repeats one
-  for (int number = 2; !taken_products_.insert(key).second; ++number) key = name + " (" + std::to_string(number) + ")";
-  return key;
-}
-
-NodeNames SceneNames::of(const aiNode& node) {
+NodeNames SceneNames::of(const aiNode& node) const {
   std::vector<std::string> given;  // from the node up
   for (const aiNode* at = &node; at; at = at->mParent) {
     std::string name = given_name(*at);
@@ -110,7 +86,6 @@ NodeNames SceneNames::of(const aiNode& node) {
   if (!given.empty()) names.name = given.front();
   std::reverse(given.begin(), given.end());
   for (const std::string& name : given) names.path += (names.path.empty() ? "" : "/") + name;
-  names.product = product_of(node);
   return names;
 }
 

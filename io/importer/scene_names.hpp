@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
-#include <set>
 #include <string>
 
 struct aiNode;
@@ -13,16 +11,15 @@ struct aiScene;
 namespace impinge::importer {
 
 struct NodeNames {
-  std::string name;     ///< the nearest given name: the node's, its mesh's, an ancestor's; empty if there is none
-  std::string path;     ///< the given names from the root to the node, '/' between them
-  std::string product;  ///< of the nearest IFC product up the tree, unlike that of any other product's node
+  std::string name;  ///< the nearest given name: the node's, its mesh's, an ancestor's; empty if there is none
+  std::string path;  ///< the given names from the root to the node, '/' between them
 };
 
 /// Names the nodes of one scene.
 class SceneNames {
  public:
   explicit SceneNames(const aiScene& scene);
-  NodeNames of(const aiNode& node);
+  [[nodiscard]] NodeNames of(const aiNode& node) const;
   /// The name that the file's author gave, or an empty one: assimp makes up names of its own.
   [[nodiscard]] std::string given_name(const aiNode& node) const;
   /// The node of the file that it hangs under; none for the root.
@@ -31,12 +28,9 @@ class SceneNames {
  private:
   [[nodiscard]] bool is_of_file(const aiNode& node) const;
   [[nodiscard]] std::string mesh_name(const aiNode& node) const;
-  std::string product_of(const aiNode& node);
 
   const aiScene& scene_;
-  bool is_ifc_ = false, is_gltf_ = false, is_3mf_ = false;
-  std::map<const aiNode*, std::string> products_;
-  std::set<std::string> taken_products_;
+  bool is_gltf_ = false, is_3mf_ = false;
 };
 
 }  // namespace impinge::importer

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/importer/scene_writer.hpp"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -10,6 +11,7 @@
 #include <assimp/Importer.hpp>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -135,7 +137,7 @@ void write_objects(const aiScene& scene, const Movement& movement, io::ImportWri
     const aiNode* node;
     Matrix parent;
   };
-  SceneNames names(scene);
+  const SceneNames names(scene);
   MeshWriter meshes(scene, writer);
   GroupWriter groups(names, writer);
   constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -152,7 +154,7 @@ void write_objects(const aiScene& scene, const Movement& movement, io::ImportWri
       const auto number = movement.numbers.find(&node);
       const std::uint32_t numbered = number == movement.numbers.end() ? io::kNoNode : number->second;
       const std::uint32_t group = groups.write_above(node);
-      writer.object(called.name, called.path, called.product, mesh, numbered, group, world);
+      writer.object(called.name, called.path, {}, mesh, numbered, group, world);
     }
     for (unsigned i = node.mNumChildren; i-- > 0;) stack.push_back({node.mChildren[i], world});
   }
@@ -164,6 +166,9 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   const std::optional<GltfCheck> gltf = check_gltf(file);
   if (gltf && !gltf->problem.empty()) return gltf->problem;
   Assimp::Importer importer;
+  // IFC is read elsewhere, whatever its file is called.
+  const std::unique_ptr<Assimp::BaseImporter> ifc(importer.GetImporter(importer.GetImporterIndex("ifc")));
+  importer.UnregisterLoader(ifc.get());
   // The author's names, not the ids of COLLADA.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   // Bones are not surfaces.
@@ -192,6 +197,7 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (gltf && gltf->morphed.count > 0) writer.missing(reshaped_sentence(gltf->morphed, "morph targets", "Apply them"));
   if (gltf && gltf->hidden.count > 0) writer.warning(hidden_sentence(gltf->hidden));
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
+  if (is_in_metres(*scene)) writer.unit(1);
   const Movement movement = read_movement(file, *scene);
   for (const io::ImportedNode& node : movement.nodes) writer.node(node);
   for (const io::Animation& animation : movement.animations) writer.animation(animation);

@@ -40,7 +40,7 @@ std::array<Member, 3> files_of(const Review& review, std::size_t pair, std::size
   const Clash& clash = review.clashes.pairs[pair];
   const Place place = place_of(review, pair);
   const Scenery scenery = scenery_of(review, clash, place);
-  const Conventions conventions = conventions_of(review.options);
+  const Conventions conventions = conventions_of(review.options, review.assembly);
   const auto radius = [&](std::size_t side) {
     return review.assembly.objects[clash.objects[side]].mesh.sphere_radius();
   };

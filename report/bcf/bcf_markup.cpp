@@ -150,7 +150,7 @@ void add_comment(pugi::xml_node parent, const Topic& topic) {
 
 std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) {
   const Topic topic{review,           review.clashes.pairs[pair], review.standings[pair],
-                    review.ids[pair], review.options.date,        conventions_of(review.options)};
+                    review.ids[pair], review.options.date,        conventions_of(review.options, review.assembly)};
   const std::string& status = topic.standing.decision.status;
   pugi::xml_document document;
   pugi::xml_node markup = begin_document(document, "Markup");

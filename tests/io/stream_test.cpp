@@ -8,7 +8,6 @@
 
 #include "io/import_process.hpp"
 #include "io/import_stream.hpp"
-#include "io/importer/ifc_name.hpp"
 #include "io/model.hpp"
 #include "support.hpp"
 
@@ -53,7 +52,10 @@ std::string small_stream() {
     writer.group("a/b", kNoNode);
     writer.group("", 0);
     writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, 1, kIdentity);
+    writer.property("class", "IfcBolt");
     writer.object("", "", "", 0, kNoNode, kNoNode, kIdentity);
+    writer.unit(0.3048);
+    writer.exact_places();
     EXPECT_TRUE(writer.end());
   });
 }
@@ -71,6 +73,10 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   EXPECT_EQ(imported->objects[0].path, "engine/bolt");
   EXPECT_EQ(imported->objects[0].product, "IfcBolt_bolt");
   EXPECT_EQ(imported->objects[0].world, kIdentity);
+  EXPECT_EQ(imported->objects[0].properties, (std::vector<std::pair<std::string, std::string>>{{"class", "IfcBolt"}}));
+  EXPECT_TRUE(imported->objects[1].properties.empty());
+  EXPECT_EQ(imported->unit_in_metres, 0.3048);
+  EXPECT_TRUE(imported->exact_places);
   EXPECT_EQ(imported->objects[0].node, 1u);
   EXPECT_EQ(imported->objects[1].node, kNoNode);
   EXPECT_EQ(imported->objects[0].group, 1u);
@@ -143,7 +149,7 @@ TEST(ImportStream, MutationsAreErrorsOrStreams) {
 }
 
 TEST(ImportStream, SizesBeyondTheStreamAreRefused) {
-  std::string stream = "impinge3M";
+  std::string stream = "impinge4M";
   append_bytes(stream, std::uint64_t{1} << 61);
   append_bytes(stream, std::uint64_t{1});
   EXPECT_FALSE(decode_import(stream + std::string(100, 'x')).has_value());
@@ -176,7 +182,7 @@ TEST(ImportStream, WhatIsUnfollowedPointsToANode) {
   EXPECT_TRUE(decode_import(with(std::nullopt, 0)).has_value());
   EXPECT_FALSE(decode_import(with(1, 0)).has_value()) << "no such node";
   EXPECT_FALSE(decode_import(with(0, 2)).has_value()) << "neither place nor shape";
-  EXPECT_FALSE(decode_import("impinge3" + with(0, 0).substr(with(0, 0).find('U'))).has_value()) << "of no animation";
+  EXPECT_FALSE(decode_import("impinge4" + with(0, 0).substr(with(0, 0).find('U'))).has_value()) << "of no animation";
 }
 
 TEST(ImportStream, TracksThatPointNowhereAreRefused) {
@@ -187,7 +193,7 @@ TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, 0)).has_value()) << "no keys";
   EXPECT_FALSE(decode_import(one_track(0, 0, 2, 1)).has_value()) << "a cubic key is longer";
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, std::uint64_t{1} << 59)).has_value());
-  EXPECT_FALSE(decode_import("impinge3" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
+  EXPECT_FALSE(decode_import("impinge4" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
       << "a track before any animation";
   const auto with_node = [](std::uint32_t parent) {
     return written([&](ImportWriter& writer) {
@@ -271,20 +277,6 @@ TEST(Names, AreMadeUniqueWithNumbers) {
   std::vector<std::string> names;
   for (const Object& object : objects) names.push_back(object.name);
   EXPECT_EQ(names, (std::vector<std::string>{"bolt", "bolt (3)", "bolt (2)", "nut", "bolt (4)", "bolt (2) (2)"}));
-}
-
-TEST(Names, IfcNodesAreTypeNameAndGlobalId) {
-  importer::IfcProduct product;
-  ASSERT_TRUE(importer::parse_ifc_product("IfcWindow_EG-Fenster_6_1srAI$R4T8ihLXSNHmUSET", product));
-  EXPECT_EQ(product.type, "IfcWindow");
-  EXPECT_EQ(product.name, "EG-Fenster_6");
-  EXPECT_FALSE(importer::parse_ifc_product("IfcBeam_x_0o_gCKyTBzO5$QJcI2Y_P", product)) << "21 letters";
-  ASSERT_TRUE(importer::parse_ifc_product("IfcBeam__0o_vgCKyTBzO5$QJcI2Y_P", product));
-  EXPECT_EQ(product.type, "IfcBeam");
-  EXPECT_EQ(product.name, "");
-  EXPECT_FALSE(importer::parse_ifc_product("IfcMappedItem", product));
-  EXPECT_FALSE(importer::parse_ifc_product("$RelAggregates", product));
-  EXPECT_FALSE(importer::parse_ifc_product("", product));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ class Units : public testing::Test {
   json region;
 };
 
-TEST_F(Units, OfImportedFilesAreMetresWithZUp) {
+TEST_F(Units, OfImportedFilesAreKnown) {
   folder.write("two.ifc", ifc_of_two_walls());
   folder.write("two.dae", collada_of_two_walls());
   for (const char* file : {"two.ifc", "two.dae"}) {
@@ -100,8 +100,45 @@ TEST_F(Units, OfImportedFilesAreMetresWithZUp) {
     ASSERT_NO_FATAL_FAILURE(run({file}));
     expect_two_walls({5.5, 3.5, 1.5}, 1);
     EXPECT_FALSE(is_guessed());
-    // As they are read, Y is up: the columns without a unit are those of the JSON.
-    EXPECT_NEAR(number(row.at("y")), 1.5, 1e-5);
+  }
+  // The columns without a unit are those of the JSON: COLLADA is turned to Y up and metres when it is read.
+  EXPECT_NEAR(number(row.at("y")), 1.5, 1e-5);
+  ASSERT_NO_FATAL_FAILURE(run({"two.ifc"}));
+  EXPECT_NEAR(number(row.at("y")), 3500, 1e-2) << "in millimetres, as in the file";
+}
+
+TEST_F(Units, OfSeveralFilesAreThoseOfTheFirst) {
+  // One wall in millimetres, the other in metres.
+  std::string left = ifc_of_two_walls(), right = left;
+  const auto drop = [](std::string& text, const std::string& entity) {
+    text.erase(text.find(entity), text.find('\n', text.find(entity)) - text.find(entity));
+  };
+  drop(left, "#60="), drop(right, "#50=");
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    right.replace(right.find(what), what.size(), by);
+  };
+  replace(".MILLI.", "$");
+  replace("2000.,2000.", "2.,2.");
+  replace("6000.,4000.,1000.", "6.,4.,1.");
+  right.replace(right.rfind("#58,2000."), 9, "#58,2.");
+  folder.write("left.ifc", left);
+  folder.write("right.ifc", right);
+  ASSERT_NO_FATAL_FAILURE(run({"left.ifc", "right.ifc"}));
+  expect_two_walls({5.5, 3.5, 1.5}, 1);
+  EXPECT_FALSE(is_guessed());
+}
+
+TEST_F(Units, AndAxesOfSeveralFormatsAreThoseOfTheFirst) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  folder.write("two.dae", collada_of_two_walls());
+  for (const auto& [first, second] : {std::pair{"two.ifc", "two.dae"}, std::pair{"two.dae", "two.ifc"}}) {
+    SCOPED_TRACE(first);
+    EXPECT_EQ(impinge(folder, {"clash", first, second, "--json", "out.json", "--quiet", "--tolerance",
+                               std::string(first) == "two.ifc" ? "1e-3" : "1e-6"})
+                  .code,
+              1);
+    // Each wall is there twice.
+    EXPECT_EQ(json::parse(folder.read("out.json")).at("counts").at("duplicate"), 2);
   }
 }
 

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// Writes the records of io/import_stream.hpp, which says what they hold, to standard output.
+import { writeSync } from 'node:fs';
+
+const kNone = 0xffffffff;
+const kStandardOutput = 1;
+
+function writeAll(bytes) {
+  for (let done = 0; done < bytes.length;) done += writeSync(kStandardOutput, bytes, done);
+}
+
+function u32(value) {
+  const bytes = Buffer.alloc(4);
+  bytes.writeUInt32LE(value);
+  return bytes;
+}
+
+function u64(value) {
+  const bytes = Buffer.alloc(8);
+  bytes.writeBigUInt64LE(BigInt(value));
+  return bytes;
+}
+
+const doubles = (values) => Buffer.from(Float64Array.from(values).buffer);
+
+function text(value) {
+  const bytes = Buffer.from(value, 'utf8');
+  return Buffer.concat([u32(bytes.length), bytes]);
+}
+
+const kMostWaiting = 2 ** 20;
+let waiting = [];
+let waitingBytes = 0;
+
+function flush() {
+  writeAll(Buffer.concat(waiting));
+  waiting = [];
+  waitingBytes = 0;
+}
+
+function record(letter, ...fields) {
+  for (const field of [Buffer.from(letter), ...fields]) {
+    waiting.push(field);
+    waitingBytes += field.length;
+  }
+  if (waitingBytes >= kMostWaiting) flush();
+}
+
+export const begin = () => record('impinge4');
+export function end() {
+  record('Z');
+  flush();
+}
+export function error(message) {
+  record('E', text(message));
+  flush();
+}
+export const warning = (message) => record('W', text(message));
+export const missing = (message) => record('X', text(message));
+
+// How many metres one of the file's units has.
+export const unit = (metres) => record('L', doubles([metres]));
+export const exactPlaces = () => record('D');
+export const group = (name, parent) => record('G', text(name), u32(parent ?? kNone));
+export const property = (name, value) => record('P', text(name), text(value));
+
+export function mesh(xyz, triangles) {
+  const corners = Buffer.from(Uint32Array.from(triangles).buffer);
+  record('M', u64(xyz.length / 3), u64(triangles.length / 3), doubles(xyz), corners);
+}
+
+export function object({ name, path, product, mesh, group, world }) {
+  record('O', text(name), text(path), text(product), u32(mesh), u32(kNone), u32(group ?? kNone), doubles(world));
+}

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// node import-ifc.cjs FILE
+//
+// Reads an IFC file by web-ifc and writes its products to standard output, as io/import_stream.hpp describes. It is
+// started by impinge-import, which sets the limits.
+import { FileProblem, readFile } from './file.mjs';
+import * as frames from './frames.mjs';
+import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
+import { keepBodies, mendProfiles } from './mend.mjs';
+import { shapeOf } from './shapes.mjs';
+import { Placements, Structure } from './structure.mjs';
+import { unitInMetres } from './units.mjs';
+
+const kOldestNode = 18;
+// Names in a sentence about several products.
+const kMostNamed = 5;
+
+// Products that nobody can bump into: what is cut away, rooms, lines of drawings, of analysis and of axes.
+const kNoParts =
+  /^Ifc(Opening|VoidingFeature|ProjectionElement|Space|SpatialZone|ExternalSpatial|VirtualElement|Annotation|Grid|Structural|Alignment|Referent|Linear|PositioningElement|DistributionPort|Port$)/;
+// Those that hold others, and need no shape of their own.
+const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|Tunnel)/;
+
+// Products of which the same is to be said.
+class Remarks {
+  #kinds = new Map();
+
+  add(kind, label) {
+    if (!this.#kinds.has(kind)) this.#kinds.set(kind, []);
+    this.#kinds.get(kind).push(label);
+  }
+
+  write() {
+    for (const [kind, labels] of this.#kinds) {
+      const named = labels.slice(0, kMostNamed).join(', ');
+      const more = labels.length > kMostNamed ? ` and ${labels.length - kMostNamed} more` : '';
+      frames.missing(`Products ${kind}, ${labels.length}: ${named}${more}.`);
+    }
+  }
+}
+
+// Writes the groups that products hang under, each once and its parents first.
+class Groups {
+  #structure;
+  #numbers = new Map();
+
+  constructor(structure) {
+    this.#structure = structure;
+  }
+
+  numberFor(wholes) {
+    let number;
+    for (const whole of [...wholes].reverse()) {
+      if (!this.#numbers.has(whole)) {
+        frames.group(this.#structure.nameOf(whole), number);
+        this.#numbers.set(whole, this.#numbers.size);
+      }
+      number = this.#numbers.get(whole);
+    }
+    return number;
+  }
+}
+
+class Importer {
+  #model;
+  #structure;
+  #placements;
+  #groups;
+  #remarks = new Remarks();
+  #meshes = new Map();
+  #written = 0;
+  #keys = new Set();
+  // Geometries, and what web-ifc said when it made them.
+  #incomplete = new Map();
+
+  constructor(model) {
+    this.#model = model;
+    this.#structure = new Structure(model);
+    this.#placements = new Placements(model);
+    this.#groups = new Groups(this.#structure);
+  }
+
+  // What web-ifc gives of a product; undefined where it traps.
+  async #bodiesOf(product, label) {
+    this.#model.takeSaid();
+    try {
+      return this.#model.bodiesOf(product);
+    } catch (trap) {
+      this.#remarks.add(
+        'that web-ifc cannot draw, and that are left out',
+        `${label} (${trap.message ?? 'an exception of web-ifc'})`,
+      );
+      await this.#model.reopen();
+      return undefined;
+    }
+  }
+
+  // Notes what web-ifc said while the bodies were made, then or for an earlier product that shows them too.
+  #noteIncomplete(bodies, label) {
+    const said = this.#model.takeSaid().find((line) => /error|warn/i.test(line));
+    if (said) for (const { geometry } of bodies) this.#incomplete.set(geometry, said);
+    const words = said ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
+    if (words) this.#remarks.add('with an incomplete shape', `${label} (${words.replace(/^(\[[^\]]*\])+ */, '')})`);
+  }
+
+  #keyOf(name, title, guid) {
+    const base = `${name}_${title}_${guid}`;
+    let key = base;
+    for (let number = 2; this.#keys.has(key); ++number) key = `${base} (${number})`;
+    this.#keys.add(key);
+    return key;
+  }
+
+  async write({ line, name }) {
+    if (kNoParts.test(name)) return;
+    const attributes = this.#model.attributes(line);
+    const title = textOf(attributes[2]);
+    const guid = textOf(attributes[0]);
+    const label = `'${title || name}' (${name} ${guid})`;
+    if (!referenceOf(attributes[6])) {
+      if (!kSpatial.test(name) && !this.#structure.hasParts(line)) this.#remarks.add('without a shape', label);
+      return;
+    }
+    if (!this.#placements.isKnown(referenceOf(attributes[5]))) {
+      this.#remarks.add('whose placement depends on itself, and that are left out', label);
+      return;
+    }
+    if (!keepBodies(this.#model, referenceOf(attributes[6]))) {
+      this.#remarks.add('without a body', label);
+      return;
+    }
+    const bodies = await this.#bodiesOf(line, label);
+    if (!bodies) return;
+    this.#noteIncomplete(bodies, label);
+    const drawn = bodies.filter(({ matrix }) => matrix.every(Number.isFinite));
+    if (drawn.length < bodies.length) this.#remarks.add('with bodies in no finite place, which are left out', label);
+    if (drawn.length === 0) {
+      if (bodies.length === 0) this.#remarks.add('without a body that web-ifc can draw', label);
+      return;
+    }
+    const mesh = this.#meshFor(drawn, label);
+    if (mesh.number !== undefined) this.#writeObject({ line, name, title, guid, attributes, ...mesh });
+  }
+
+  #meshFor(bodies, label) {
+    const shape = shapeOf(bodies, this.#model);
+    if (!this.#meshes.has(shape.key)) {
+      const { xyz, triangles, problems } = shape.make();
+      const number = triangles.length > 0 ? this.#written++ : undefined;
+      if (number !== undefined) frames.mesh(xyz, triangles);
+      this.#meshes.set(shape.key, { number, problems });
+    }
+    const { number, problems } = this.#meshes.get(shape.key);
+    for (const problem of new Set(problems)) this.#remarks.add(`with ${problem}, which is left out`, label);
+    return { number, world: shape.world };
+  }
+
+  #writeObject({ line, name, title, guid, attributes, number, world }) {
+    const wholes = this.#structure.wholesOf(line);
+    const names = [...wholes].reverse().map((whole) => this.#structure.nameOf(whole));
+    frames.object({
+      name: title || name,
+      path: [...names, title || name].join('/'),
+      product: this.#keyOf(name, title, guid),
+      mesh: number,
+      group: this.#groups.numberFor(wholes),
+      world,
+    });
+    const nameOfWhole = (kind) => {
+      const whole = wholes.find((at) => this.#model.classOf(at) === kind);
+      return whole ? this.#structure.nameOf(whole) : '';
+    };
+    const properties = {
+      class: name,
+      GlobalId: guid,
+      // Of elements and proxies alone.
+      Tag: /^Ifc(Site|Building$|BuildingStorey)/.test(name) ? '' : textOf(attributes[7]),
+      ObjectType: textOf(attributes[4]),
+      storey: nameOfWhole('IfcBuildingStorey'),
+      building: nameOfWhole('IfcBuilding'),
+    };
+    for (const [key, value] of Object.entries(properties)) if (value) frames.property(key, value);
+  }
+
+  finish() {
+    this.#remarks.write();
+  }
+}
+
+// How far chords stray from the largest circle, in the file's unit.
+function warnOfCurves(model) {
+  const radii = [];
+  for (const [name, place] of [
+    ['IFCCIRCLE', 1],
+    ['IFCCIRCLEPROFILEDEF', 3],
+    ['IFCCIRCLEHOLLOWPROFILEDEF', 3],
+    ['IFCSWEPTDISKSOLID', 1],
+  ]) {
+    for (const line of model.ofClass(name)) radii.push(numberOf(model.attributes(line)[place]));
+  }
+  const largest = radii.filter(Number.isFinite).reduce((a, b) => Math.max(a, b), 0);
+  const splines = model.ofClass(
+    'IFCBSPLINECURVEWITHKNOTS',
+    'IFCRATIONALBSPLINECURVEWITHKNOTS',
+    'IFCBSPLINESURFACEWITHKNOTS',
+    'IFCRATIONALBSPLINESURFACEWITHKNOTS',
+  );
+  if (largest > 0) {
+    const deviation = largest * (1 - Math.cos(Math.PI / kChords));
+    frames.warning(
+      `Circles are drawn by ${kChords} chords, which lie up to ${deviation.toPrecision(3)} within the largest, of radius ${Number(largest.toPrecision(6))}.`,
+    );
+  }
+  // Radii and slopes, in the schemas' order behind the lengths that all have.
+  const soft = [
+    ['I', 7],
+    ['ASYMMETRICI', 7],
+    ['L', 7],
+    ['U', 7],
+    ['T', 7],
+    ['Z', 7],
+    ['C', 7],
+  ].flatMap(([letter, place]) =>
+    model.ofClass(`IFC${letter}SHAPEPROFILEDEF`).filter((line) =>
+      model
+        .attributes(line)
+        .slice(place, place + 3)
+        .some((value) => numberOf(value) > 0),
+    ),
+  );
+  if (soft.length > 0)
+    frames.warning(
+      `${soft.length} profiles have fillets, rounded edges or slopes, which may be drawn sharp or bevelled.`,
+    );
+  if (splines.length > 0)
+    frames.warning(
+      `${splines.length} B-spline curves or surfaces are drawn by flat pieces; how far these stray is not known.`,
+    );
+}
+
+function checkSchema(schema) {
+  if (/^IFC(2X2|2X3|4)/i.test(schema)) return;
+  const what = /^IFC/i.test(schema) ? 'another version of IFC' : 'not IFC, but STEP of another kind';
+  throw new FileProblem(`its schema '${schema.slice(0, 80)}' is ${what}; export it as IFC2x3, IFC4 or IFC4x3`);
+}
+
+async function run(path) {
+  const model = await Model.open(readFile(path), (opened) => {
+    checkSchema(opened.schema());
+    mendProfiles(opened);
+  });
+  const metres = unitInMetres(model);
+  if (metres) frames.unit(metres);
+  else frames.warning('The file does not say its unit of length.');
+  frames.exactPlaces();
+  const products = model.products();
+  if (products.length === 0) throw new FileProblem('the file holds no product; export the building with its elements');
+  const importer = new Importer(model);
+  for (const product of products) await importer.write(product);
+  importer.finish();
+  warnOfCurves(model);
+}
+
+const major = Number(process.versions.node.split('.')[0]);
+frames.begin();
+if (major < kOldestNode) {
+  frames.error(
+    `Node.js ${kOldestNode} or newer is needed to read IFC, and this is ${process.versions.node}; install a newer one`,
+  );
+} else {
+  run(process.argv[2]).then(
+    () => frames.end(),
+    (problem) => {
+      const isKnown = problem instanceof FileProblem;
+      frames.error(
+        isKnown ? problem.message : `web-ifc cannot read the file (${problem?.message ?? problem}); export it again`,
+      );
+    },
+  );
+}

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// From web-ifc's bodies to meshes with places. Matrices are 3 rows of 4 numbers here, row after row: the upper rows of the
+// stream's.
+
+// Above this, a matrix is no rotation (contract 1.2 has 1e-6).
+const kMostDefect = 1e-9;
+// Of equal shapes in other places the bodies' places to each other differ by rounding alone.
+const kPlacePrecision = 1e9;
+
+// From web-ifc's columns, with Y up, to the file's axes: its x y z is our x -z y. Signs and places alone change.
+export function inFileAxes(m) {
+  const row = (r, sign) => [0, 1, 2, 3].map((c) => sign * m[4 * c + r]);
+  return [...row(0, 1), ...row(2, -1), ...row(1, 1)];
+}
+
+function determinant(m) {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+}
+
+function isRotation(m) {
+  for (let i = 0; i < 3; ++i) {
+    for (let j = i; j < 3; ++j) {
+      const dot = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+      if (!(Math.abs(dot - (i === j ? 1 : 0)) <= kMostDefect)) return false;
+    }
+  }
+  return determinant(m) > 0;
+}
+
+// Where `m` leads, seen from the frame of the rotation or shift `frame`.
+function seenFrom(frame, m) {
+  const out = [];
+  const shift = [m[3] - frame[3], m[7] - frame[7], m[11] - frame[11]];
+  for (let r = 0; r < 3; ++r) {
+    for (let c = 0; c < 4; ++c) {
+      const column = c === 3 ? shift : [m[c], m[4 + c], m[8 + c]];
+      out.push(frame[r] * column[0] + frame[4 + r] * column[1] + frame[8 + r] * column[2]);
+    }
+  }
+  return out;
+}
+
+// The frame that a product's mesh is in: its first body's, or where that is no rotation, one shifted there.
+function frameOf(m) {
+  return isRotation(m) ? m : [1, 0, 0, m[3], 0, 1, 0, m[7], 0, 0, 1, m[11]];
+}
+
+// Six times the volume, negative where the triangles face inwards.
+function signedVolume({ vertices, corners }) {
+  let sum = 0;
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => 6 * corners[t + k]);
+    const [ax, ay, az] = [vertices[a], vertices[a + 1], vertices[a + 2]];
+    const [bx, by, bz] = [vertices[b], vertices[b + 1], vertices[b + 2]];
+    const [cx, cy, cz] = [vertices[c], vertices[c + 1], vertices[c + 2]];
+    sum += ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
+  }
+  return sum;
+}
+
+// For each vertex of six floats the first with the same point: web-ifc repeats each for every normal.
+function firstAlike(vertices) {
+  const count = vertices.length / 6;
+  const bits = new Uint32Array(vertices.buffer, vertices.byteOffset, vertices.length);
+  const size = 2 ** Math.ceil(Math.log2(2 * count + 1));
+  const table = new Int32Array(size).fill(-1); // open addressing
+  const first = new Int32Array(count);
+  for (let v = 0; v < count; ++v) {
+    const at = 6 * v;
+    for (let k = 0; k < 3; ++k) vertices[at + k] += 0; // -0 becomes 0
+    let slot =
+      Math.imul(bits[at], 0x9e3779b1) ^ Math.imul(bits[at + 1], 0x85ebca6b) ^ Math.imul(bits[at + 2], 0xc2b2ae35);
+    slot = (slot ^ (slot >>> 15)) & (size - 1);
+    for (;;) {
+      const other = 6 * table[slot];
+      if (other < 0) table[slot] = v;
+      else if (bits[at] !== bits[other] || bits[at + 1] !== bits[other + 1] || bits[at + 2] !== bits[other + 2]) {
+        slot = (slot + 1) & (size - 1);
+        continue;
+      }
+      first[v] = table[slot];
+      break;
+    }
+  }
+  return first;
+}
+
+// Adds a geometry to a mesh, mapped, its triangles turned over if asked; false if a coordinate is not finite, and then
+// nothing is added.
+function append(mesh, { vertices, corners }, m, turned) {
+  for (let v = 0; v < vertices.length; v += 6) {
+    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return false;
+  }
+  const first = firstAlike(vertices);
+  const numbers = new Uint32Array(first.length);
+  for (let i = 0; i < first.length; ++i) {
+    if (first[i] !== i) {
+      numbers[i] = numbers[first[i]];
+      continue;
+    }
+    numbers[i] = mesh.xyz.length / 3;
+    const [x, y, z] = [vertices[6 * i], vertices[6 * i + 1], vertices[6 * i + 2]];
+    for (let r = 0; r < 12; r += 4) mesh.xyz.push(m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
+  }
+  const [second, third] = turned ? [2, 1] : [1, 2];
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    mesh.triangles.push(numbers[corners[t]], numbers[corners[t + second]], numbers[corners[t + third]]);
+  }
+  return true;
+}
+
+// One mesh for the bodies of a product, all in the frame of the first: { key, world, make() }. Products with the same key
+// have the same mesh; `make` gives its numbers, and which bodies are left out, empty or not finite.
+export function shapeOf(bodies, model) {
+  const places = bodies.map((body) => inFileAxes(body.matrix));
+  const frame = frameOf(places[0]);
+  const relative = places.map((place) =>
+    place === frame ? [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : seenFrom(frame, place),
+  );
+  const key = bodies
+    .map(({ geometry }, i) => [geometry, ...relative[i].map((n) => Math.round(n * kPlacePrecision) + 0)].join(' '))
+    .join(';');
+  const make = () => {
+    const mesh = { xyz: [], triangles: [] };
+    // web-ifc turns the triangles of a geometry over where it is mirrored. Where it is shown both ways, they are as one of
+    // these needs them.
+    const hasMirrored = relative.some((m) => determinant(m) < 0);
+    const problems = [];
+    bodies.forEach(({ geometry }, i) => {
+      const numbers = model.geometry(geometry);
+      if (numbers.corners.length < 3) problems.push('a body without triangles');
+      else if (!append(mesh, numbers, relative[i], hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0))
+        problems.push('a body with coordinates that are not finite');
+    });
+    return { ...mesh, problems };
+  };
+  return { key, world: [...frame, 0, 0, 0, 1], make };
+}

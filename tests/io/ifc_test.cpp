@@ -1,0 +1,605 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// IFC files, written here as STEP text, and what is read of them: places, volumes and closedness by formula.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace impinge::io {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kMetre = "IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.)";
+const std::string kMillimetre = "IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.)";
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  const std::string digits = text;
+  return digits.find_first_of(".e") == digits.npos ? digits + "." : digits;
+}
+
+/// Lines of a STEP file, each with a number.
+class Step {
+ public:
+  explicit Step(std::string schema = "IFC4", const std::string& unit = kMetre) : schema_(std::move(schema)) {
+    origin = axes({0, 0, 0});
+    context = line("IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5," + origin + ",$)");
+    const std::string units = line("IFCUNITASSIGNMENT((" + line(unit) + "))");
+    project = line("IFCPROJECT('" + guid() + "',$,'p',$,$,$,$,(" + context + ")," + units + ")");
+    const std::string site = spatial("IFCSITE", "Site", "$,$,$,$,$"),
+                      building = spatial("IFCBUILDING", "House", "$,$,$");
+    storey = spatial("IFCBUILDINGSTOREY", "Level 1", "0.");
+    for (const auto& [whole, part] : {std::pair(project, site), {site, building}, {building, storey}})
+      line("IFCRELAGGREGATES('" + guid() + "',$,$,$," + whole + ",(" + part + "))");
+  }
+
+  /// Returns "#12".
+  std::string line(const std::string& text) {
+    const std::string name = "#" + std::to_string(++last_);
+    lines_ += name + "=" + text + ";\n";
+    return name;
+  }
+  std::string guid() {
+    char text[23];
+    std::snprintf(text, sizeof text, "0%021d", ++guids_);
+    return text;
+  }
+  std::string point(const Point& p) {
+    return line("IFCCARTESIANPOINT((" + number(p.x) + "," + number(p.y) + "," + number(p.z) + "))");
+  }
+  std::string point(double x, double y) { return line("IFCCARTESIANPOINT((" + number(x) + "," + number(y) + "))"); }
+  std::string direction(const Point& p) {
+    return line("IFCDIRECTION((" + number(p.x) + "," + number(p.y) + "," + number(p.z) + "))");
+  }
+  std::string axes(const Point& at) { return line("IFCAXIS2PLACEMENT3D(" + point(at) + ",$,$)"); }
+  std::string axes(const Point& at, const Point& z, const Point& x) {
+    return line("IFCAXIS2PLACEMENT3D(" + point(at) + "," + direction(z) + "," + direction(x) + ")");
+  }
+  std::string flat_axes() { return line("IFCAXIS2PLACEMENT2D(" + point(0, 0) + ",$)"); }
+  std::string placement(const std::string& parent, const std::string& axes) {
+    return line("IFCLOCALPLACEMENT(" + parent + "," + axes + ")");
+  }
+  std::string rectangle(double x, double y) {
+    return line("IFCRECTANGLEPROFILEDEF(.AREA.,$," + flat_axes() + "," + number(x) + "," + number(y) + ")");
+  }
+  std::string extruded(const std::string& profile, double depth) {
+    return line("IFCEXTRUDEDAREASOLID(" + profile + "," + origin + "," + direction({0, 0, 1}) + "," + number(depth) +
+                ")");
+  }
+  std::string shown(const std::string& item, const std::string& kind = "Body") {
+    return line("IFCSHAPEREPRESENTATION(" + context + ",'" + kind + "','SweptSolid',(" + item + "))");
+  }
+  std::string shape(const std::string& representations) {
+    return line("IFCPRODUCTDEFINITIONSHAPE($,$,(" + representations + "))");
+  }
+  /// A product of the storey; `shape` and `place` may be "$".
+  std::string product(const std::string& name, const std::string& place, const std::string& shape,
+                      const std::string& kind = "IFCBUILDINGELEMENTPROXY", const std::string& more = ",'T1',$") {
+    const std::string made = line(kind + "('" + guid() + "',$," + (name == "$" ? name : "'" + name + "'") + ",$,$," +
+                                  place + "," + shape + more + ")");
+    line("IFCRELCONTAINEDINSPATIALSTRUCTURE('" + guid() + "',$,$,$,(" + made + ")," + storey + ")");
+    return made;
+  }
+  /// A product whose body is this item, at the origin.
+  std::string solid(const std::string& name, const std::string& item) {
+    return product(name, placement("$", origin), shape(shown(item)));
+  }
+  [[nodiscard]] std::string text() const {
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(("
+           "'" +
+           schema_ + "'));\nENDSEC;\nDATA;\n" + lines_ + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+  std::string origin, context, project, storey;
+
+ private:
+  std::string spatial(const std::string& kind, const std::string& name, const std::string& more) {
+    return line(kind + "('" + guid() + "',$,'" + name + "',$,$,$,$,$,.ELEMENT.," + more + ")");
+  }
+
+  std::string schema_, lines_;
+  int last_ = 0, guids_ = 0;
+};
+
+Points world_points(const Object& object) {
+  Points points;
+  for (const Point& p : object.mesh.vertices()) {
+    const auto row = [&](int r) {
+      return object.pose.R[3 * r] * p.x + object.pose.R[3 * r + 1] * p.y + object.pose.R[3 * r + 2] * p.z +
+             object.pose.t[r];
+    };
+    points.push_back({row(0), row(1), row(2)});
+  }
+  return points;
+}
+
+/// By the divergence theorem, about the first vertex.
+double volume_of(const Object& object) {
+  const auto points = points_of(object);
+  double six = 0;
+  for (const auto& [a, b, c] : triangles_of(object)) {
+    const Point o = points[0];
+    const auto from = [&](std::uint32_t i) { return Point{points[i].x - o.x, points[i].y - o.y, points[i].z - o.z}; };
+    const Point p = from(a), q = from(b), r = from(c);
+    six += p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) + p.z * (q.x * r.y - q.y * r.x);
+  }
+  return six / 6;
+}
+
+/// Whether as many triangles run along each edge one way as the other.
+bool is_closed(const Object& object) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> ways;
+  for (const auto& t : triangles_of(object))
+    for (int k = 0; k < 3; ++k) ++ways[{t[k], t[(k + 1) % 3]}], --ways[{t[(k + 1) % 3], t[k]}];
+  return std::all_of(ways.begin(), ways.end(), [](const auto& way) { return way.second == 0; });
+}
+
+struct Box {
+  Point low, high;
+};
+Box box_of(const Object& object) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (const Point& p : world_points(object)) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
+void expect_box(const Object& object, const Box& expected, double error) {
+  const Box box = box_of(object);
+  EXPECT_NEAR(box.low.x, expected.low.x, error) << object.name;
+  EXPECT_NEAR(box.low.y, expected.low.y, error) << object.name;
+  EXPECT_NEAR(box.low.z, expected.low.z, error) << object.name;
+  EXPECT_NEAR(box.high.x, expected.high.x, error) << object.name;
+  EXPECT_NEAR(box.high.y, expected.high.y, error) << object.name;
+  EXPECT_NEAR(box.high.z, expected.high.z, error) << object.name;
+}
+
+Model read_ifc(const Step& step) { return read_text(step.text(), "case.ifc"); }
+
+TEST(Ifc, BoxesOfEverySchemaAndUnit) {
+  const std::string foot =
+      "IFCCONVERSIONBASEDUNIT($,.LENGTHUNIT.,'FOOT',#2);\n#2=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(0.3048),#3);\n"
+      "#3=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.)";
+  const std::string inch =
+      "IFCCONVERSIONBASEDUNIT($,.LENGTHUNIT.,'INCH',#2);\n#2=IFCMEASUREWITHUNIT(IFCRATIOMEASURE(25.4),#3);\n"
+      "#3=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.)";
+  struct Unit {
+    std::string line;
+    double metres;
+  };
+  // The numbers 2 and 3 of the conversions stand between those of the fixed lines, which begin later.
+  for (const char* schema : {"IFC2X3", "IFC4", "IFC4X3", "IFC4X3_ADD2"}) {
+    for (const Unit& unit : {Unit{kMetre, 1}, {kMillimetre, 0.001}, {foot, 0.3048}, {inch, 0.0254}}) {
+      SCOPED_TRACE(std::string(schema) + " " + unit.line);
+      std::string line = unit.line;
+      for (const char digit : {'2', '3'})
+        for (std::size_t at; (at = line.find(std::string("#") + digit)) != line.npos;)
+          line.replace(at, 2, std::string("#90000") + digit);
+      Step step(schema, line);
+      step.product("box", step.placement("$", step.axes({100, 200, 300})),
+                   step.shape(step.shown(step.extruded(step.rectangle(40, 20), 50))));
+      const Model model = read_ifc(step);
+      ASSERT_EQ(names_of(model), std::vector<std::string>{"box"});
+      const Object& box = model.objects[0];
+      EXPECT_EQ(model.unit_in_metres, unit.metres);
+      EXPECT_THAT(model.missing, IsEmpty());
+      EXPECT_THAT(model.warnings, IsEmpty());
+      expect_box(box, {{80, 190, 300}, {120, 210, 350}}, 1e-12);
+      EXPECT_NEAR(volume_of(box), 40000, 1e-6);
+      EXPECT_TRUE(is_closed(box));
+      EXPECT_EQ(box.mesh.vertex_count(), 8u);
+      EXPECT_EQ(box.path, "Site/House/Level 1/box");
+      EXPECT_TRUE(box.product.starts_with("IfcBuildingElementProxy_box_0")) << box.product;
+      EXPECT_THAT(box.properties, Contains(std::pair<std::string, std::string>("storey", "Level 1")));
+      EXPECT_THAT(box.properties, Contains(std::pair<std::string, std::string>("Tag", "T1")));
+    }
+  }
+}
+
+/// What a profile of the standard makes, extruded by 10.
+TEST(Ifc, SolidsHaveTheVolumesOfTheirFormulas) {
+  struct Case {
+    std::string name;
+    std::string (*item)(Step&);
+    double volume, error;
+  };
+  const auto profile = [](Step& step, const std::string& text) {
+    return step.extruded(step.line(text.substr(0, text.find('@')) + step.flat_axes() + text.substr(text.find('@') + 1)),
+                         10);
+  };
+  static const auto make = profile;
+  const double chords = 24 * std::sin(std::numbers::pi / 24);  // the area of 48 chords in a circle of radius 1
+  const std::vector<Case> cases{
+      {"rectangle", [](Step& s) { return make(s, "IFCRECTANGLEPROFILEDEF(.AREA.,$,@,4.,3.)"); }, 120, 1e-5},
+      {"hollow rectangle", [](Step& s) { return make(s, "IFCRECTANGLEHOLLOWPROFILEDEF(.AREA.,$,@,4.,3.,0.5,$,$)"); },
+       60, 1e-5},
+      {"circle", [](Step& s) { return make(s, "IFCCIRCLEPROFILEDEF(.AREA.,$,@,2.)"); }, 40 * chords, 1e-3},
+      {"pipe", [](Step& s) { return make(s, "IFCCIRCLEHOLLOWPROFILEDEF(.AREA.,$,@,2.,0.5)"); }, 17.5 * chords, 1e-3},
+      {"ellipse", [](Step& s) { return make(s, "IFCELLIPSEPROFILEDEF(.AREA.,$,@,3.,2.)"); }, 60 * chords, 1e-3},
+      {"I", [](Step& s) { return make(s, "IFCISHAPEPROFILEDEF(.AREA.,$,@,4.,6.,0.5,1.,$,$,$)"); }, 10 * (8 + 4 * 0.5),
+       1e-5},
+      {"L", [](Step& s) { return make(s, "IFCLSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,1.,$,$,$)"); }, 10 * 9, 1e-5},
+      {"U", [](Step& s) { return make(s, "IFCUSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,1.,0.5,$,$,$)"); }, 10 * (4 + 5), 1e-5},
+      {"T", [](Step& s) { return make(s, "IFCTSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,1.,0.5,$,$,$,$,$)"); }, 10 * (2 + 5.5),
+       1e-5},
+      {"C", [](Step& s) { return make(s, "IFCCSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,0.5,1.,$)"); }, 10 * (3 + 3 + 2 * 0.5),
+       1e-5},
+      {"Z", [](Step& s) { return make(s, "IFCZSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,1.,0.5,$,$)"); }, 10 * (6 + 2 * 1.5),
+       1e-5},
+      {"C with a radius", [](Step& s) { return make(s, "IFCCSHAPEPROFILEDEF(.AREA.,$,@,6.,4.,0.5,1.,0.2)"); },
+       10 * (3 + 3.5 + 0.5), 0.5},
+      {"trapezium", [](Step& s) { return make(s, "IFCTRAPEZIUMPROFILEDEF(.AREA.,$,@,6.,4.,3.,1.)"); }, 150, 1e-5},
+      {"asymmetric I",
+       [](Step& s) { return make(s, "IFCASYMMETRICISHAPEPROFILEDEF(.AREA.,$,@,6.,6.,1.,0.5,$,4.,0.5,$,$,$,$,$)"); },
+       10 * (3 + 2 + 5), 1e-5},
+      {"rounded", [](Step& s) { return make(s, "IFCROUNDEDRECTANGLEPROFILEDEF(.AREA.,$,@,4.,3.,1.)"); },
+       10 * (8 + chords), 1e-4},
+      {"voids",
+       [](Step& s) {
+         const auto square = [&](double r) {
+           const std::string first = s.point(-r, -r);
+           return s.line("IFCPOLYLINE((" + first + "," + s.point(r, -r) + "," + s.point(r, r) + "," + s.point(-r, r) +
+                         "," + first + "))");
+         };
+         const std::string outer = square(3), inner = square(1);
+         return s.extruded(s.line("IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$," + outer + ",(" + inner + "))"), 10);
+       },
+       320, 1e-4},
+      {"half space",
+       [](Step& s) {
+         const std::string plane = s.line("IFCPLANE(" + s.axes({0, 0, 4}, {0, 0, 1}, {1, 0, 0}) + ")");
+         return s.line("IFCBOOLEANCLIPPINGRESULT(.DIFFERENCE.," + s.extruded(s.rectangle(4, 3), 10) + "," +
+                       s.line("IFCHALFSPACESOLID(" + plane + ",.F.)") + ")");
+       },
+       48, 1e-4},
+      {"ring",
+       [](Step& s) {
+         const std::string at = s.line("IFCAXIS2PLACEMENT2D(" + s.point(3, 0) + ",$)");
+         return s.line("IFCREVOLVEDAREASOLID(" + s.line("IFCRECTANGLEPROFILEDEF(.AREA.,$," + at + ",1.,1.)") + "," +
+                       s.origin + "," +
+                       s.line("IFCAXIS1PLACEMENT(" + s.point({0, 0, 0}) + "," + s.direction({0, 1, 0}) + ")") +
+                       ",6.283185307179586)");
+       },
+       6 * chords, 1e-2},
+      {"swept disc",
+       [](Step& s) {
+         return s.line("IFCSWEPTDISKSOLID(" +
+                       s.line("IFCPOLYLINE((" + s.point({0, 0, 0}) + "," + s.point({0, 0, 10}) + "))") + ",2.,$,$,$)");
+       },
+       40 * chords, 1e-2},
+      {"facets",
+       [](Step& s) {
+         return s.line("IFCTRIANGULATEDFACESET(" +
+                       s.line("IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(3.,0.,0.),(0.,4.,0.),(0.,0.,5.)))") +
+                       ",$,.T.,((1,3,2),(1,2,4),(2,3,4),(1,4,3)),$)");
+       },
+       10, 1e-5},
+      {"minus",
+       [](Step& s) {
+         return s.line("IFCBOOLEANRESULT(.DIFFERENCE.," + s.extruded(s.rectangle(4, 3), 10) + "," +
+                       s.extruded(s.rectangle(2, 1), 20) + ")");
+       },
+       100, 1e-4},
+  };
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.name);
+    Step step;
+    step.solid(one.name, one.item(step));
+    const Model model = read_ifc(step);
+    ASSERT_EQ(model.objects.size(), 1u);
+    EXPECT_THAT(model.missing, IsEmpty());
+    EXPECT_NEAR(volume_of(model.objects[0]), one.volume, one.error);
+    EXPECT_TRUE(is_closed(model.objects[0]));
+  }
+}
+
+TEST(Ifc, ProfilesThatAreDrawnByTheirOutlinesStandWhereTheyShould) {
+  Step step;
+  const std::string turned =
+      step.line("IFCAXIS2PLACEMENT2D(" + step.point(10, 20) + "," + step.line("IFCDIRECTION((0.,2.))") + ")");
+  const auto profile = [&](const std::string& text) { step.solid("p", step.extruded(step.line(text), 3)); };
+  profile("IFCZSHAPEPROFILEDEF(.AREA.,$," + turned + ",6.,4.,1.,0.5,$,$)");
+  profile("IFCASYMMETRICISHAPEPROFILEDEF(.AREA.,$," + turned + ",6.,8.,1.,0.5,$,4.,0.5,$,$,$,$,$)");
+  profile("IFCROUNDEDRECTANGLEPROFILEDEF(.AREA.,$," + turned + ",4.,2.,1.)");
+  const Model model = read_ifc(step);
+  ASSERT_EQ(model.objects.size(), 3u);
+  // A quarter turn: the profile's x is y here.
+  expect_box(model.objects[0], {{7, 16.5, 0}, {13, 23.5, 3}}, 1e-6);
+  expect_box(model.objects[1], {{6, 17, 0}, {14, 23, 3}}, 1e-6);
+  expect_box(model.objects[2], {{9, 18, 0}, {11, 22, 3}}, 1e-6);
+}
+
+TEST(Ifc, PlacesMayBeLeftOut) {
+  Step step;
+  step.solid("p", step.line("IFCEXTRUDEDAREASOLID(" + step.line("IFCRECTANGLEPROFILEDEF(.AREA.,$,$,4.,3.)") + ",$," +
+                            step.direction({0, 0, 1}) + ",5.)"));
+  const Model model = read_ifc(step);
+  ASSERT_EQ(model.objects.size(), 1u);
+  expect_box(model.objects[0], {{-2, -1.5, 0}, {2, 1.5, 5}}, 1e-6);
+  EXPECT_THAT(model.missing, IsEmpty());
+}
+
+TEST(Ifc, OpeningsAreCutAndTheyAndRoomsAreNoParts) {
+  Step step("IFC2X3", kMillimetre);
+  const std::string at = step.placement("$", step.axes({1000, 2000, 0}));
+  const std::string wall =
+      step.product("Wall", at, step.shape(step.shown(step.extruded(step.rectangle(4000, 200), 3000))), "IFCWALL", ",$");
+  const std::string hole = step.extruded(step.rectangle(1000, 400), 2000);
+  const std::string opening = step.product("Opening", step.placement(at, step.axes({500, 0, 500})),
+                                           step.shape(step.shown(hole)), "IFCOPENINGELEMENT", ",$");
+  step.line("IFCRELVOIDSELEMENT('" + step.guid() + "',$,$,$," + wall + "," + opening + ")");
+  step.product("Room", at, step.shape(step.shown(hole)), "IFCSPACE", ",$,.ELEMENT.,.INTERNAL.,$");
+  const Model model = read_ifc(step);
+  ASSERT_EQ(names_of(model), std::vector<std::string>{"Wall"});
+  EXPECT_NEAR(volume_of(model.objects[0]), 4000. * 200 * 3000 - 1000. * 200 * 2000, 1e4);
+  EXPECT_TRUE(is_closed(model.objects[0]));
+  expect_box(model.objects[0], {{-1000, 1900, 0}, {3000, 2100, 3000}}, 1e-3);
+  EXPECT_THAT(model.missing, IsEmpty());
+}
+
+TEST(Ifc, MappedItemsAreInstances) {
+  Step step;
+  const std::string item = step.shown(step.extruded(step.rectangle(2, 1), 3));
+  const std::string map = step.line("IFCREPRESENTATIONMAP(" + step.origin + "," + item + ")");
+  const auto shown = [&](const std::string& name, const std::string& by, const Point& at) {
+    const std::string mapped = step.line("IFCMAPPEDITEM(" + map + "," + step.line(by) + ")");
+    step.product(name, step.placement("$", step.axes(at)), step.shape(step.shown(mapped)));
+  };
+  const std::string op = "IFCCARTESIANTRANSFORMATIONOPERATOR3D", zero = step.point({0, 0, 0});
+  shown("plain", op + "($,$," + zero + ",$,$)", {10, 0, 0});
+  shown("moved", op + "($,$," + step.point({0, 0, 7}) + ",1.,$)", {20, 0, 0});
+  shown("turned",
+        op + "(" + step.direction({0, 1, 0}) + "," + step.direction({-1, 0, 0}) + "," + zero + ",1.," +
+            step.direction({0, 0, 1}) + ")",
+        {30, 0, 0});
+  shown("mirrored",
+        op + "(" + step.direction({1, 0, 0}) + "," + step.direction({0, 1, 0}) + "," + zero + ",1.," +
+            step.direction({0, 0, -1}) + ")",
+        {40, 0, 0});
+  shown("scaled", op + "NONUNIFORM($,$," + zero + ",1.,$,2.,3.)", {50, 0, 0});
+  const Model model = read_ifc(step);
+  ASSERT_EQ(names_of(model), (std::vector<std::string>{"plain", "moved", "turned", "mirrored", "scaled"}));
+  const auto& parts = model.objects;
+  for (const int i : {1, 2}) EXPECT_EQ(&parts[0].mesh.state(), &parts[i].mesh.state()) << i;
+  for (const int i : {3, 4}) EXPECT_NE(&parts[0].mesh.state(), &parts[i].mesh.state()) << i;
+  expect_box(parts[0], {{9, -0.5, 0}, {11, 0.5, 3}}, 1e-6);
+  expect_box(parts[1], {{19, -0.5, 7}, {21, 0.5, 10}}, 1e-6);
+  expect_box(parts[2], {{29.5, -1, 0}, {30.5, 1, 3}}, 1e-6);
+  expect_box(parts[3], {{39, -0.5, -3}, {41, 0.5, 0}}, 1e-6);
+  expect_box(parts[4], {{49, -1, 0}, {51, 1, 9}}, 1e-6);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_NEAR(volume_of(parts[i]), i == 4 ? 36 : 6, 1e-5) << "outward: " << parts[i].name;
+    EXPECT_TRUE(is_closed(parts[i]));
+  }
+}
+
+TEST(Ifc, BodiesOfOneProductAreOnePart) {
+  Step step;
+  const std::string a = step.extruded(step.rectangle(2, 1), 3);
+  const std::string b = step.line("IFCEXTRUDEDAREASOLID(" + step.rectangle(1, 1) + "," + step.axes({5, 0, 0}) + "," +
+                                  step.direction({0, 0, 1}) + ",1.)");
+  step.product("two", step.placement("$", step.axes({0, 0, 10}, {0, 0, 1}, {0, 1, 0})),
+               step.shape(step.shown(a + "," + b)));
+  // Beside its body a product may show its axis, its outline on the floor, a box about it, and room to keep free.
+  step.product(
+      "door", step.placement("$", step.axes({0, 0, 20})),
+      step.shape(
+          step.shown(a) + "," +
+          step.shown(step.line("IFCPOLYLINE((" + step.point({0, 0, 0}) + "," + step.point({9, 0, 0}) + "))"), "Axis") +
+          "," + step.shown(step.line("IFCBOUNDINGBOX(" + step.point({0, 0, 0}) + ",9.,9.,9.)"), "Box") + "," +
+          step.shown(step.extruded(step.rectangle(9, 9), 9), "Clearance")));
+  // The same body twice, once as a mirror image.
+  const std::string map = step.line("IFCREPRESENTATIONMAP(" + step.origin + "," + step.shown(a) + ")");
+  const auto mapped = [&](double z) {
+    return step.line("IFCMAPPEDITEM(" + map + "," +
+                     step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D(" + step.direction({1, 0, 0}) + "," +
+                               step.direction({0, 1, 0}) + "," + step.point({0, 0, 0}) + ",1.," +
+                               step.direction({0, 0, z}) + ")") +
+                     ")");
+  };
+  for (const double z : {1, -1})
+    step.product("mirrored", step.placement("$", step.origin), step.shape(step.shown(mapped(z) + "," + mapped(-z))));
+  const Model model = read_ifc(step);
+  ASSERT_EQ(names_of(model), (std::vector<std::string>{"two", "door", "mirrored", "mirrored (2)"}));
+  for (const int i : {2, 3}) EXPECT_NEAR(volume_of(model.objects[i]), 12, 1e-5);
+  expect_box(model.objects[0], {{-0.5, -1, 10}, {0.5, 5.5, 13}}, 1e-6);
+  EXPECT_NEAR(volume_of(model.objects[0]), 7, 1e-5);
+  expect_box(model.objects[1], {{-1, -0.5, 20}, {1, 0.5, 23}}, 1e-6);
+  EXPECT_THAT(model.missing, IsEmpty());
+}
+
+TEST(Ifc, LargeCoordinatesAreExact) {
+  Step step;
+  // A national grid: nested placements, a turn by a Pythagorean angle.
+  const std::string site = step.placement("$", step.axes({5'000'000.125, 4'500'000.25, 300}));
+  const std::string turned = step.placement(site, step.axes({10, 0, 0}, {0, 0, 1}, {0.6, 0.8, 0}));
+  const std::string box = step.shape(step.shown(step.extruded(step.rectangle(0.5, 0.25), 0.125)));
+  step.product("straight", step.placement(site, step.axes({1, 2, 3})), box);
+  step.product("turned", step.placement(turned, step.axes({5, 0, 0})), box);
+  const Model model = read_ifc(step);
+  ASSERT_EQ(model.objects.size(), 2u);
+  EXPECT_THAT(model.warnings, IsEmpty()) << "nothing is lost";
+  expect_box(model.objects[0], {{5'000'000.875, 4'500'002.125, 303}, {5'000'001.375, 4'500'002.375, 303.125}}, 1e-9);
+  const double x = 5'000'013.125, y = 4'500'004.25, half = 0.25 * 0.6 + 0.125 * 0.8, other = 0.25 * 0.8 + 0.125 * 0.6;
+  expect_box(model.objects[1], {{x - half, y - other, 300}, {x + half, y + other, 300.125}}, 1e-7);
+}
+
+TEST(Ifc, NamesAreThoseOfTheFile) {
+  Step step;
+  const std::string box = step.extruded(step.rectangle(1, 1), 1);
+  for (const char* name : {R"(Basic Wall: Interior - Partition (92mm Stud))", R"(\X2\0159\X0\ez \X2\58C1\X0\)",
+                           R"(St\X\FCtze)", R"(O''Brien)"})
+    step.solid(name, box);
+  step.product("$", step.placement("$", step.origin), step.shape(step.shown(box)));
+  EXPECT_EQ(names_of(read_ifc(step)),
+            (std::vector<std::string>{"Basic Wall: Interior - Partition (92mm Stud)", "\u0159ez \u58c1", "St\u00fctze",
+                                      "O'Brien", "IfcBuildingElementProxy"}));
+}
+
+TEST(Ifc, WhatIsNotDrawnIsNamed) {
+  Step step;
+  const std::string box = step.extruded(step.rectangle(1, 1), 1), at = step.placement("$", step.origin);
+  step.product("shapeless", at, "$", "IFCPUMP");
+  const std::string frame = step.product("frame", at, "$", "IFCELEMENTASSEMBLY", ",$,$,$");
+  const std::string beam = step.product("beam", at, step.shape(step.shown(box)), "IFCBEAM");
+  step.line("IFCRELAGGREGATES('" + step.guid() + "',$,$,$," + frame + ",(" + beam + "))");
+  const std::string a = step.line("IFCLOCALPLACEMENT(#9001," + step.origin + ")");
+  step.line("IFCPERSON($,$,$,$,$,$,$,$)");
+  step.product("circular", a, step.shape(step.shown(box)));
+  step.product("broken", at, step.shape(step.shown(step.extruded(step.line("IFCCIRCLEPROFILEDEF(.AREA.,$,$,$)"), 1))));
+  step.product("hollow", at, step.shape(step.shown("#9002")));
+  step.product("after", at, step.shape(step.shown(box)));
+  std::string text = step.text();
+  text.replace(text.find("ENDSEC;\nEND-"), 0, "#9001=IFCLOCALPLACEMENT(" + a + "," + step.origin + ");\n");
+  const Model model = read_text(text, "case.ifc");
+  EXPECT_EQ(names_of(model), (std::vector<std::string>{"beam", "after"}));
+  const auto about = [&](const std::string& name) {
+    return std::count_if(model.missing.begin(), model.missing.end(),
+                         [&](const std::string& sentence) { return sentence.find("'" + name + "'") != sentence.npos; });
+  };
+  for (const char* name : {"shapeless", "circular", "broken", "hollow"}) EXPECT_GE(about(name), 1) << name;
+  for (const char* name : {"frame", "beam", "after"}) EXPECT_EQ(about(name), 0) << name;
+  EXPECT_THAT(model.missing, Contains(HasSubstr("Products without a shape, 1: 'shapeless' (IfcPump 0")));
+  EXPECT_THAT(model.missing, Contains(HasSubstr("placement depends on itself")));
+}
+
+TEST(Ifc, WhatTrapsTakesNothingElseAlong) {
+  Step step;
+  const std::string box = step.extruded(step.rectangle(1, 1), 1), at = step.placement("$", step.origin);
+  step.product("before", at, step.shape(step.shown(box)));
+  // A thing that shows itself.
+  const std::string map = "#" + std::to_string(9000);
+  const std::string item =
+      step.line("IFCMAPPEDITEM(" + map + "," +
+                step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$," + step.point({0, 0, 0}) + ",$,$)") + ")");
+  step.product("endless", at, step.shape(step.shown(item)));
+  step.product("after", at, step.shape(step.shown(box)));
+  std::string text = step.text();
+  text.replace(text.find("ENDSEC;\nEND-"), 0,
+               map + "=IFCREPRESENTATIONMAP(" + step.origin + ",#9001);\n#9001=IFCSHAPEREPRESENTATION(" + step.context +
+                   ",'Body','MappedRepresentation',(" + item + "));\n");
+  const Model model = read_text(text, "case.ifc");
+  EXPECT_EQ(names_of(model), (std::vector<std::string>{"before", "after"}));
+  EXPECT_THAT(model.missing, ElementsAre(HasSubstr("'endless' (IfcBuildingElementProxy")));
+}
+
+std::string good_text() {
+  Step step;
+  step.solid("box", step.extruded(step.rectangle(1, 1), 1));
+  return step.text();
+}
+
+TEST(Ifc, FilesThatAreNoneAreErrors) {
+  const TemporaryFolder folder;
+  const auto problem = [&](const std::string& text) { return error_of(read(folder.write("case.ifc", text))); };
+  const std::string good = good_text();
+  EXPECT_TRUE(read(folder.write("case.ifc", good)).has_value());
+  EXPECT_TRUE(read(folder.write("CASE.IFC", "\xEF\xBB\xBF/* by hand */\n" + good + "\n\n")).has_value());
+  EXPECT_THAT(problem(good.substr(0, good.size() / 2)),
+              HasSubstr("case.ifc: the file is cut off: its last line, 'END-ISO-10303-21;', is missing"));
+  EXPECT_THAT(problem("Dear Sir or Madam"), HasSubstr("this is no IFC file"));
+  EXPECT_THAT(problem("<?xml version=\"1.0\"?><ifcXML/>"), HasSubstr("IFC as XML"));
+  for (const auto& [schema, words] :
+       {std::pair("AUTOMOTIVE_DESIGN", "STEP of another kind"), {"IFC1.5", "another version"}}) {
+    std::string other = good;
+    other.replace(other.find("IFC4'"), 4, schema);
+    EXPECT_THAT(problem(other), HasSubstr(words));
+  }
+  std::string empty = good;
+  const std::size_t data = empty.find("DATA;\n") + 6;
+  empty.erase(data, empty.find("ENDSEC;", data) - data);
+  EXPECT_THAT(problem(empty), HasSubstr("the file holds no product"));
+}
+
+/// A ZIP archive of one member, packed as one stored block of deflate (RFC 1951, 3.2.4).
+std::string zipped(const std::string& name, const std::string& text, std::uint32_t claimed) {
+  std::string packed(1, '\1');
+  append_bytes(packed, static_cast<std::uint16_t>(text.size()));
+  append_bytes(packed, static_cast<std::uint16_t>(~text.size()));
+  packed += text;
+  const auto sizes = [&](std::string& out) {
+    append_bytes(out, std::uint32_t{0});  // time
+    append_bytes(out, std::uint32_t{0});  // checksum, which is not looked at
+    append_bytes(out, static_cast<std::uint32_t>(packed.size()));
+    append_bytes(out, claimed);
+    append_bytes(out, static_cast<std::uint16_t>(name.size()));
+    append_bytes(out, std::uint16_t{0});
+  };
+  std::string zip = std::string("PK\3\4\24\0\0\0\10\0", 10);
+  sizes(zip);
+  zip += name + packed;
+  const std::size_t directory = zip.size();
+  zip += std::string("PK\1\2\24\0\24\0\0\0\10\0", 12);
+  sizes(zip);
+  zip += std::string(14, '\0') + name;
+  const std::size_t length = zip.size() - directory;
+  zip += std::string("PK\5\6\0\0\0\0\1\0\1\0", 12);
+  append_bytes(zip, static_cast<std::uint32_t>(length));
+  append_bytes(zip, static_cast<std::uint32_t>(directory));
+  return zip + std::string(2, '\0');
+}
+
+TEST(Ifc, ArchivesAreUnpacked) {
+  const TemporaryFolder folder;
+  const std::string good = good_text();
+  const auto size = static_cast<std::uint32_t>(good.size());
+  const auto with = [&](const std::string& bytes) { return read(folder.write("case.ifczip", bytes)); };
+  EXPECT_EQ(names_of(model_of(with(zipped("model.ifc", good, size)))), std::vector<std::string>{"box"});
+  EXPECT_EQ(names_of(model_of(with(good))), std::vector<std::string>{"box"}) << "not packed, whatever it is called";
+  EXPECT_THAT(error_of(with(zipped("model.txt", good, size))), HasSubstr("holds no file whose name ends in .ifc"));
+  EXPECT_THAT(error_of(with(zipped("model.ifc", good.substr(0, 900), 900))), HasSubstr("the file is cut off"));
+  EXPECT_THAT(error_of(with(zipped("model.ifc", good, 10))), HasSubstr("cannot be unpacked")) << "more than it says";
+  EXPECT_THAT(error_of(with(zipped("model.ifc", good, 0xF0000000))), HasSubstr("more than 2 GiB"));
+  const std::string zip = zipped("model.ifc", good, size);
+  for (std::size_t length = 25; length < zip.size(); length += zip.size() / 7)
+    EXPECT_THAT(error_of(with(zip.substr(0, length))), HasSubstr("the archive is cut off"));
+}
+
+TEST(Ifc, LimitsHold) {
+  // A million instances of one box: too many for a second.
+  Step step;
+  const std::string map =
+      step.line("IFCREPRESENTATIONMAP(" + step.origin + "," + step.shown(step.extruded(step.rectangle(1, 1), 1)) + ")");
+  const std::string item =
+      step.line("IFCMAPPEDITEM(" + map + "," +
+                step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$," + step.point({0, 0, 0}) + ",$,$)") + ")");
+  std::string items = item;
+  items.reserve(9'000'000);
+  for (int i = 1; i < 1'000'000; ++i) items += "," + item;
+  step.product("many", step.placement("$", step.origin), step.shape(step.shown(items)));
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.ifc", step.text());
+  ReadOptions options;
+  options.time_limit = std::chrono::seconds(1);
+  EXPECT_THAT(error_of(read(file, options)), HasSubstr("time limit of 1 s"));
+  options.time_limit = std::chrono::seconds(60);
+  options.memory_limit_bytes = 400'000'000;
+  EXPECT_THAT(error_of(read(file, options)), HasSubstr("case.ifc: "));
+}
+
+TEST(Ifc, WithoutNodeASentenceSaysWhatToInstall) {
+  const TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  const Result<Model> model = read(folder.write("case.ifc", good_text()));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(error_of(model), HasSubstr("install Node.js 18 or newer"));
+}
+
+}  // namespace
+}  // namespace impinge::io
