@@ -69,13 +69,13 @@ Result<OverlapDepth> overlap_depth(const Mesh& mesh_a, const Pose& pose_a, const
 /// How much space two solids have in common.
 struct OverlapVolume {
   double volume = 0;
-  double error = 0;  ///< it is off by no more
+  double error = 0;  ///< it is off by no more, but for what rounding adds, which is estimated
 };
 
 /// Where shells of one solid pass through each other, what both wind around counts as often as they do. Found for the
 /// second mesh shifted by 2^-30 of what the boxes have in common, or 2^-40 of the largest |world coordinate|: `error`
 /// is what the smaller surface there sweeps. Linear in the triangles there and in those that cross.
-/// Errors: `bad_pose`, `out_of_range`, `bad_mesh` (not closed), `cancelled`.
+/// Errors: `bad_pose`, `out_of_range`, `bad_mesh` (not closed, or touching so that no shift parts them), `cancelled`.
 Result<OverlapVolume> overlap_volume(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                                      const MeasureOptions& options = {});
 

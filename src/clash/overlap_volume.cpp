@@ -89,7 +89,7 @@ class Side {
       const double share = at_begin + parts_[t].edge + dot(normal, parts_[t].segments) / square;
       all.volume += share * dot(normal, local[0]) / 6;
       all.area += std::sqrt(square) / 2;
-      // Coordinates were rounded once, and products of differences of them a few times.
+      // An estimate: coordinates were rounded once, and products of differences of them a few times.
       const double extent = std::max(norm(local[1] - local[0]), norm(local[2] - local[0]));
       const double away = max_component(max(abs(local[0]), max(abs(local[1]), abs(local[2]))));
       all.rounding += 0x1p-47 * extent * (extent + away) * away;
