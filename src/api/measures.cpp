@@ -58,7 +58,7 @@ Result<std::optional<measure::NearestPair>> nearest(const PlacedMesh& a, const P
   const QueryMemory memory(workspace);
   auto found = measure::nearest_pair(a.tree(), b.tree(), reach.within, reach.enough,
                                      {on_threads(options.threads), options.stop, &memory->nearest});
-  if (options.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
+  if (options.stop.stop_requested()) return cancelled();
   return found;
 }
 

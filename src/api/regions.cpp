@@ -75,9 +75,7 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
                                          std::to_string(most) +
                                          " pairs of triangles that are small beside it are no farther apart; choose "
                                          "one below the size of triangles"};
-    auto regions = clash::regions_of(part_a, part_b, *contacts, *tolerance, on_threads(options.threads), options.stop);
-    if (!regions) return Error{Code::cancelled, "the caller's stop token asked for it"};
-    return std::move(*regions);
+    return clash::regions_of(part_a, part_b, *contacts, *tolerance, on_threads(options.threads), options.stop);
   });
 }
 

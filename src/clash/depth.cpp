@@ -17,6 +17,7 @@
 #include "core/hash.hpp"
 #include "core/local_frame.hpp"
 #include "core/number.hpp"
+#include "core/stopped.hpp"
 #include "measure/nearest.hpp"
 #include "measure/triangle_distance.hpp"
 #include "solid/cells.hpp"
@@ -128,7 +129,8 @@ class Search {
     const Box common = intersection(inner_.box, outer_.box);
     if (is_empty(common)) return {};
     std::vector<TrianglePair> near(touching_.begin(), touching_.end());
-    std::sort(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.a < q.a; });
+    std::sort(near.begin(), near.end(),
+              until_stopped(goal_.stop, [](const auto& p, const auto& q) { return p.a < q.a; }));
     std::vector<std::uint32_t> candidates;
     for (std::uint32_t t = 0; t < inner_.size(); ++t) {
       const Box box = intersection(box_of(inner_.triangle(t)), common);

@@ -24,9 +24,9 @@ struct DepthGoal {
   /// Depths that the caller will hold the answer against: beyond `precision` the search goes on while one of them is in
   /// [lo, hi), down to a width of `nothing`. They decide only where it ends, not its order.
   std::vector<double> levels{};
-  double enough = 0;  ///< the search also ends as soon as no depth is above this
-  double known = 0;   ///< nothing is asked of depths that are less, to `precision`
-  std::stop_token stop{};
+  double enough = 0;       ///< the search also ends as soon as no depth is above this
+  double known = 0;        ///< nothing is asked of depths that are less, to `precision`
+  std::stop_token stop{};  ///< ends the search early, or by `Stopped`
 };
 
 /// How often a body winds around a point, in whatever direction; it is inside if that is more than 1/2. A closed body

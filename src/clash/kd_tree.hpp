@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/shapes.hpp"
@@ -12,7 +13,7 @@ namespace impinge::clash {
 /// A k-d tree over points, which finds those near a segment.
 class KdTree {
  public:
-  explicit KdTree(std::vector<Vec3> points);
+  KdTree(std::vector<Vec3> points, const std::stop_token& stop);
 
   /// Calls visit(i) with the index of each point within `margin` of the segment, and of some that are farther. Only the
   /// piece of the segment that is in a half of the tree is followed there: few points are close to a long segment,
@@ -29,7 +30,7 @@ class KdTree {
     [[nodiscard]] std::uint32_t middle() const { return first + (last - first) / 2; }
   };
 
-  void build(Range range);
+  void build(Range range, const std::stop_token& stop);
   template <class Visit>
   void search(Range range, const Segment& segment, double margin, const Visit& visit) const {
     if (range.first == range.last) return;

@@ -205,9 +205,7 @@ std::vector<Region> PairJudge::find_regions(double tolerance) const {
   std::optional<std::vector<exact::Contact>> within;
   if (tolerance > 0)
     within = clash::contacts_within(a.body, b.body, tolerance, clash::most_small_pairs(a.body, b.body), options_.stop);
-  auto regions =
-      clash::regions_of(a, b, within ? *within : list(*contacts_), within ? tolerance : 0, {}, options_.stop);
-  return regions ? *std::move(regions) : std::vector<Region>();
+  return clash::regions_of(a, b, within ? *within : list(*contacts_), within ? tolerance : 0, {}, options_.stop);
 }
 
 std::optional<Nearest> PairJudge::nearest(double clearance) const {

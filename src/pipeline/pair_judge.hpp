@@ -22,7 +22,8 @@ class PairJudge {
   /// The arguments must outlive the judge.
   PairJudge(const Part& a, const Part& b, const ClashOptions& options);
 
-  /// What is said on each of the terms. Once it is stopped, the result is meaningless.
+  /// What is said on each of the terms. Once it is stopped, the result is meaningless, or
+  /// `Stopped` is thrown.
   std::vector<Clash> judge(std::span<const ClashTerms> terms);
   /// Why contacts could not be found, in which case the result is meaningless. Errors: as `collide`.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }

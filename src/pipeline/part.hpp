@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clash/reach.hpp"
+#include "core/stopped.hpp"
 #include "impinge/clash.hpp"
 #include "impinge/mesh.hpp"
 #include "pipeline/mesh_pieces.hpp"
@@ -40,8 +41,6 @@ class Steps {
  private:
   Progress* progress_;
 };
-
-inline Error cancelled() { return {Code::cancelled, "the query was stopped before it was complete"}; }
 
 /// Made when it is first asked for. Safe to use from several threads.
 template <class T>

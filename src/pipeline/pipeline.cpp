@@ -76,7 +76,7 @@ class Pipeline {
       if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
-    if (options_.stop.stop_requested()) return Error{Code::cancelled, "the query was stopped before it was complete"};
+    if (options_.stop.stop_requested()) return cancelled();
 
     if constexpr (std::is_same_v<Stages, PlainStages>)
       if (crew_.device != nullptr) finish_batches();

@@ -30,6 +30,11 @@ void Collector::add(std::uint32_t object_pair, std::span<const ContactKey> conta
 }
 
 void Collector::drop_beyond_limit() {
+  if (runs_.size() == 1) {
+    std::nth_element(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(limit_), kept_.end());
+    kept_.resize(limit_), runs_.front().count = limit_;
+    return;
+  }
   std::vector<std::pair<std::uint32_t, ContactKey>> all;
   all.reserve(kept_.size());
   std::size_t next = 0;

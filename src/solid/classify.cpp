@@ -122,6 +122,7 @@ class Classifier {
     inner_points_.clear();
     double largest = 0;
     for (const std::uint32_t t : local.sample) {
+      if (stop_.stop_requested()) break;
       const auto found = inner_point(search, t);
       if (!found) continue;
       inner_points_.push_back(*found), largest = std::max(largest, found->radius);

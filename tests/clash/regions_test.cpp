@@ -8,11 +8,15 @@
 #include <numeric>
 #include <set>
 
+#include "clash/regions/regions.hpp"
 #include "clash/regions/shared_part.hpp"
+#include "core/stopped.hpp"
 #include "impinge/collide.hpp"
+#include "pipeline/mesh_state.hpp"
 #include "region_scenes.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
+#include "scenes/solids.hpp"
 
 /// What holds of the regions between any two meshes.
 namespace impinge {
@@ -190,6 +194,26 @@ TEST(Regions, NamesWhatIsWrong) {
   EXPECT_EQ(code_of(contact_regions(cube, {}, cube, {}, {.stop = stopped.get_token()})), Code::cancelled);
   for (const auto& result : {contact_regions(none, {}, cube, {}), contact_regions(cube, {}, cube, {.t = {5, 0, 0}})})
     EXPECT_TRUE(result.value().empty());
+}
+
+/// Stopped at the start of the first step that threads share, and of the second.
+TEST(Regions, AreNotFoundOnceStopped) {
+  const scenes::MeshData sheet = scenes::flat_grid(12, 12);
+  const Mesh sheets = test::mesh_of(scenes::joined(sheet, scenes::shifted(sheet, 0, 0, 1)));
+  const solid::Body body = solid::make_body({&sheets.state().data, &sheets.state().wide_tree, {}});
+  const solid::Part part = solid::make_part(body, solid::examine(body), false);
+  const auto contacts = clash::contacts_within(body, body, 1e-6, 1 << 20);
+  const auto regions_if_stopped_at = [&](int step) {
+    std::stop_source stop;
+    const ForEach in_turn = [&](std::size_t n, const auto& each) {
+      if (step-- == 0) stop.request_stop();
+      for (std::size_t i = 0; i < n; ++i) each(i);
+    };
+    return clash::regions_of(part, part, contacts.value(), 1e-6, in_turn, stop.get_token()).size();
+  };
+  EXPECT_THROW(regions_if_stopped_at(0), Stopped);
+  EXPECT_THROW(regions_if_stopped_at(1), Stopped);
+  EXPECT_EQ(regions_if_stopped_at(2), 2u);
 }
 
 /// The time is printed, so that a slow one is seen.

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "clash/point_grid.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -83,10 +84,12 @@ bool are_near(const PointGrid::Cell& x, const PointGrid::Cell& y, double toleran
   return false;
 }
 
-void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups) {
+void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups,
+                     const std::stop_token& stop) {
   std::unordered_map<Vec3, std::uint32_t, PointHash> first;
   std::size_t last = 0;  // consecutive contacts may share a row, which holds the same points
   for (std::uint32_t i = 0; i < contacts; ++i) {
+    throw_if_stopped(stop);
     if (i > 0 && parts[i].data() == parts[last].data() && parts[i].size() == parts[last].size()) {
       if (!parts[i].empty()) groups.join(i, static_cast<std::uint32_t>(last));
       continue;
@@ -100,35 +103,41 @@ void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSet
 
 // The diagonal of a cell is a little less than the tolerance, so that all points of a cell are near each other: many
 // corners within one tolerance must not be compared each with each.
-void join_near_corners(const SharedParts& parts, std::size_t contacts, double tolerance, DisjointSets& groups) {
+void join_near_corners(const SharedParts& parts, std::size_t contacts, double tolerance, DisjointSets& groups,
+                       const std::stop_token& stop) {
   PointGrid grid(tolerance / 1.75);
   std::unordered_set<Vec3, PointHash> seen;
-  for (std::uint32_t i = 0; i < contacts; ++i)
+  for (std::uint32_t i = 0; i < contacts; ++i) {
+    throw_if_stopped(stop);
     for (const Corner& corner : parts[i])
       if (seen.insert(corner.point).second) groups.join(grid.add(corner.point, i).entries.front().number, i);
+  }
   const std::vector<Vec3> steps = steps_to_neighbours();
-  for (const auto& [at, cell] : grid.cells())
+  for (const auto& [at, cell] : grid.cells()) {
+    throw_if_stopped(stop);
     for (const Vec3& step : steps) {
       const auto other = grid.cells().find(at + step);
       if (other == grid.cells().end()) continue;
       const std::uint32_t one = cell.entries.front().number, two = other->second.entries.front().number;
       if (groups.find(one) != groups.find(two) && are_near(cell, other->second, tolerance)) groups.join(one, two);
     }
+  }
 }
 
 // Two pairs are neighbours if and only if their triangles of a have some position p in common and those of b some
 // position q. All pairs are visited once for each p: pairs with a common triangle of b also have its three q in common.
 void join_neighbours(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
-                     const SharedParts& parts, DisjointSets& groups) {
+                     const SharedParts& parts, DisjointSets& groups, const std::stop_token& stop) {
   const ContactFans fans(a, contacts);
   Last at_triangle(b.body.size()), at_position(b.topology.positions);
   for (std::uint32_t p = 0; p < a.topology.positions; ++p)
     fans.for_each(p, [&](std::uint32_t contact) {
+      throw_if_stopped(stop);
       const std::uint32_t t = contacts[contact].b;
       if (at_triangle.join(t, p, contact, groups)) return;
       for (const std::uint32_t q : b.corners(t)) at_position.join(q, p, contact, groups);
     });
-  join_at_corners(parts, contacts.size(), groups);
+  join_at_corners(parts, contacts.size(), groups, stop);
 }
 
 }  // namespace impinge::clash

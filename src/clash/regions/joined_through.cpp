@@ -5,6 +5,7 @@
 
 #include "clash/regions/connected_patches.hpp"
 #include "clash/regions/grouping.hpp"
+#include "core/stopped.hpp"
 
 /// The lines of contact cut the surface of a part into patches. Where a patch lies inside the other part, all contacts
 /// on its rim are one region. Edges of the mesh connect a patch: a piece of an edge between two points of contact
@@ -29,15 +30,16 @@ std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
 class Surface {
  public:
   Surface(const solid::Part& part, bool first, std::span<const exact::Contact> contacts, const SharedParts& parts,
-          DisjointSets& groups)
+          DisjointSets& groups, const std::stop_token& stop)
       : part_(part),
         shift_(first ? 0 : 3),
         parts_(parts),
         groups_(groups),
+        stop_(stop),
         vertex_(part.topology.positions),
         patches_(part.topology.positions) {
     for (std::uint32_t i = 0; i < contacts.size(); ++i) touched_.emplace_back(first ? contacts[i].a : contacts[i].b, i);
-    std::sort(touched_.begin(), touched_.end());
+    std::sort(touched_.begin(), touched_.end(), until_stopped(stop, std::less<>()));
     for (std::size_t i = 0; i < part.body.world.size(); ++i) vertex_[part.topology.position[i]] = part.body.world[i];
   }
 
@@ -48,9 +50,10 @@ class Surface {
         for (int e = 0; e < 3; ++e)
           if ((edges_of(corner) >> e & 1) != 0) put(corners[e], corners[(e + 1) % 3], corner.point, contact);
     }
-    std::sort(points_.begin(), points_.end(), [](const OnEdge& x, const OnEdge& y) {
+    const auto before = [](const OnEdge& x, const OnEdge& y) {
       return std::tie(x.edge, x.along, x.contact) < std::tie(y.edge, y.along, y.contact);
-    });
+    };
+    std::sort(points_.begin(), points_.end(), until_stopped(stop_, before));
   }
 
   /// Joins the vertices of each edge without a point of contact: both are on one side of the other part. Degenerate
@@ -165,6 +168,7 @@ class Surface {
   int shift_;  ///< the place of this part's edges among the bits of a corner
   const SharedParts& parts_;
   DisjointSets& groups_;
+  const std::stop_token& stop_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touched_;  ///< triangles with their contacts, sorted
   std::vector<Vec3> vertex_;                                      ///< per position
   DisjointSets patches_;                                          ///< sets of positions
@@ -175,8 +179,9 @@ class Surface {
 }  // namespace
 
 void join_through(const solid::Part& part, bool first, std::span<const exact::Contact> contacts,
-                  const SharedParts& parts, const IsInside& is_inside, DisjointSets& groups) {
-  Surface surface(part, first, contacts, parts, groups);
+                  const SharedParts& parts, const IsInside& is_inside, DisjointSets& groups,
+                  const std::stop_token& stop) {
+  Surface surface(part, first, contacts, parts, groups, stop);
   surface.put_points();
   surface.join_vertices();
   surface.join_along_edges(is_inside);

@@ -7,23 +7,25 @@
 #include <limits>
 #include <tuple>
 
+#include "core/stopped.hpp"
+
 namespace impinge::clash {
 namespace {
 
 /// The graph of the pieces: for each point, in lexicographic order, the pieces that meet there.
 class Net {
  public:
-  explicit Net(std::vector<Piece> pieces) : pieces_(std::move(pieces)), used_(pieces_.size()) {
+  Net(std::vector<Piece> pieces, const std::stop_token& stop) : pieces_(std::move(pieces)), used_(pieces_.size()) {
     for (const Piece& p : pieces_) points_.insert(points_.end(), {p.from, p.to});
-    std::sort(points_.begin(), points_.end(), less);
+    std::sort(points_.begin(), points_.end(), until_stopped(stop, less));
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const std::uint32_t from = point_at(pieces_[i].from), to = point_at(pieces_[i].to);
       ways_.push_back({from, to, i, true});
       ways_.push_back({to, from, i, false});
     }
-    std::sort(ways_.begin(), ways_.end(),
-              [](const Way& x, const Way& y) { return std::tie(x.from, x.to) < std::tie(y.from, y.to); });
+    const auto before = [](const Way& x, const Way& y) { return std::tie(x.from, x.to) < std::tie(y.from, y.to); };
+    std::sort(ways_.begin(), ways_.end(), until_stopped(stop, before));
     first_.assign(points_.size() + 1, 0);
     for (const Way& way : ways_) ++first_[way.from + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -91,11 +93,12 @@ bool less(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::
 
 Piece piece(const Vec3& p, const Vec3& q, double flow) { return less(q, p) ? Piece{q, p, -flow} : Piece{p, q, flow}; }
 
-std::vector<Piece> merged(std::vector<Piece> pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) {
+std::vector<Piece> merged(std::vector<Piece> pieces, const std::stop_token& stop) {
+  const auto before = [](const Piece& x, const Piece& y) {
     if (x.from != y.from) return less(x.from, y.from);
     return x.to != y.to ? less(x.to, y.to) : x.flow < y.flow;
-  });
+  };
+  std::sort(pieces.begin(), pieces.end(), until_stopped(stop, before));
   std::size_t kept = 0;
   for (const Piece& next : pieces) {
     if (kept > 0 && pieces[kept - 1].from == next.from && pieces[kept - 1].to == next.to) {
@@ -108,9 +111,11 @@ std::vector<Piece> merged(std::vector<Piece> pieces) {
   return pieces;
 }
 
-std::vector<Piece> thinned(std::vector<Piece> pieces) {
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& x, const Piece& y) { return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to); });
+std::vector<Piece> thinned(std::vector<Piece> pieces, const std::stop_token& stop) {
+  const auto before = [](const Piece& x, const Piece& y) {
+    return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
+  };
+  std::sort(pieces.begin(), pieces.end(), until_stopped(stop, before));
   std::size_t kept = 0;
   const auto is_equal = [](const Piece& x, const Piece& y) { return x.from == y.from && x.to == y.to; };
   for (const Piece& next : pieces) {
@@ -124,6 +129,8 @@ std::vector<Piece> thinned(std::vector<Piece> pieces) {
   return pieces;
 }
 
-std::vector<Polyline> joined(std::vector<Piece> pieces) { return Net(merged(std::move(pieces))).lines(); }
+std::vector<Polyline> joined(std::vector<Piece> pieces, const std::stop_token& stop) {
+  return Net(merged(std::move(pieces), stop), stop).lines();
+}
 
 }  // namespace impinge::clash

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -26,15 +27,15 @@ struct Polyline {
 Piece piece(const Vec3& p, const Vec3& q, double flow = 0);
 
 /// Merges equal pieces into one with the sum of their flows.
-std::vector<Piece> merged(std::vector<Piece> pieces);
+std::vector<Piece> merged(std::vector<Piece> pieces, const std::stop_token& stop = {});
 
 /// Reduces the number of equal pieces to one or two, keeping it odd or even.
-std::vector<Piece> thinned(std::vector<Piece> pieces);
+std::vector<Piece> thinned(std::vector<Piece> pieces, const std::stop_token& stop = {});
 
 /// Joins pieces to lines; equal pieces count once. Lines begin and end where an odd number of pieces meet, or else are
 /// closed and begin at their lexicographically lowest point. The result depends neither on the order of the pieces nor
 /// on the direction of flow.
-std::vector<Polyline> joined(std::vector<Piece> pieces);
+std::vector<Polyline> joined(std::vector<Piece> pieces, const std::stop_token& stop = {});
 
 /// Compares points lexicographically.
 bool less(const Vec3& p, const Vec3& q);

@@ -6,6 +6,7 @@
 
 #include "clash/regions/lines.hpp"
 #include "clash/regions/split.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -61,17 +62,20 @@ void add_lengths(std::span<const Vec3> points, Mean& mean) {
 class Measures {
  public:
   Measures(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
-           const SharedParts& parts, std::span<const std::uint32_t> members, double within)
-      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), within_(within) {}
+           const SharedParts& parts, std::span<const std::uint32_t> members, double within, const std::stop_token& stop)
+      : a_(a), b_(b), contacts_(contacts), parts_(parts), members_(members), within_(within), stop_(stop) {}
 
   Region region() {
     list_triangles();
     find_box();
-    for (const std::uint32_t i : members_) add(contacts_[i], parts_[i]);
+    for (const std::uint32_t i : members_) {
+      throw_if_stopped(stop_);
+      add(contacts_[i], parts_[i]);
+    }
     split_lines();
-    std::vector<Polyline> lines = joined(lines_without_borders());
+    std::vector<Polyline> lines = joined(lines_without_borders(), stop_);
     for (const Polyline& line : lines) add_crossing(line);
-    std::vector<Polyline> outlines = joined(outline());
+    std::vector<Polyline> outlines = joined(outline(), stop_);
     for (std::vector<Polyline>* some : {&lines, &outlines})
       for (Polyline& line : *some) {
         add_lengths(local(line.points), length_);
@@ -93,6 +97,7 @@ class Measures {
     region_.pairs = members_.size();
     std::vector<std::uint32_t>&of_a = region_.triangles_a, &of_b = region_.triangles_b;
     for (const std::uint32_t i : members_) {  // in the order of a's
+      throw_if_stopped(stop_);
       if (of_a.empty() || of_a.back() != contacts_[i].a) of_a.push_back(contacts_[i].a);
       of_b.push_back(contacts_[i].b);
       if (of_b.size() > 2 * b_.body.size()) keep_each_once(of_b);
@@ -181,7 +186,7 @@ class Measures {
       for (const Piece& piece : *some) ends.insert(ends.end(), {piece.from, piece.to});
     if (ends.size() <= 2) return;
     const double rounding = 0x1p-51 * max_component(max(abs(region_.box[0]), abs(region_.box[1])));
-    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_});
+    const Splitter splitter(std::move(ends), {origin_, unit_, std::max(rounding, within_) / unit_, stop_});
     const bool were_moved = within_ > 0;
     pieces_ = were_moved ? splitter.split_closely(std::move(pieces_), merged) : splitter.split(pieces_);
     borders_ = were_moved ? splitter.split_closely(std::move(borders_), thinned) : splitter.split(borders_);
@@ -192,7 +197,7 @@ class Measures {
   }
   /// The pieces that are on no polygon's border: those on one belong to the area or its outline already.
   std::vector<Piece> lines_without_borders() {
-    std::sort(borders_.begin(), borders_.end(), before);
+    std::sort(borders_.begin(), borders_.end(), until_stopped(stop_, before));
     std::erase_if(pieces_,
                   [&](const Piece& x) { return std::binary_search(borders_.begin(), borders_.end(), x, before); });
     return std::move(pieces_);
@@ -218,7 +223,7 @@ class Measures {
   };
 
   void conclude() {
-    std::sort(points_.begin(), points_.end(), less);
+    std::sort(points_.begin(), points_.end(), until_stopped(stop_, less));
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     Mean points;
     for (const Vec3& p : points_) points.add(1, local(p));
@@ -240,6 +245,7 @@ class Measures {
   const SharedParts& parts_;
   std::span<const std::uint32_t> members_;
   double within_;
+  const std::stop_token& stop_;
   Region region_;
   Vec3 origin_{};
   double unit_ = 1;
@@ -253,8 +259,9 @@ class Measures {
 }  // namespace
 
 Region measured(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
-                const SharedParts& parts, std::span<const std::uint32_t> members, double within) {
-  return Measures(a, b, contacts, parts, members, within).region();
+                const SharedParts& parts, std::span<const std::uint32_t> members, double within,
+                const std::stop_token& stop) {
+  return Measures(a, b, contacts, parts, members, within, stop).region();
 }
 
 }  // namespace impinge::clash

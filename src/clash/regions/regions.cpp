@@ -10,6 +10,7 @@
 #include "clash/regions/shared_parts.hpp"
 #include "clash/regions/welded.hpp"
 #include "core/local_frame.hpp"
+#include "core/stopped.hpp"
 #include "measure/nearest.hpp"
 #include "solid/locate.hpp"
 
@@ -69,8 +70,9 @@ Reach reach_of(const solid::Body& a, const solid::Body& b, std::span<const exact
 }
 
 /// The test for points in a solid's interior. A point within the tolerance of the boundary counts as on it.
-IsInside inside_of(const solid::Part& part, double tolerance) {
-  return [&part, tolerance](const Vec3& p) {
+IsInside inside_of(const solid::Part& part, double tolerance, const std::stop_token& stop) {
+  return [&part, tolerance, &stop](const Vec3& p) {
+    throw_if_stopped(stop);
     return solid::winding_number(part.body.placed, p).value_or(0) != 0 &&
            !(tolerance > 0 && measure::nearest_point(part.body.placed, p, tolerance, tolerance));
   };
@@ -84,30 +86,27 @@ bool is_small(const Triangle& triangle, double tolerance) {
 
 }  // namespace
 
-std::optional<std::vector<Region>> regions_of(const solid::Part& a, const solid::Part& b,
-                                              std::span<const exact::Contact> contacts, double tolerance,
-                                              const ForEach& for_each, const std::stop_token& stop) {
+std::vector<Region> regions_of(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+                               double tolerance, const ForEach& for_each, const std::stop_token& stop) {
   const Reach reach = reach_of(a.body, b.body, contacts, tolerance);
   SharedParts parts = shared_parts(a.body, b.body, contacts, reach, for_each, stop);
-  if (stop.stop_requested()) return std::nullopt;
   // Twice the distance over which points were moved, since lines have moved too.
   const double within_line = tolerance > 0 ? 2 * welding_distance(parts, reach) : 0;
-  if (tolerance > 0) parts = welded(a.body, b.body, contacts, parts, reach);
+  if (tolerance > 0) parts = welded(a.body, b.body, contacts, parts, reach, stop);
   DisjointSets groups(contacts.size());
-  if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups);
-  join_neighbours(a, b, contacts, parts, groups);
+  if (tolerance > 0) join_near_corners(parts, contacts.size(), tolerance, groups, stop);
+  join_neighbours(a, b, contacts, parts, groups, stop);
   for (const bool first : {true, false}) {
-    if (stop.stop_requested()) return std::nullopt;
     const solid::Part &part = first ? a : b, &other = first ? b : a;
     if (other.solid && !are_all_one(groups, contacts.size()))
-      join_through(part, first, contacts, parts, inside_of(other, tolerance), groups);
+      join_through(part, first, contacts, parts, inside_of(other, tolerance, stop), groups, stop);
   }
   const auto members = members_of(groups, contacts.size());
   std::vector<Region> regions(members.size());
   run_each(for_each, members.size(), [&](std::size_t i) {
-    if (!stop.stop_requested()) regions[i] = measured(a, b, contacts, parts, members[i], within_line);
+    throw_if_stopped(stop);
+    regions[i] = measured(a, b, contacts, parts, members[i], within_line, stop);
   });
-  if (stop.stop_requested()) return std::nullopt;
   // Groups are in the order of their first pairs, which decides between equal regions.
   std::stable_sort(regions.begin(), regions.end(), [](const Region& x, const Region& y) {
     return std::tie(x.area, x.length, x.pairs) > std::tie(y.area, y.length, y.pairs);
@@ -130,8 +129,8 @@ std::optional<std::vector<exact::Contact>> contacts_within(const solid::Body& a,
   };
   measure::near_pairs(a.placed, b.placed, tolerance, take, stop);
   if (small > most) return std::nullopt;
-  std::sort(contacts.begin(), contacts.end(),
-            [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  const auto before = [](const auto& x, const auto& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
+  std::sort(contacts.begin(), contacts.end(), until_stopped(stop, before));
   return contacts;
 }
 

@@ -20,10 +20,10 @@ namespace impinge::clash {
 inline constexpr double kLeastTolerance = 0x1p-36;
 
 /// The regions of contact of two parts (impinge/regions.hpp). `contacts` are all pairs of triangles that share a point
-/// or, with a tolerance, all within it; sorted by a and then b. Nothing if stopped.
-std::optional<std::vector<Region>> regions_of(const solid::Part& a, const solid::Part& b,
-                                              std::span<const exact::Contact> contacts, double tolerance,
-                                              const ForEach& for_each = {}, const std::stop_token& stop = {});
+/// or, with a tolerance, all within it; sorted by a and then b. Throws
+/// `Stopped`.
+std::vector<Region> regions_of(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
+                               double tolerance, const ForEach& for_each = {}, const std::stop_token& stop = {});
 
 /// The greatest number of pairs of triangles that are both small beside the tolerance, no edge longer than four of it,
 /// for which regions are found. Their number grows with the square of the tolerance, so that it needs a limit, in

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "clash/regions/shared_within.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::clash {
 
@@ -30,7 +31,7 @@ SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<c
   const SharedWithinSetting near{local_frame(a.box, b.box), reach.tolerance, reach.resolution};
   std::vector<SharedParts> pieces((contacts.size() + kChunk - 1) / kChunk);
   run_each(for_each, pieces.size(), [&](std::size_t i) {
-    if (stop.stop_requested()) return;
+    throw_if_stopped(stop);
     for (const exact::Contact& pair : contacts.subspan(i * kChunk, std::min(kChunk, contacts.size() - i * kChunk))) {
       const Triangle of_a = a.triangle(pair.a), of_b = b.triangle(pair.b);
       if (reach.tolerance > 0) {
@@ -48,6 +49,7 @@ SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<c
   SharedParts parts;
   parts.reserve(contacts.size());
   for (SharedParts& piece : pieces) {
+    throw_if_stopped(stop);
     parts.append(piece);
     piece = {};
   }

@@ -53,7 +53,7 @@ class SharedParts {
   std::array<std::uint64_t, 64> vertex_rows_{};  ///< the row of the last vertex, by its edges
 };
 
-/// What each pair shares, with a tolerance as by shared_within. Incomplete if stopped.
+/// What each pair shares, with a tolerance as by shared_within. Throws `Stopped`.
 SharedParts shared_parts(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
                          const Reach& reach, const ForEach& for_each, const std::stop_token& stop);
 

@@ -7,13 +7,15 @@
 #include <map>
 #include <utility>
 
+#include "core/stopped.hpp"
+
 namespace impinge::clash {
 
 Splitter::Splitter(std::vector<Vec3> points, const Setting& setting)
-    : setting_(setting), points_(sorted(std::move(points))), tree_(local(points_)) {}
+    : setting_(setting), points_(sorted(std::move(points))), tree_(local(points_), setting_.stop) {}
 
-std::vector<Vec3> Splitter::sorted(std::vector<Vec3> points) {
-  std::sort(points.begin(), points.end(), less);
+std::vector<Vec3> Splitter::sorted(std::vector<Vec3> points) const {
+  std::sort(points.begin(), points.end(), until_stopped(setting_.stop, less));
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
@@ -51,7 +53,7 @@ std::vector<Piece> Splitter::split_closely(std::vector<Piece> pieces, Tidy tidy)
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Piece> parts = split(pieces, most, true);
     if (parts.size() == pieces.size()) break;
-    pieces = tidy(std::move(parts));
+    pieces = tidy(std::move(parts), setting_.stop);
   }
   return pieces;
 }
@@ -66,6 +68,7 @@ std::vector<Piece> Splitter::split(const std::vector<Piece>& pieces, std::size_t
   };
   std::vector<Piece> result;
   for (const Piece& whole : pieces) {
+    throw_if_stopped(setting_.stop);
     const Segment edge{local(whole.from), local(whole.to)};
     std::vector<Found> found = points_beside(edge);
     if (closely) keep_what_shortens(edge, found);

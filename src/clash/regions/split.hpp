@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "clash/kd_tree.hpp"
@@ -18,6 +19,7 @@ class Splitter {
     Vec3 origin;
     double unit;    ///< a power of two
     double within;  ///< in units
+    std::stop_token stop{};
   };
   /// The points may be in any order and repeated.
   Splitter(std::vector<Vec3> points, const Setting& setting);
@@ -27,7 +29,7 @@ class Splitter {
   /// of three such points each is beside the piece between the others: only points count whose parts are both shorter
   /// than the piece. Splits repeatedly, since parts may come near points from which the piece was farther; `tidy`
   /// reduces the number of pieces after each round.
-  using Tidy = std::vector<Piece> (*)(std::vector<Piece>);
+  using Tidy = std::vector<Piece> (*)(std::vector<Piece>, const std::stop_token&);
   [[nodiscard]] std::vector<Piece> split_closely(std::vector<Piece> pieces, Tidy tidy) const;
 
  private:
@@ -42,7 +44,7 @@ class Splitter {
   [[nodiscard]] std::size_t budget(const std::vector<Piece>& pieces) const;
   [[nodiscard]] std::vector<Piece> split(const std::vector<Piece>& pieces, std::size_t most, bool closely) const;
   static void keep_what_shortens(const Segment& edge, std::vector<Found>& found);
-  static std::vector<Vec3> sorted(std::vector<Vec3> points);
+  [[nodiscard]] std::vector<Vec3> sorted(std::vector<Vec3> points) const;
   [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const;
   [[nodiscard]] std::vector<Found> points_beside(const Segment& edge) const;
 

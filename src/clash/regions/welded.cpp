@@ -7,6 +7,7 @@
 
 #include "clash/point_grid.hpp"
 #include "clash/regions/lines.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::clash {
 namespace {
@@ -16,15 +17,16 @@ constexpr double kReach = 1.5;
 
 using Moves = std::unordered_map<Vec3, Vec3, PointHash>;
 
-Moves find_moves(std::span<const Corner> corners, double within) {
+Moves find_moves(std::span<const Corner> corners, double within, const std::stop_token& stop) {
   std::vector<Vec3> points;
   points.reserve(corners.size());
   for (const Corner& corner : corners) points.push_back(corner.point);
-  std::sort(points.begin(), points.end(), less);
+  std::sort(points.begin(), points.end(), until_stopped(stop, less));
   points.erase(std::unique(points.begin(), points.end()), points.end());
   PointGrid chosen(within);
   Moves moves;
   for (const Vec3& point : points) {
+    throw_if_stopped(stop);
     Vec3 to = point;
     chosen.find(point, [&](const Vec3& other, std::uint32_t) { return to = other, true; });
     if (to == point) chosen.add(point, 0);
@@ -55,12 +57,13 @@ double welding_distance(const SharedParts& parts, const Reach& reach) {
 }
 
 SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
-                   const SharedParts& parts, const Reach& reach) {
-  const Moves moves = find_moves(parts.corners(), welding_distance(parts, reach));
+                   const SharedParts& parts, const Reach& reach, const std::stop_token& stop) {
+  const Moves moves = find_moves(parts.corners(), welding_distance(parts, reach), stop);
   SharedParts result;
   result.reserve(contacts.size());
   std::vector<Corner> row;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
+    throw_if_stopped(stop);
     const Triangle of_a = a.triangle(contacts[i].a), of_b = b.triangle(contacts[i].b);
     row.clear();
     for (const Corner& corner : parts[i]) {

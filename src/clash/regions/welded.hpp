@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 
 #include "clash/regions/shared_parts.hpp"
 
@@ -17,6 +18,6 @@ double welding_distance(const SharedParts& parts, const Reach& reach);
 /// distance. Corners that exact parts have in common are common to parts within a tolerance too, then. Each corner gets
 /// the edges to which it is near.
 SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const exact::Contact> contacts,
-                   const SharedParts& parts, const Reach& reach);
+                   const SharedParts& parts, const Reach& reach, const std::stop_token& stop);
 
 }  // namespace impinge::clash
