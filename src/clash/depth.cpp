@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <unordered_map>
@@ -132,7 +133,7 @@ class Search {
     std::sort(near.begin(), near.end(),
               until_stopped(goal_.stop, [](const auto& p, const auto& q) { return p.a < q.a; }));
     std::vector<std::uint32_t> candidates;
-    for (std::uint32_t t = 0; t < inner_.size(); ++t) {
+    for (const std::uint32_t t : inner_triangles_about(common)) {
       const Box box = intersection(box_of(inner_.triangle(t)), common);
       if (is_empty(box)) continue;
       if (const double most = most_by_box(box); most <= std::max(nothing_, goal_.enough))
@@ -171,6 +172,23 @@ class Search {
     const auto is_between = [&](double level) { return least_ <= level && level < most; };
     return !(most > (1 + goal_.precision) * std::max(least_, goal_.known)) &&
            std::none_of(goal_.levels.begin(), goal_.levels.end(), is_between);
+  }
+
+  /// The triangles of the inner body that may meet a box, in order: all, where the tree would not be faster.
+  [[nodiscard]] std::vector<std::uint32_t> inner_triangles_about(const Box& box) const {
+    constexpr std::size_t kMany = 4096;
+    const double size = norm(box.hi - box.lo);
+    std::vector<std::uint32_t> found;
+    if (inner_.size() < kMany || 4 * size > norm(inner_.box.hi - inner_.box.lo)) {
+      found.resize(inner_.size());
+      std::iota(found.begin(), found.end(), 0U);
+    } else {
+      const double reach = size / 2 * (1 + 0x1p-20);
+      measure::near_triangles(inner_.placed, 0.5 * box.lo + 0.5 * box.hi, reach,
+                              [&](std::uint32_t t) { found.push_back(t); });
+      std::sort(found.begin(), found.end());
+    }
+    return found;
   }
 
   /// The most depth in a box: from inside a closed body no way out of its box is free.

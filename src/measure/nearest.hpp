@@ -29,6 +29,11 @@ struct NearestPoint {
 std::optional<NearestPoint> nearest_point(const hierarchy::PlacedTree& body, const Vec3& point, double within,
                                           double enough = 0, const std::stop_token& stop = {});
 
+/// Calls take with each triangle of the body that is within a distance of a point, and perhaps with some that are
+/// farther, in no particular order.
+void near_triangles(const hierarchy::PlacedTree& body, const Vec3& point, double within,
+                    const std::function<void(std::uint32_t)>& take);
+
 struct NearestPair {
   double distance, error;
   Vec3 a, b;

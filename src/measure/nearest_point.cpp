@@ -152,4 +152,28 @@ std::optional<NearestPoint> nearest_point(const PlacedTree& body, const Vec3& po
   return PointSearch(body, point, within, enough).run(stop);
 }
 
+void near_triangles(const PlacedTree& body, const Vec3& point, double within,
+                    const std::function<void(std::uint32_t)>& take) {
+  const MeshPoint local(body, point);
+  const auto is_near = [&](float lower) { return local.unit * (kShrink * double{lower}) <= within; };
+  hierarchy::MadeNodes made;
+  std::vector<TreeRef> open;
+  if (!body.mesh->triangles.empty()) open.push_back(body.tree->root(made));
+  while (!open.empty()) {
+    const TreeRef ref = open.back();
+    open.pop_back();
+    float lower[kMostInLeaf];
+    if (ref.is_leaf()) {
+      bound_triangles(ref.leaf(), LocalPoint(local, ref.leaf().frame), lower);
+      for (std::uint32_t i = 0; i < ref.leaf().count; ++i)
+        if (is_near(lower[i])) take(ref.leaf().ids()[i]);
+      continue;
+    }
+    WideNode& node = ref.node();
+    bound_boxes(node, LocalPoint(local, node.frame), lower);
+    for (int lane = 0; lane < static_cast<int>(node.size); ++lane)
+      if (is_near(lower[lane])) open.push_back(body.tree->child(node, lane, made));
+  }
+}
+
 }  // namespace impinge::measure

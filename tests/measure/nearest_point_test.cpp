@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "measure/nearest.hpp"
@@ -40,6 +41,15 @@ void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triang
   const auto quick = measure::nearest_point(placed, p, kInfinity, 2 * found->distance);
   ASSERT_TRUE(quick);
   EXPECT_LE(quick->distance, 2 * found->distance);
+  const double within = 2 * found->distance + 2 * found->error;
+  std::vector<std::uint32_t> near;
+  measure::near_triangles(placed, p, within, [&](std::uint32_t t) { near.push_back(t); });
+  std::sort(near.begin(), near.end());
+  EXPECT_TRUE(std::adjacent_find(near.begin(), near.end()) == near.end());
+  for (std::uint32_t t = 0; t < world.size(); ++t)
+    if (oracle::is_within(oracle::square_distance({p, p, p}, world[t]), 0, within)) {
+      EXPECT_TRUE(std::binary_search(near.begin(), near.end(), t));
+    }
 }
 
 TEST(NearestPoint, IsTheExactOneOfHardScenes) {
