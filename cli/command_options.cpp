@@ -175,6 +175,17 @@ CLI::Option* add_up(CLI::App& command, PageOptions& to, const std::string& outpu
                               "the first other one: z for 3MF and Blender, y for the rest)");
 }
 
+void add_backend(CLI::App& command, std::string& backend) {
+  command
+      .add_option(
+          "--backend", backend,
+          "what does the work: auto (simd, or hybrid for long work where a GPU is), simd, paper (the paper's method, "
+          "plainly), gpu (a device), raster (the paper's way in image space: a device draws the tests), or hybrid (a "
+          "device and the CPU together); the answer is the same")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"}).description(""));
+}
+
 void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no table, no progress and no warnings");
 }
@@ -205,14 +216,7 @@ void add_check(CLI::App& command, CheckArguments& to) {
   add_max_file(command, to.max_file_bytes);
   begin_group(command, "Work");
   add_threads(command, to.threads);
-  command
-      .add_option(
-          "--backend", to.backend,
-          "what does the work: auto (simd, or hybrid for long work where a GPU is), simd, paper (the paper's method, "
-          "plainly), gpu (a device), raster (the paper's way in image space: a device draws the tests), or hybrid (a "
-          "device and the CPU together); the answer is the same")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"}).description(""));
+  add_backend(command, to.backend);
   command
       .add_option("--device", to.device,
                   "which device gpu, raster and hybrid use: its number or part of its name, see impinge devices "
@@ -330,6 +334,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
   add_threads(command, to.threads);
+  add_backend(command, to.backend);
   command.final_callback([&] { complete(to, command.count("--fail-on") > 0); });
 }
 

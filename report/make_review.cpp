@@ -72,6 +72,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
   options.threads = review.options.threads;
+  options.backend = review.options.backend;
   if (!review.plan.tests().empty()) {
     options.clearance = review.plan.largest_distance();
     options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {

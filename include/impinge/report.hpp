@@ -58,6 +58,7 @@ struct ReportOptions : SceneOptions, PageOptions {
   double clearance = 0;             ///< as `ClashOptions::clearance`
   double depth_precision = 0.05;    ///< as `ClashOptions::depth_precision`
   bool regions = false;             ///< find regions of contact
+  std::string backend = "simd";     ///< as `ClashOptions::backend`
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;          ///< test the parts of one IFC product against each other
   std::optional<std::string> config;     ///< the file of a configuration with named tests (docs/triage.md)
