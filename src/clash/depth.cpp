@@ -9,15 +9,14 @@
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 #include "clash/cover.hpp"
 #include "clash/patch_sides.hpp"
 #include "clash/polygon.hpp"
-#include "core/hash.hpp"
 #include "core/local_frame.hpp"
 #include "core/number.hpp"
+#include "core/point_table.hpp"
 #include "core/stopped.hpp"
 #include "measure/nearest.hpp"
 #include "measure/triangle_distance.hpp"
@@ -100,6 +99,13 @@ std::optional<HalfSpace> farthest_crossed(const Polygon& polygon, const Triangle
   if (with_top) offer(t[0], up), offer(t[0], -1.0 * up);
   return best;
 }
+
+/// What is known of the corner of a piece that touches no triangle.
+struct PieceCorner {
+  bool is_inside = false;
+  double reach = 0;  ///< how far that goes on over triangles that meet no other
+  std::optional<double> winding{};
+};
 
 /// Branch and bound: the piece with the greatest upper bound is cut in two until the interval is narrow enough.
 ///
@@ -268,9 +274,9 @@ class Search {
   /// over all of it.
   std::optional<bool> known_side(const TrianglePiece& piece) {
     for (const Vec3& corner : piece.polygon) {
-      const auto found = corners_.find(corner);
-      if (found == corners_.end() || !(found->second.reach > 2 * piece.radius)) continue;
-      const auto [is_inside, reach, number] = found->second;
+      const auto at = corner_numbers_.find(corner);
+      if (!at || !(corners_[*at].reach > 2 * piece.radius)) continue;
+      const auto [is_inside, reach, number] = corners_[*at];
       keep_side(piece.polygon, is_inside, reach - 2 * piece.radius);
       return is_inside;
     }
@@ -282,9 +288,15 @@ class Search {
     return ball != balls_.end() ? std::optional(ball->is_inside) : std::nullopt;
   }
 
+  PieceCorner& corner_at(const Vec3& point) {
+    const std::uint32_t at = corner_numbers_.add(point);
+    if (at == corners_.size()) corners_.emplace_back();
+    return corners_[at];
+  }
+
   void keep_side(const Polygon& polygon, bool is_inside, double reach) {
     for (const Vec3& vertex : polygon) {
-      Corner& corner = corners_[vertex];
+      PieceCorner& corner = corner_at(vertex);
       if (reach > corner.reach) corner.is_inside = is_inside, corner.reach = reach;
     }
   }
@@ -293,7 +305,7 @@ class Search {
   [[nodiscard]] std::optional<bool> side_of_corners(const Polygon& polygon) {
     double least = kInfinity, most = 0;
     for (const Vec3& vertex : polygon) {
-      Corner& corner = corners_[vertex];
+      PieceCorner& corner = corner_at(vertex);
       if (!corner.winding) corner.winding = winding_.at(vertex);
       least = std::min(least, *corner.winding), most = std::max(most, *corner.winding);
       if (least < 0.75 && most > 0.25) return std::nullopt;
@@ -402,18 +414,9 @@ class Search {
   std::array<ClearBall, 64> balls_{};  ///< the newest
   std::size_t next_ball_ = 0;
   std::uint32_t last_nearest_ = 0;
-  /// What is known of the corner of a piece that touches no triangle. Pieces share corners.
-  struct Corner {
-    bool is_inside = false;
-    double reach = 0;  ///< how far that goes on over triangles that meet no other
-    std::optional<double> winding{};
-  };
-  struct Hash {
-    std::size_t operator()(const Vec3& p) const {
-      return mix(mix(number_bits(p.x), number_bits(p.y)), number_bits(p.z));
-    }
-  };
-  std::unordered_map<Vec3, Corner, Hash> corners_;
+  /// Pieces share corners.
+  PointTable corner_numbers_;
+  std::vector<PieceCorner> corners_;
   std::uint64_t effort_ = 0;  ///< in points examined
 };
 

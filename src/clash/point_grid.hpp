@@ -4,65 +4,84 @@
 
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
-#include "core/hash.hpp"
+#include "core/point_table.hpp"
 #include "core/shapes.hpp"
 
 namespace impinge::clash {
 
-struct PointHash {
-  std::size_t operator()(const Vec3& p) const { return mix(mix(number_bits(p.x), number_bits(p.y)), number_bits(p.z)); }
-};
-
 /// Numbered points in cubic cells of a regular grid; only cells with points take memory.
 class PointGrid {
  public:
-  struct Entry {
-    Vec3 point;
-    std::uint32_t number;
-  };
   struct Cell {
-    std::vector<Entry> entries;
-    Box box{};  ///< of the points
+    Box box;                    ///< of the points
+    std::uint32_t first, last;  ///< entries
   };
-  using Cells = std::unordered_map<Vec3, Cell, PointHash>;  ///< by a cell's three indices
 
   explicit PointGrid(double cell_size) : cell_size_(cell_size) {}
 
-  /// Returns the point's cell.
-  Cell& add(const Vec3& point, std::uint32_t number) {
-    Cell& cell = cells_[index_of(point)];
-    if (cell.entries.empty()) cell.box = {point, point};
+  /// Returns the point's cell, which is good until the next call.
+  const Cell& add(const Vec3& point, std::uint32_t number) {
+    const std::uint32_t at = indices_.add(index_of(point)), entry = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back({point, number, kNone});
+    if (at == cells_.size()) return cells_.emplace_back(Cell{{point, point}, entry, entry});
+    Cell& cell = cells_[at];
     cell.box = {min(cell.box.lo, point), max(cell.box.hi, point)};
-    cell.entries.push_back({point, number});
+    entries_[cell.last].next = entry;
+    cell.last = entry;
     return cell;
   }
-  [[nodiscard]] const Cells& cells() const { return cells_; }
+  [[nodiscard]] std::uint32_t first_number(const Cell& cell) const { return entries_[cell.first].number; }
 
-  /// Calls visit(point, number) for each point no farther than a cell's size from this one, until it returns true.
+  /// Calls visit(point, number) for each point of a cell, in the order in which they came, until it returns true;
+  /// whether it did.
+  template <class Visit>
+  bool any_of(const Cell& cell, const Visit& visit) const {
+    for (std::uint32_t i = cell.first; i != kNone; i = entries_[i].next)
+      if (visit(entries_[i].point, entries_[i].number)) return true;
+    return false;
+  }
+
+  /// The same for each point no farther than a cell's size from this one.
   template <class Visit>
   void find(const Vec3& point, const Visit& visit) const {
     const Vec3 middle = index_of(point);
+    const auto visit_near = [&](const Vec3& other, std::uint32_t number) {
+      return norm((1 / cell_size_) * (other - point)) <= 1 && visit(other, number);
+    };
     for (const double x : {-1.0, 0.0, 1.0})
       for (const double y : {-1.0, 0.0, 1.0})
         for (const double z : {-1.0, 0.0, 1.0}) {
-          const auto cell = cells_.find(middle + Vec3{x, y, z});
-          if (cell == cells_.end()) continue;
-          for (const Entry& entry : cell->second.entries)
-            if (norm((1 / cell_size_) * (entry.point - point)) <= 1 && visit(entry.point, entry.number)) return;
+          const auto cell = indices_.find(middle + Vec3{x, y, z});
+          if (cell && any_of(cells_[*cell], visit_near)) return;
         }
   }
 
+  /// Calls visit(one, other) for the cells that so many steps along the axes lead from one to the other.
+  template <class Visit>
+  void for_each_pair(const std::vector<Vec3>& steps, const Visit& visit) const {
+    for (std::uint32_t i = 0; i < cells_.size(); ++i)
+      for (const Vec3& step : steps)
+        if (const auto other = indices_.find(indices_.points()[i] + step)) visit(cells_[i], cells_[*other]);
+  }
+
  private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Entry {
+    Vec3 point;
+    std::uint32_t number, next;
+  };
+
   [[nodiscard]] Vec3 index_of(const Vec3& p) const {
     const auto index = [&](double x) { return std::floor(x / cell_size_); };
     return {index(p.x), index(p.y), index(p.z)};
   }
 
   double cell_size_;
-  Cells cells_;
+  PointTable indices_;  ///< of cells, along the three axes
+  std::vector<Cell> cells_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace impinge::clash

@@ -10,6 +10,7 @@
 #include "clash/point_grid.hpp"
 #include "core/local_frame.hpp"
 #include "exact/triangle_pair.hpp"
+#include "impinge/measures.hpp"
 #include "measure/nearest.hpp"
 
 namespace impinge::clash {

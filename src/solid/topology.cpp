@@ -4,32 +4,23 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <numeric>
 #include <span>
 #include <tuple>
 
 #include "core/disjoint_sets.hpp"
-#include "core/hash.hpp"
+#include "core/point_table.hpp"
 #include "exact/segment.hpp"
 
 namespace impinge::solid {
 namespace {
 
-/// Numbers positions in the order of their first vertices, by an open hash table with one vertex for each position.
+/// Numbers positions in the order of their first vertices.
 void number_positions(std::span<const Vec3> world, Topology& topology) {
-  constexpr std::uint32_t kFree = 0xffffffff;
-  const std::size_t slots = std::bit_ceil(2 * world.size() + 1);
-  std::vector<std::uint32_t> table(slots, kFree);
-  topology.position.resize(world.size());
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    const Vec3& v = world[i];
-    std::size_t slot = mix(mix(number_bits(v.x), number_bits(v.y)), number_bits(v.z)) & (slots - 1);
-    while (table[slot] != kFree && !(world[table[slot]] == v)) slot = (slot + 1) & (slots - 1);
-    const bool is_new = table[slot] == kFree;
-    if (is_new) table[slot] = static_cast<std::uint32_t>(i);
-    topology.position[i] = is_new ? topology.positions++ : topology.position[table[slot]];
-  }
+  PointTable table(world.size());
+  topology.position.reserve(world.size());
+  for (const Vec3& vertex : world) topology.position.push_back(table.add(vertex));
+  topology.positions = table.size();
 }
 
 /// Lists the triangles around each position.

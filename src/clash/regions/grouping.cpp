@@ -4,10 +4,9 @@
 
 #include <array>
 #include <numeric>
-#include <unordered_map>
-#include <unordered_set>
 
 #include "clash/point_grid.hpp"
+#include "core/point_table.hpp"
 #include "core/stopped.hpp"
 
 namespace impinge::clash {
@@ -74,20 +73,20 @@ std::vector<Vec3> steps_to_neighbours() {
   return steps;
 }
 
-bool are_near(const PointGrid::Cell& x, const PointGrid::Cell& y, double tolerance) {
+bool are_near(const PointGrid& grid, const PointGrid::Cell& x, const PointGrid::Cell& y, double tolerance) {
   const auto is_within = [&](const Vec3& way) { return norm((1 / tolerance) * way) <= 1; };
   const Vec3 gap = max(max(x.box.lo - y.box.hi, y.box.lo - x.box.hi), Vec3{0, 0, 0});
   if (!is_within((1 - 0x1p-40) * gap)) return false;
-  for (const PointGrid::Entry& p : x.entries)
-    for (const PointGrid::Entry& q : y.entries)
-      if (is_within(q.point - p.point)) return true;
-  return false;
+  return grid.any_of(x, [&](const Vec3& p, std::uint32_t) {
+    return grid.any_of(y, [&](const Vec3& q, std::uint32_t) { return is_within(q - p); });
+  });
 }
 
 void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSets& groups,
                      const std::stop_token& stop) {
-  std::unordered_map<Vec3, std::uint32_t, PointHash> first;
-  std::size_t last = 0;  // consecutive contacts may share a row, which holds the same points
+  PointTable points;
+  std::vector<std::uint32_t> first;  // contact of each point
+  std::size_t last = 0;              // consecutive contacts may share a row, which holds the same points
   for (std::uint32_t i = 0; i < contacts; ++i) {
     throw_if_stopped(stop);
     if (i > 0 && parts[i].data() == parts[last].data() && parts[i].size() == parts[last].size()) {
@@ -95,7 +94,11 @@ void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSet
       continue;
     }
     last = i;
-    for (const Corner& corner : parts[i]) groups.join(first.try_emplace(corner.point, i).first->second, i);
+    for (const Corner& corner : parts[i]) {
+      const std::uint32_t at = points.add(corner.point);
+      if (at == first.size()) first.push_back(i);
+      groups.join(first[at], i);
+    }
   }
 }
 
@@ -106,22 +109,18 @@ void join_at_corners(const SharedParts& parts, std::size_t contacts, DisjointSet
 void join_near_corners(const SharedParts& parts, std::size_t contacts, double tolerance, DisjointSets& groups,
                        const std::stop_token& stop) {
   PointGrid grid(tolerance / 1.75);
-  std::unordered_set<Vec3, PointHash> seen;
+  PointTable seen;
   for (std::uint32_t i = 0; i < contacts; ++i) {
     throw_if_stopped(stop);
     for (const Corner& corner : parts[i])
-      if (seen.insert(corner.point).second) groups.join(grid.add(corner.point, i).entries.front().number, i);
+      if (const auto before = seen.size(); seen.add(corner.point) == before)
+        groups.join(grid.first_number(grid.add(corner.point, i)), i);
   }
-  const std::vector<Vec3> steps = steps_to_neighbours();
-  for (const auto& [at, cell] : grid.cells()) {
+  grid.for_each_pair(steps_to_neighbours(), [&](const PointGrid::Cell& cell, const PointGrid::Cell& other) {
     throw_if_stopped(stop);
-    for (const Vec3& step : steps) {
-      const auto other = grid.cells().find(at + step);
-      if (other == grid.cells().end()) continue;
-      const std::uint32_t one = cell.entries.front().number, two = other->second.entries.front().number;
-      if (groups.find(one) != groups.find(two) && are_near(cell, other->second, tolerance)) groups.join(one, two);
-    }
-  }
+    const std::uint32_t one = grid.first_number(cell), two = grid.first_number(other);
+    if (groups.find(one) != groups.find(two) && are_near(grid, cell, other, tolerance)) groups.join(one, two);
+  });
 }
 
 // Two pairs are neighbours if and only if their triangles of a have some position p in common and those of b some

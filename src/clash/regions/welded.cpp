@@ -3,10 +3,10 @@
 #include "clash/regions/welded.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "clash/point_grid.hpp"
 #include "clash/regions/lines.hpp"
+#include "core/point_table.hpp"
 #include "core/stopped.hpp"
 
 namespace impinge::clash {
@@ -15,7 +15,11 @@ namespace {
 /// How many tolerances a corner may be from an edge on which it lies: it is half-way across a gap, and was moved.
 constexpr double kReach = 1.5;
 
-using Moves = std::unordered_map<Vec3, Vec3, PointHash>;
+/// Where corners move to.
+struct Moves {
+  PointTable from;
+  std::vector<Vec3> to;  ///< for each of those
+};
 
 Moves find_moves(std::span<const Corner> corners, double within, const std::stop_token& stop) {
   std::vector<Vec3> points;
@@ -30,7 +34,8 @@ Moves find_moves(std::span<const Corner> corners, double within, const std::stop
     Vec3 to = point;
     chosen.find(point, [&](const Vec3& other, std::uint32_t) { return to = other, true; });
     if (to == point) chosen.add(point, 0);
-    moves.emplace(point, to);
+    moves.from.add(point);
+    moves.to.push_back(to);
   }
   return moves;
 }
@@ -67,7 +72,7 @@ SharedParts welded(const solid::Body& a, const solid::Body& b, std::span<const e
     const Triangle of_a = a.triangle(contacts[i].a), of_b = b.triangle(contacts[i].b);
     row.clear();
     for (const Corner& corner : parts[i]) {
-      const Vec3 point = moves.find(corner.point)->second;
+      const Vec3 point = moves.to[*moves.from.find(corner.point)];
       if (!row.empty() && (row.front().point == point || row.back().point == point)) continue;
       const unsigned edges =
           edges_near(point, of_a, kReach * reach.tolerance) | edges_near(point, of_b, kReach * reach.tolerance) << 3;
