@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
 
 #include "impinge/contacts.hpp"
 #include "impinge/mesh.hpp"
@@ -17,29 +22,49 @@ class ClashMemory;    // clash.hpp
 struct Clashes;       // clash.hpp
 struct ClashOptions;  // clash.hpp
 
-/// An object of one scene. A removed object's id is never valid again, though its index is used anew.
+/// An object of one scene, or of none. A removed object's id is never valid again, though its index is used anew.
 struct ObjectId {
-  std::uint32_t index = 0;       ///< what `Contacts::objects` holds; canonical order is by it
-  std::uint32_t generation = 0;  ///< tells a later object at the same index apart
+  std::uint32_t index = 0xFFFFFFFF;  ///< what `Contacts::objects` holds; canonical order is by it
+  std::uint32_t generation = 0;      ///< tells a later object at the same index apart, and one of another scene
   friend bool operator==(const ObjectId&, const ObjectId&) = default;
 };
 
+/// A pair of triangles that touch, of two of a scene's objects.
+struct Touch {
+  std::array<std::uint32_t, 2> objects{};  ///< the lower first
+  TrianglePair triangles{};
+};
+
+struct ConfigurationOptions {
+  bool witnesses = false;  ///< a `Touch` for each configuration
+  int threads = 0;         ///< at most so many; 0: all there are
+  std::stop_token stop{};
+};
+
+/// What was found of many configurations.
+struct Configurations {
+  std::vector<std::uint8_t> touches;              ///< by configuration: 1 if something touches, else 0
+  std::vector<std::optional<Touch>> witnesses{};  ///< by configuration, if wanted; which one is open
+};
+
 /// Placed meshes that are asked about again and again. Keeps which objects are near each other between frames.
-/// A scene that was moved from may only be destroyed or assigned to. Const calls are safe from many threads at once;
-/// the others need the scene to themselves.
+/// A copy shares the meshes, knows the same ids, and what is near what. A scene that was moved from may only be
+/// destroyed or assigned to. Const calls are safe from many threads at once; the others need the scene to themselves.
 class Scene {
  public:
   Scene();
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+  Scene(const Scene&);
+  Scene& operator=(const Scene&);
 
   /// Objects of one non-zero group are not tested against each other. Errors: `bad_pose`.
   Result<ObjectId> add(Mesh mesh, const Pose& pose = {}, std::uint32_t group = 0);
   /// Errors: `unknown_id`, `bad_pose`; the object then stays where it was.
   Result<void> set_pose(ObjectId id, const Pose& pose);
+  /// The same for many, as many poses as ids: all of them, or with an error none; it names the place.
+  Result<void> set_poses(std::span<const ObjectId> ids, std::span<const Pose> poses);
   /// Gives the object another shape; its id, its group and the pairs that ignore it stay. Errors: likewise.
   Result<void> set_mesh(ObjectId id, Mesh mesh, const Pose& pose = {});
   /// Forgets the object and the pairs that ignore it. Errors: `unknown_id`.
@@ -61,6 +86,25 @@ class Scene {
 
   /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
   Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
+  /// The same of one object and all others. Errors: likewise, and `unknown_id`.
+  Result<Contacts> collide_with(ObjectId id, const Options& options = {}, Workspace* workspace = nullptr) const;
+  /// The same of a mesh that is not in the scene and all objects; in the rows it comes second, as object 2^32 - 1.
+  /// Errors: as `collide`.
+  Result<Contacts> collide_with(const Mesh& mesh, const Pose& pose = {}, const Options& options = {},
+                                Workspace* workspace = nullptr) const;
+  /// Whether any two objects share a point: the search stops at the first that do. Errors: as `collide`.
+  Result<bool> touches_any(const ConfigurationOptions& options = {}) const;
+
+  /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any
+  /// other object of the scene. What stands still is not tested against its like, and the scene stays as it is.
+  /// `poses` has ids.size() poses for each configuration in turn. Errors: `unknown_id`, `bad_option`, `bad_pose` and
+  /// `out_of_range` (which name the id or the configuration), `cancelled`.
+  Result<Configurations> collide_configurations(std::span<const ObjectId> ids, std::span<const Pose> poses,
+                                                const ConfigurationOptions& options = {}) const;
+  /// Some configuration that touches, or nothing: of a path, those at its ends and in its middle are tried first, then
+  /// those half-way between. Errors: likewise; with one, poses behind it may not have been looked at.
+  Result<std::optional<std::size_t>> first_touching(std::span<const ObjectId> ids, std::span<const Pose> poses,
+                                                    const ConfigurationOptions& options = {}) const;
 
   struct State;  // internal
 

@@ -17,7 +17,7 @@ namespace impinge {
 namespace {
 
 /// One of the two placed meshes of a measure.
-struct PlacedMesh {
+struct Measured {
   const Mesh& mesh;
   const Pose& pose;
   const char* name;  ///< "first" or "second", for errors
@@ -29,7 +29,7 @@ struct PlacedMesh {
   }
 };
 
-Result<void> validate(const PlacedMesh& placed) {
+Result<void> validate(const Measured& placed) {
   if (auto valid = scene::validate(placed.pose); !valid)
     return Error{valid.error().code, placed.title() + ": " + valid.error().message};
   if (placed.mesh.triangle_count() == 0)
@@ -38,11 +38,11 @@ Result<void> validate(const PlacedMesh& placed) {
   return {};
 }
 
-Result<void> validate(const PlacedMesh& a, const PlacedMesh& b, const MeasureOptions& options) {
+Result<void> validate(const Measured& a, const Measured& b, const MeasureOptions& options) {
   if (options.threads < 0)
     return Error{Code::bad_option,
                  "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
-  for (const PlacedMesh* const placed : {&a, &b})
+  for (const Measured* const placed : {&a, &b})
     if (auto valid = validate(*placed); !valid) return valid;
   return {};
 }
@@ -52,7 +52,7 @@ struct Reach {
   double within, enough;
 };
 
-Result<std::optional<measure::NearestPair>> nearest(const PlacedMesh& a, const PlacedMesh& b, const Reach& reach,
+Result<std::optional<measure::NearestPair>> nearest(const Measured& a, const Measured& b, const Reach& reach,
                                                     const MeasureOptions& options, Workspace* workspace) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
   const QueryMemory memory(workspace);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/scene.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
+#include "broad/may_touch.hpp"
 #include "core/guarded.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/pipeline.hpp"
@@ -12,10 +15,54 @@
 #include "scene/validate_pose.hpp"
 
 namespace impinge {
+namespace {
+
+/// The index of a mesh that is no object of the scene.
+constexpr std::uint32_t kGuest = 0xFFFFFFFF;
+
+/// Only what is near the one is looked at, numbered in the scene's order.
+Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, std::uint32_t index,
+                             const Options& options, Workspace* workspace) {
+  if (auto valid = scene.check_domain(); !valid) return valid.error();
+  if (!one.object.in_domain) return out_of_domain("the mesh");
+  const QueryMemory memory(workspace);
+  broad::BoxTree::Search near;
+  const CurrentPairs near_pairs(scene.near_pairs, options.threads);
+  (*near_pairs).find_near(std::vector<std::uint32_t>{0}, {&one.object.box, 1}, near);
+  std::vector<std::uint32_t> indices{index};
+  for (const std::uint64_t found : near.found) {
+    const auto object = static_cast<std::uint32_t>(found);
+    const bool is_tested = index == kGuest || (object != index && scene.are_tested(index, object));
+    if (is_tested) indices.push_back(object);
+  }
+  std::sort(indices.begin(), indices.end());
+  memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
+  const auto at = static_cast<std::uint32_t>(std::find(indices.begin(), indices.end(), index) - indices.begin());
+  for (std::uint32_t i = 0; i < indices.size(); ++i) {
+    memory->placed.push_back(i == at ? one.object : scene.objects[indices[i]]);
+    memory->placed.back().group = 0;
+    memory->meshes.push_back(i == at ? &one.mesh : scene.meshes[indices[i]]);
+  }
+  const scene::SceneView view{memory->placed, nullptr};
+  for (std::uint32_t i = 0; i < indices.size(); ++i)
+    if (i != at && broad::may_touch(view, i, at)) memory->pairs.push_back({std::min(i, at), std::max(i, at)});
+  auto contacts = run_pipeline({view, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
+  if (contacts)
+    for (auto& [a, b] : contacts->objects) a = indices[a], b = indices[b];
+  return contacts;
+}
+
+}  // namespace
+
 Scene::Scene() : state_(std::make_unique<State>()) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::Scene(const Scene& other) : state_(std::make_unique<State>(*other.state_)) {}
+Scene& Scene::operator=(const Scene& other) {
+  if (this != &other) state_ = std::make_unique<State>(*other.state_);
+  return *this;
+}
 
 Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
   return guarded([&]() -> Result<ObjectId> {
@@ -38,9 +85,24 @@ Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;
   if (auto valid = scene::validate(pose); !valid) return valid;
-  scene::PlacedObject& object = s.objects[id.index];
-  object = scene::place(s.slots[id.index].mesh->state().data, pose, object.group);
-  s.near_pairs.place(id.index, object);
+  s.move(id.index, pose);
+  return {};
+}
+
+Result<void> Scene::set_poses(std::span<const ObjectId> ids, std::span<const Pose> poses) {
+  const FloatEnvironment nearest;
+  State& s = *state_;
+  if (ids.size() != poses.size())
+    return Error{Code::bad_option, "there are " + std::to_string(ids.size()) + " ids and " +
+                                       std::to_string(poses.size()) + " poses; give as many of both"};
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto at = [i](const char* list, const Error& error) {
+      return Error{error.code, list + ("[" + std::to_string(i) + "]: ") + error.message};
+    };
+    if (auto known = s.check(ids[i]); !known) return at("ids", known.error());
+    if (auto valid = scene::validate(poses[i]); !valid) return at("poses", valid.error());
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) s.move(ids[i].index, poses[i]);
   return {};
 }
 
@@ -106,11 +168,29 @@ Result<Contacts> Scene::collide(const Options& options, Workspace* workspace) co
   return guarded([&]() -> Result<Contacts> {
     if (auto valid = validate(options); !valid) return valid.error();
     const State& s = *state_;
-    std::optional<broad::NearPairs> updated;
-    if (!s.near_pairs.is_current() && !is_papers_way(options))
-      updated.emplace(s.near_pairs).update(on_threads(options.threads));
-    const broad::NearPairs& near_pairs = updated ? *updated : s.near_pairs;
-    return run_pipeline({s.view(), s.meshes, &near_pairs, nullptr, false, options}, *QueryMemory(workspace));
+    std::optional<CurrentPairs> near_pairs;
+    if (!is_papers_way(options)) near_pairs.emplace(s.near_pairs, options.threads);
+    return run_pipeline({s.view(), s.meshes, near_pairs ? &**near_pairs : nullptr, nullptr, false, options},
+                        *QueryMemory(workspace));
+  });
+}
+
+Result<Contacts> Scene::collide_with(ObjectId id, const Options& options, Workspace* workspace) const {
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    if (auto known = state_->check(id); !known) return known.error();
+    const PlacedMesh one{state_->objects[id.index], *state_->meshes[id.index]};
+    return collide_one(*state_, one, id.index, options, workspace);
+  });
+}
+
+Result<Contacts> Scene::collide_with(const Mesh& mesh, const Pose& pose, const Options& options,
+                                     Workspace* workspace) const {
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    if (auto valid = scene::validate(pose); !valid) return valid.error();
+    const scene::PlacedObject placed = scene::place(mesh.state().data, pose, 0);
+    return collide_one(*state_, PlacedMesh{placed, mesh.state()}, kGuest, options, workspace);
   });
 }
 

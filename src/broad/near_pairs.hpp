@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -41,6 +42,13 @@ class NearPairs {
   /// current. Ends early, with no pairs, when asked to stop. `scratch` is memory to keep for the next search.
   void find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
             const FindConfig& config = {}) const;
+
+  /// For each of these, all objects whose fat boxes overlap its box in `boxes`: what is asked for in the upper half,
+  /// the object in the lower. It must be current.
+  void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const {
+    search.found.clear();
+    tree_.find(asked, boxes, search);
+  }
 
   /// How many pairs `find` looks at.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }

@@ -32,21 +32,16 @@ void turn_over(std::vector<hierarchy::TreeRefPair>& stack) {
   std::rotate(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2), stack.end());
 }
 
-bool is_swapped(const Query& query, const broad::ObjectPair& objects) {
-  const auto unit = [&](std::uint32_t object) { return query.meshes[object]->wide_tree.unit_exponent(); };
-  return unit(objects.a) < unit(objects.b);
-}
-
 }  // namespace
 
 FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
-    : swapped(is_swapped(query, objects)),
-      a(query.view.objects[swapped ? objects.b : objects.a]),
-      b(query.view.objects[swapped ? objects.a : objects.b]),
-      walk{query.meshes[swapped ? objects.b : objects.a]->wide_tree,
-           query.meshes[swapped ? objects.a : objects.b]->wide_tree,
-           {},
-           on_threads(query.options.threads)} {
+    : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {}
+
+FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
+    : swapped(first.mesh.wide_tree.unit_exponent() < second.mesh.wide_tree.unit_exponent()),
+      a((swapped ? second : first).object),
+      b((swapped ? first : second).object),
+      walk{(swapped ? second : first).mesh.wide_tree, (swapped ? first : second).mesh.wide_tree, {}, for_each} {
   walk.relation = hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent());
 }
 

@@ -28,6 +28,7 @@ class FastStages {
   /// What the stages need of one pair of objects. Its first tree is that of the larger unit.
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
+    Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
     bool swapped;  ///< the first tree is that of the pair's second object
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/pose.hpp"
+#include "core/stopped.hpp"
 #include "exact/segment.hpp"
 #include "exact/triangle_pair.hpp"
 #include "impinge/collide.hpp"

@@ -401,7 +401,7 @@ class Pipeline {
   }
 
   Contacts gather(Statistics& statistics) {
-    memory_.collectors.clear(), memory_.keys.clear();
+    memory_.collectors.clear();
     for (const Worker<Stages>* worker : crew_.at_work()) {
       if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
       add(statistics, worker->statistics);
@@ -413,9 +413,11 @@ class Pipeline {
       statistics.cpu_seconds = cpu_seconds_;
       memory_.collectors.push_back(&memory_.device_found);
     }
-    for (const scene::PlacedObject& object : query_.view.objects) memory_.keys.push_back(object.key);
     Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
-    results::assemble(memory_.collectors, pairs(), memory_.keys,
+    const auto key_of = [&](std::uint32_t object) {
+      return scene::key(query_.meshes[object]->data, query_.view.objects[object].pose);
+    };
+    results::assemble(memory_.collectors, pairs(), key_of,
                       {options_.limit, !first_only_, query_.all_rows, on_threads(options_.threads)}, memory_.assembly,
                       contacts);
     return contacts;

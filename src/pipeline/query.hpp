@@ -12,6 +12,12 @@
 
 namespace impinge {
 
+/// An object and its mesh.
+struct PlacedMesh {
+  const scene::PlacedObject& object;
+  const MeshState& mesh;
+};
+
 /// A question to the pipeline.
 struct Query {
   scene::SceneView view;
@@ -20,6 +26,8 @@ struct Query {
   const broad::ObjectPairs* pairs;           ///< what is asked about; null: the broad phase finds them
   bool all_rows;                             ///< a row for each of the pairs, touching or not
   const Options& options;
+
+  [[nodiscard]] PlacedMesh placed(std::uint32_t object) const { return {view.objects[object], *meshes[object]}; }
 };
 
 }  // namespace impinge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <bit>
 #include <optional>
 #include <string>
@@ -9,16 +10,23 @@
 
 #include "broad/near_pairs.hpp"
 #include "impinge/scene.hpp"
+#include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
+#include "pipeline/on_threads.hpp"
 #include "scene/scene_view.hpp"
 
 namespace impinge {
 
 struct Scene::State {
+  State() {
+    static std::atomic<std::uint32_t> scenes{0};
+    first_generation = 0x9E3779B1u * ++scenes;  // odd: no two of 2^32 scenes have the same
+  }
+
   /// A place for an object, occupied or free.
   struct Slot {
     std::optional<Mesh> mesh;
-    std::uint32_t generation = 0;
+    std::uint32_t generation;
   };
 
   // All by the object's index.
@@ -26,15 +34,16 @@ struct Scene::State {
   std::vector<scene::PlacedObject> objects;
   std::vector<const MeshState*> meshes;
 
+  std::uint32_t first_generation;  ///< of this scene's objects, so that another's ids are not taken for them
   std::vector<std::uint32_t> free_slots;
   scene::IgnoredPairs ignored;
   broad::NearPairs near_pairs;
 
   [[nodiscard]] Result<void> check(ObjectId id) const {
     if (id.index < slots.size() && slots[id.index].mesh && slots[id.index].generation == id.generation) return {};
-    return Error{Code::unknown_id, "there is no object " + std::to_string(id.index) + " of generation " +
-                                       std::to_string(id.generation) +
-                                       " in this scene; it was removed, or belongs to another scene"};
+    if (id == ObjectId{}) return Error{Code::unknown_id, "the id is that of no object: Scene::add gives one"};
+    return Error{Code::unknown_id, "there is no object " + std::to_string(id.index) +
+                                       " with this id in this scene; it was removed, or belongs to another scene"};
   }
 
   /// Makes a free slot. Room for every list comes first, so that they stay of one length if memory runs out.
@@ -43,11 +52,38 @@ struct Scene::State {
     const std::size_t room = std::bit_ceil(n);
     objects.reserve(room), meshes.reserve(room), slots.reserve(room), free_slots.reserve(room);
     near_pairs.reserve(room);
-    objects.emplace_back(), meshes.push_back(nullptr), slots.emplace_back();
+    objects.emplace_back(), meshes.push_back(nullptr), slots.push_back({{}, first_generation});
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
 
+  /// Whether answers about all objects are exact.
+  [[nodiscard]] Result<void> check_domain() const {
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
+    return {};
+  }
+  void move(std::uint32_t index, const Pose& pose) {
+    objects[index] = scene::place(meshes[index]->data, pose, objects[index].group);
+    near_pairs.place(index, objects[index]);
+  }
+  /// Whether two objects are tested against each other.
+  [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {
+    return (objects[a].group == 0 || objects[a].group != objects[b].group) && !ignored.contains(a, b);
+  }
   [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }
+};
+
+/// What is near what in a scene now: what it keeps, or a copy brought up to date.
+class CurrentPairs {
+ public:
+  CurrentPairs(const broad::NearPairs& kept, int threads) : kept_(kept) {
+    if (!kept.is_current()) updated_.emplace(kept).update(on_threads(threads));
+  }
+  const broad::NearPairs& operator*() const { return updated_ ? *updated_ : kept_; }
+
+ private:
+  const broad::NearPairs& kept_;
+  std::optional<broad::NearPairs> updated_;
 };
 
 }  // namespace impinge

@@ -66,7 +66,6 @@ struct Workspace::State {
   std::vector<std::uint64_t> candidates;  ///< the fast broad phase's scratch
   std::unique_ptr<PairState[]> pair_states;
   std::size_t pair_states_size = 0;
-  std::vector<std::uint64_t> keys;
   std::vector<const results::Collector*> collectors;
   results::AssembleScratch assembly;
   Contacts spare;

@@ -107,9 +107,8 @@ void sort_rows(std::size_t rows, std::size_t count, const ForEach& for_each, Ass
 }
 
 /// Takes the contacts from `begin` to `end` apart and returns the sum of their hashes, if that is asked for.
-std::uint64_t write_contacts(std::size_t begin, std::size_t end, const broad::ObjectPairs& pairs,
-                             std::span<const std::uint64_t> object_keys, bool with_hash, const AssembleScratch& s,
-                             Contacts& result) {
+std::uint64_t write_contacts(std::size_t begin, std::size_t end, const broad::ObjectPairs& pairs, const KeyOf& key_of,
+                             bool with_hash, const AssembleScratch& s, Contacts& result) {
   for (std::size_t i = begin; i < end; ++i) {
     result.triangles[i] = {triangle_a(s.keys[i]), triangle_b(s.keys[i])};
     result.kinds[i] = kind_of(s.keys[i]);
@@ -120,7 +119,7 @@ std::uint64_t write_contacts(std::size_t begin, std::size_t end, const broad::Ob
   for (; begin < end; ++row_end) {
     const auto& [a, b] = pairs[static_cast<std::size_t>(row_end - s.row_ends.begin())];
     const std::size_t size = std::min(*row_end, end) - begin;
-    hash += row_hash(std::span(s.keys).subspan(begin, size), object_keys[a], object_keys[b]);
+    hash += row_hash(std::span(s.keys).subspan(begin, size), key_of(a), key_of(b));
     begin += size;
   }
   return hash;
@@ -128,8 +127,8 @@ std::uint64_t write_contacts(std::size_t begin, std::size_t end, const broad::Ob
 
 }  // namespace
 
-void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs,
-              std::span<const std::uint64_t> keys, const AssembleConfig& config, AssembleScratch& s, Contacts& result) {
+void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs, const KeyOf& key_of,
+              const AssembleConfig& config, AssembleScratch& s, Contacts& result) {
   result.objects.clear();
   result.offsets.assign(1, 0);
   std::uint64_t found = 0;
@@ -145,7 +144,7 @@ void assemble(std::span<const Collector* const> collectors, const broad::ObjectP
   s.hashes.resize(parts);
   run_each(config.for_each, parts, [&](std::size_t part) {
     s.hashes[part] =
-        write_contacts(part * count / parts, (part + 1) * count / parts, pairs, keys, config.with_hash, s, result);
+        write_contacts(part * count / parts, (part + 1) * count / parts, pairs, key_of, config.with_hash, s, result);
   });
   result.hash = std::accumulate(s.hashes.begin(), s.hashes.end(), std::uint64_t{0});
 

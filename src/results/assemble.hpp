@@ -5,6 +5,7 @@
 #include <hwy/contrib/sort/vqsort.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,12 @@ struct AssembleScratch {
   hwy::Sorter sorter;
 };
 
-/// Contacts in any order become rows in canonical order, cut at the limit, and their hash. `keys` are the objects' hash
-/// keys. `result` is written over, but for its statistics; its memory is used again.
-void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs,
-              std::span<const std::uint64_t> keys, const AssembleConfig& config, AssembleScratch& scratch,
-              Contacts& result);
+/// An object's hash key.
+using KeyOf = std::function<std::uint64_t(std::uint32_t object)>;
+
+/// Contacts in any order become rows in canonical order, cut at the limit, and their hash. `result` is written over,
+/// but for its statistics; its memory is used again.
+void assemble(std::span<const Collector* const> collectors, const broad::ObjectPairs& pairs, const KeyOf& key_of,
+              const AssembleConfig& config, AssembleScratch& scratch, Contacts& result);
 
 }  // namespace impinge::results

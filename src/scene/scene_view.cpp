@@ -30,13 +30,17 @@ bool is_clearly_in_domain(const Pose& pose, const MeshData& mesh) {
 
 }  // namespace
 
+std::uint64_t key(const MeshData& mesh, const Pose& pose) {
+  std::uint64_t key = mesh.hash;
+  for (const double r : pose.R) key = mix(key, number_bits(r));
+  for (const double t : pose.t) key = mix(key, number_bits(t));
+  return key;
+}
+
 PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) {
   PlacedObject object;
   object.pose = pose;
   object.group = group;
-  object.key = mesh.hash;
-  for (const double r : pose.R) object.key = mix(object.key, number_bits(r));
-  for (const double t : pose.t) object.key = mix(object.key, number_bits(t));
   if (mesh.triangles.empty()) return object;
   object.mesh = &mesh;
   object.in_domain = is_clearly_in_domain(pose, mesh) || in_exact_domain(pose, mesh);

@@ -18,7 +18,6 @@ struct PlacedObject {
   std::uint32_t group = 0;
   Sphere sphere;          ///< around the world vertices, for certain
   Box box;                ///< around the world vertices, for certain: the posed box cut with the sphere's
-  std::uint64_t key = 0;  ///< of the mesh's and the pose's numbers
   bool in_domain = true;  ///< the world vertices are within the range of contract 1.3
 };
 
@@ -33,7 +32,10 @@ struct SceneView {
   const IgnoredPairs* ignored = nullptr;
 };
 
-/// Bounds, key and domain of a mesh at a valid pose.
+/// The hash key of a mesh's and a pose's numbers (contract 2.6).
+std::uint64_t key(const MeshData& mesh, const Pose& pose);
+
+/// Bounds and domain of a mesh at a valid pose.
 PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group);
 
 }  // namespace impinge::scene

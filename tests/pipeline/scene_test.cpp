@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <optional>
+#include <algorithm>
+#include <limits>
 #include <set>
 
 #include "scenes/hard.hpp"
@@ -45,14 +46,21 @@ TEST(Scene, KnowsStaleAndForeignIds) {
   EXPECT_EQ(third.index, first.index);  // used anew
   EXPECT_NE(third, first);
   const ObjectId never{77, 0}, later{third.index, third.generation + 1};
-  for (const ObjectId stale : {first, never, later}) {
+  Scene other;
+  const ObjectId foreign = other.add(cube()).value();
+  EXPECT_EQ(foreign.index, third.index);
+  for (const ObjectId stale : {first, never, later, foreign, ObjectId{}}) {
     expect_unknown(scene.set_pose(stale, {}));
     expect_unknown(scene.remove(stale));
     expect_unknown(scene.ignore(stale, second));
     expect_unknown(scene.ignore(second, stale));
     expect_unknown(scene.unignore(second, stale));
+    expect_unknown(scene.set_poses(std::array{second, stale}, std::array{at(9), at(9)}));
     EXPECT_EQ(scene.pose(stale).error().code, Code::unknown_id);
+    EXPECT_EQ(scene.collide_with(stale).error().code, Code::unknown_id);
+    EXPECT_EQ(scene.collide_configurations({&stale, 1}, {}).error().code, Code::unknown_id);
   }
+  EXPECT_EQ(scene.pose(second)->t, at(1).t) << "nothing half done";
   EXPECT_NE(scene.remove(first).error().message.find("object 0"), std::string::npos);
   EXPECT_EQ(scene.size(), 2u);
   EXPECT_EQ(scene.pose(third)->t, at(1, 1).t);
@@ -67,7 +75,23 @@ TEST(Scene, KeepsItsObjectWhereItWasAfterABadPose) {
   EXPECT_EQ(scene.set_pose(id, bad).error().code, Code::bad_pose);
   EXPECT_EQ(scene.add(cube(), bad).error().code, Code::bad_pose);
   EXPECT_EQ(scene.size(), 1u);
+  EXPECT_EQ(scene.set_poses(std::array{id, id}, std::array{at(5), bad}).error().message.substr(0, 9), "poses[1]:");
+  EXPECT_EQ(scene.set_poses(std::array{id, id}, std::array{at(5)}).error().code, Code::bad_option);
   EXPECT_EQ(scene.pose(id)->t, at(3).t);
+}
+
+TEST(Scene, CopiesLiveOnTheirOwn) {
+  Scene scene;
+  const ObjectId a = scene.add(cube()).value(), b = scene.add(cube(), at(1)).value();
+  ASSERT_TRUE(scene.update());
+  Scene copy = scene;
+  ASSERT_TRUE(copy.set_pose(b, at(2)));
+  EXPECT_TRUE(copy.collide()->objects.empty());
+  EXPECT_EQ(scene.collide()->objects, std::vector<Pair>({{0, 1}}));
+  ASSERT_TRUE(scene.remove(a));
+  copy = scene;
+  EXPECT_EQ(copy.size(), 1u);
+  expect_unknown(copy.set_pose(a, {}));
 }
 
 TEST(Scene, GroupsAndIgnoredPairsAreLeftOut) {
@@ -122,14 +146,17 @@ TEST(Scene, MovesAsAFreshSceneWouldStand) {
   test::Seeded seeded(4);
   scenes::Random& random = seeded.random;
   scenes::PlacedScene placed = scenes::scattered(random, scenes::cube(), 60, 6);
-  Scene scene = test::scene_of(placed);
+  Scene scene;
+  std::vector<ObjectId> ids;
+  const Mesh mesh = test::mesh_of(placed.meshes[0]);
+  for (const auto& object : placed.objects) ids.push_back(scene.add(mesh, object.pose).value());
   std::size_t contacts = 0;
   for (int frame = 0; frame < 60; ++frame) {
     for (std::uint32_t i = 0; i < placed.objects.size(); ++i) {
       Pose& pose = placed.objects[i].pose;
       for (double& t : pose.t) t += random.uniform(-0.01, 0.01);
       if (random.integer(0, 30) == 0) pose = scenes::random_motion(random, 3);
-      ASSERT_TRUE(scene.set_pose({i, 0}, pose));
+      ASSERT_TRUE(scene.set_pose(ids[i], pose));
     }
     if (frame % 3 != 0) {
       ASSERT_TRUE(scene.update());
@@ -173,21 +200,61 @@ struct Model {
   std::vector<Entry> entries;
   std::set<std::set<std::uint32_t>> ignored;
 
-  /// Flush unit cubes on the integer lattice touch if and only if no coordinate differs by more than 1.
-  [[nodiscard]] std::set<Pair> touching() const {
+  /// Flush unit cubes on the integer lattice touch if and only if no coordinate differs by more than 1. Pairs of which
+  /// neither is chosen are left out.
+  template <class Chosen>
+  [[nodiscard]] std::vector<Pair> touching(const Chosen& is_chosen) const {
     std::set<Pair> pairs;
     for (const Entry& p : entries) {
       for (const Entry& q : entries) {
         if (p.id.index >= q.id.index || (p.group != 0 && p.group == q.group)) continue;
-        if (ignored.contains({p.id.index, q.id.index})) continue;
+        if (ignored.contains({p.id.index, q.id.index}) || !(is_chosen(p) || is_chosen(q))) continue;
         bool near = true;
         for (std::size_t i = 0; i < 3; ++i) near = near && std::abs(p.pose.t[i] - q.pose.t[i]) <= 1;
         if (near) pairs.insert({p.id.index, q.id.index});
       }
     }
-    return pairs;
+    return {pairs.begin(), pairs.end()};
   }
 };
+
+/// All questions to the scene, with each number of its objects moved in turn.
+void expect_as_model(const Scene& scene, const Model& model) {
+  const auto all = [](const Model::Entry&) { return true; };
+  const std::vector<Pair> expected = model.touching(all);
+  RC_ASSERT(scene.collide({.threads = 1})->objects == expected);
+  RC_ASSERT(scene.touches_any().value() == !expected.empty());
+  std::vector<ObjectId> movers;
+  for (const Model::Entry& entry : model.entries) {
+    RC_ASSERT(scene.collide_with(entry.id, {.threads = 1})->objects ==
+              model.touching([&](const Model::Entry& one) { return one.id == entry.id; }));
+    movers.push_back(entry.id);
+    Model moved = model;
+    std::vector<Pose> poses;
+    std::vector<std::vector<Pair>> touching;
+    for (int configuration = 0; configuration < 3; ++configuration) {
+      for (std::size_t i = 0; i < movers.size(); ++i) {
+        double& x = moved.entries[i].pose.t[i % 3];
+        x = static_cast<int>(x + configuration + 2) % 6;
+        poses.push_back(moved.entries[i].pose);
+      }
+      const auto moves = [&](const Model::Entry& one) {
+        return std::find(movers.begin(), movers.end(), one.id) != movers.end();
+      };
+      touching.push_back(moved.touching(moves));
+    }
+    const Configurations found = scene.collide_configurations(movers, poses, {.witnesses = true}).value();
+    for (std::size_t i = 0; i < 3; ++i) {
+      RC_ASSERT((found.touches[i] != 0) == !touching[i].empty());
+      RC_ASSERT(found.witnesses[i].has_value() == !touching[i].empty());
+      if (found.witnesses[i])
+        RC_ASSERT(std::count(touching[i].begin(), touching[i].end(), found.witnesses[i]->objects) == 1);
+    }
+    const auto first = scene.first_touching(movers, poses).value();
+    RC_ASSERT(first.has_value() == (found.touches != std::vector<std::uint8_t>(3)));
+    if (first) RC_ASSERT(found.touches[*first] == 1);
+  }
+}
 
 RC_GTEST_PROP(Scene, LivesAsItsModelDoes, (const std::vector<std::array<std::uint8_t, 5>>& commands)) {
   Scene scene;
@@ -230,10 +297,73 @@ RC_GTEST_PROP(Scene, LivesAsItsModelDoes, (const std::vector<std::array<std::uin
     }
     RC_ASSERT(scene.size() == model.entries.size());
   }
-  const auto found = scene.collide({.threads = 1});
-  RC_ASSERT(found.has_value());
-  const std::set<Pair> expected = model.touching();
-  RC_ASSERT(found->objects == std::vector<Pair>(expected.begin(), expected.end()));
+  expect_as_model(scene, model);
+}
+
+/// Knots that touch in all ways, many configurations on many threads: as `collide` on scenes moved there, whose
+/// witnesses are contacts.
+TEST(Scene, AnswersConfigurationsAsIfItsObjectsStoodThere) {
+  test::Seeded seeded(9);
+  scenes::Random& random = seeded.random;
+  const scenes::PlacedScene placed = scenes::scattered(random, scenes::torus_knot_of(968), 12, 14);
+  Scene scene;
+  const Mesh knot = test::mesh_of(placed.meshes[0]), ball = test::mesh_of(scenes::uv_sphere(8, 8, 2));
+  for (const auto& object : placed.objects) ASSERT_TRUE(scene.add(knot, object.pose, 1));
+  std::vector<ObjectId> movers;
+  for (int i = 0; i < 3; ++i) movers.push_back(scene.add(i == 1 ? ball : knot).value());
+  ASSERT_TRUE(scene.ignore(movers[0], movers[2]));
+  std::vector<Pose> poses;
+  for (int i = 0; i < 3 * 300; ++i) poses.push_back(scenes::random_motion(random, 18));
+  const Configurations found = scene.collide_configurations(movers, poses, {.witnesses = true}).value();
+  EXPECT_EQ(scene.collide_configurations(movers, poses, {.threads = 1})->touches, found.touches);
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    ASSERT_TRUE(scene.set_poses(movers, std::span(poses).subspan(3 * i, 3)));
+    const Contacts contacts = scene.collide().value();
+    ASSERT_EQ(found.touches[i] != 0, !contacts.objects.empty()) << i;
+    EXPECT_EQ(scene.touches_any().value(), !contacts.objects.empty());
+    if (contacts.objects.empty()) continue;
+    ++touching;
+    const Touch& touch = *found.witnesses[i];
+    const auto row = std::find(contacts.objects.begin(), contacts.objects.end(), touch.objects);
+    ASSERT_NE(row, contacts.objects.end());
+    const auto at_row = static_cast<std::size_t>(row - contacts.objects.begin());
+    EXPECT_EQ(std::count(contacts.triangles.begin() + static_cast<std::ptrdiff_t>(contacts.offsets[at_row]),
+                         contacts.triangles.begin() + static_cast<std::ptrdiff_t>(contacts.offsets[at_row + 1]),
+                         touch.triangles),
+              1);
+    // A guest stands where the mover does; it is of no group and ignores nothing.
+    const Contacts of_guest = scene.collide_with(ball, poses[3 * i + 1]).value();
+    Scene with_guest = scene;
+    const ObjectId guest = with_guest.add(ball, poses[3 * i + 1]).value();
+    const Contacts of_object = with_guest.collide_with(guest).value();
+    EXPECT_EQ(of_guest.triangles, of_object.triangles);
+    EXPECT_EQ(of_guest.hash, of_object.hash);
+    for (const auto& [object, last] : of_guest.objects) EXPECT_EQ(last, 0xFFFFFFFF);
+  }
+  EXPECT_GT(touching, 50u);
+  EXPECT_LT(touching, 250u);
+}
+
+TEST(Scene, SaysWhichConfigurationIsWrong) {
+  Scene scene;
+  const std::array ids{scene.add(cube()).value(), scene.add(cube(), at(5)).value()};
+  std::vector<Pose> poses(2 * 200, at(3));
+  EXPECT_EQ(scene.collide_configurations(ids, std::span(poses).first(3)).error().code, Code::bad_option);
+  EXPECT_EQ(scene.collide_configurations(std::array{ids[0], ids[0]}, poses).error().message.substr(0, 7), "ids[1]:");
+  EXPECT_TRUE(scene.collide_configurations(ids, {})->touches.empty());
+  EXPECT_TRUE(scene.collide_configurations({}, {})->touches.empty());
+  EXPECT_FALSE(scene.first_touching(ids, {})->has_value());
+  poses[2 * 177 + 1].t[1] = std::numeric_limits<double>::quiet_NaN();
+  poses[2 * 130].t[0] = 0x1p301;
+  const auto found = scene.collide_configurations(ids, poses);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, Code::out_of_range);
+  EXPECT_EQ(found.error().message.substr(0, 18), "configuration 130:");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(scene.collide_configurations(ids, poses, {.stop = stop.get_token()}).error().code, Code::cancelled);
+  EXPECT_EQ(scene.collide_configurations(ids, poses, {.threads = -1}).error().code, Code::bad_option);
 }
 
 }  // namespace

@@ -177,7 +177,8 @@ struct Kept {
     const std::vector<results::Collector> collectors = collected(c, config.limit, seed);
     std::vector<const results::Collector*> pointers;
     for (const results::Collector& collector : collectors) pointers.push_back(&collector);
-    results::assemble(pointers, c.pairs, c.keys, config, scratch, contacts);
+    results::assemble(
+        pointers, c.pairs, [&](std::uint32_t i) { return c.keys[i]; }, config, scratch, contacts);
     return contacts;
   }
 };

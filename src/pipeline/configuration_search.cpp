@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "pipeline/configuration_search.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "broad/may_touch.hpp"
+#include "pipeline/domain_error.hpp"
+#include "scene/validate_pose.hpp"
+
+namespace impinge {
+namespace {
+
+bool are_near(const scene::PlacedObject& a, const scene::PlacedObject& b) {
+  return a.mesh != nullptr && b.mesh != nullptr && overlap(a.box, b.box) && broad::spheres_meet(a.sphere, b.sphere);
+}
+
+}  // namespace
+
+Result<Movers> Movers::of(const Scene::State& scene, std::span<const ObjectId> ids) {
+  Movers movers(scene);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::string place = "ids[" + std::to_string(i) + "]: ";
+    if (auto known = scene.check(ids[i]); !known) return Error{known.error().code, place + known.error().message};
+    if (std::exchange(movers.moves_[ids[i].index], 1) != 0)
+      return Error{Code::bad_option, place + "this object was named before; name each once"};
+    movers.objects_.push_back(ids[i].index);
+  }
+  for (std::uint32_t i = 0; i < ids.size(); ++i)
+    for (std::uint32_t k = i + 1; k < ids.size(); ++k)
+      if (scene.are_tested(ids[i].index, ids[k].index)) movers.pairs_.push_back({i, k});
+  return movers;
+}
+
+ConfigurationSearch::ConfigurationSearch(const Movers& movers, const broad::NearPairs& near_pairs,
+                                         const std::stop_token& stop)
+    : movers_(movers),
+      near_pairs_(near_pairs),
+      search_(stop),
+      numbers_(movers.size()),
+      placed_(movers.size()),
+      boxes_(movers.size()) {
+  std::iota(numbers_.begin(), numbers_.end(), 0);
+}
+
+PlacedMesh ConfigurationSearch::first(const Candidate& pair) const {
+  return {placed_[pair.mover], *movers_.scene().meshes[movers_.object(pair.mover)]};
+}
+
+PlacedMesh ConfigurationSearch::second(const Candidate& pair) const {
+  const Scene::State& scene = movers_.scene();
+  if (pair.other_moves) return {placed_[pair.other], *scene.meshes[movers_.object(pair.other)]};
+  return {scene.objects[pair.other], *scene.meshes[pair.other]};
+}
+
+std::optional<Touch> ConfigurationSearch::touch(const Candidate& pair, const TrianglePair& triangles) const {
+  const std::uint32_t mover = movers_.object(pair.mover),
+                      other = pair.other_moves ? movers_.object(pair.other) : pair.other;
+  if (mover < other) return Touch{{mover, other}, triangles};
+  return Touch{{other, mover}, {triangles.b, triangles.a}};
+}
+
+void ConfigurationSearch::find_candidates() {
+  candidates_.clear();
+  for (const auto& [i, k] : movers_.pairs())
+    if (are_near(placed_[i], placed_[k])) candidates_.push_back({i, k, true});
+  near_pairs_.find_near(numbers_, boxes_, near_);
+  for (const std::uint64_t found : near_.found) {
+    const auto mover = static_cast<std::uint32_t>(found >> 32), object = static_cast<std::uint32_t>(found);
+    if (!movers_.moves(object) && are_near(placed_[mover], movers_.scene().objects[object]) &&
+        movers_.meets(mover, object))
+      candidates_.push_back({mover, object, false});
+  }
+}
+
+Result<std::optional<Touch>> ConfigurationSearch::find(std::span<const Pose> poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (auto valid = scene::validate(poses[i]); !valid) return valid.error();
+    const std::uint32_t object = movers_.object(i);
+    placed_[i] = scene::place(movers_.scene().meshes[object]->data, poses[i], 0);
+    if (!placed_[i].in_domain) return out_of_domain("object " + std::to_string(object));
+    boxes_[i] = placed_[i].box;
+  }
+  if (last_ && search_.is_contact(first(*last_), second(*last_), last_triangles_))
+    return touch(*last_, last_triangles_);
+  find_candidates();
+  if (last_) std::partition(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c == *last_; });
+  for (const Candidate& candidate : candidates_)
+    if (const auto triangles = search_.find(first(candidate), second(candidate))) {
+      last_ = candidate, last_triangles_ = *triangles;
+      return touch(candidate, *triangles);
+    }
+  return std::optional<Touch>();
+}
+
+}  // namespace impinge

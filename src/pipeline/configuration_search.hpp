@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "broad/box_tree.hpp"
+#include "impinge/scene.hpp"
+#include "pipeline/scene_state.hpp"
+#include "pipeline/touch_search.hpp"
+
+namespace impinge {
+
+/// Objects of a scene that are tried at other poses, and which pairs of them are to be tested.
+class Movers {
+ public:
+  /// Errors: `unknown_id`, `bad_option` (an object twice), with its place among the ids.
+  static Result<Movers> of(const Scene::State& scene, std::span<const ObjectId> ids);
+
+  [[nodiscard]] std::size_t size() const { return objects_.size(); }
+  [[nodiscard]] std::uint32_t object(std::size_t i) const { return objects_[i]; }
+  /// Whether the mover is to be tested against an object that stands still.
+  [[nodiscard]] bool meets(std::size_t mover, std::uint32_t object) const {
+    return scene_->are_tested(objects_[mover], object);
+  }
+  [[nodiscard]] bool moves(std::uint32_t object) const { return moves_[object] != 0; }
+  /// Pairs of movers that are tested against each other.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
+  [[nodiscard]] const Scene::State& scene() const { return *scene_; }
+
+ private:
+  explicit Movers(const Scene::State& scene) : scene_(&scene), moves_(scene.slots.size()) {}
+
+  const Scene::State* scene_;
+  std::vector<std::uint32_t> objects_;
+  std::vector<std::uint8_t> moves_;  ///< by object of the scene
+  std::vector<std::array<std::uint32_t, 2>> pairs_;
+};
+
+/// Whether movers at given poses touch each other or what stands still, asked again and again by one thread. What it
+/// found last time decides what it tries first, never the answer.
+class ConfigurationSearch {
+ public:
+  /// `near_pairs` is current.
+  ConfigurationSearch(const Movers& movers, const broad::NearPairs& near_pairs, const std::stop_token& stop);
+
+  /// A pair of triangles that touch, if any do; the lower object first. Errors: `bad_pose`, `out_of_range`.
+  Result<std::optional<Touch>> find(std::span<const Pose> poses);
+
+ private:
+  /// A mover, and another one or an object of the scene.
+  struct Candidate {
+    std::uint32_t mover, other;
+    bool other_moves;
+    friend bool operator==(const Candidate&, const Candidate&) = default;
+  };
+
+  [[nodiscard]] PlacedMesh first(const Candidate& pair) const;
+  [[nodiscard]] PlacedMesh second(const Candidate& pair) const;
+  void find_candidates();
+  [[nodiscard]] std::optional<Touch> touch(const Candidate& pair, const TrianglePair& triangles) const;
+
+  const Movers& movers_;
+  const broad::NearPairs& near_pairs_;
+  TouchSearch search_;
+  std::vector<std::uint32_t> numbers_;  ///< 0, 1, .. of the movers
+  std::vector<scene::PlacedObject> placed_;
+  std::vector<Box> boxes_;
+  broad::BoxTree::Search near_;
+  std::vector<Candidate> candidates_;
+  std::optional<Candidate> last_;  ///< the pair that touched last
+  TrianglePair last_triangles_{};
+};
+
+}  // namespace impinge
