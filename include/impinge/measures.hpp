@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stop_token>
 
@@ -16,6 +17,8 @@ namespace impinge {
 struct MeasureOptions {
   int threads = 0;  ///< at most so many; 0: all there are. What searches alone shares the making of trees among them
   std::stop_token stop{};
+  double stop_above = std::numeric_limits<double>::infinity();  ///< distances: a greater one is of no interest
+  double enough_below = 0;  ///< distances: where one is below this, any below it may be given
 };
 
 /// A number known to lie between two others.
@@ -35,6 +38,7 @@ struct Nearest {
 /// does not count. Branch and bound over both trees (Larsen, Gottschalk, Lin and Manocha, "Fast Proximity Queries
 /// with Swept Sphere Volumes", 1999, with boxes).
 /// A steady series of calls on one thread allocates nothing; memory is the workspace's, or else the thread's own.
+/// Infinity, without points, where it is more than `stop_above`.
 /// Errors: `bad_pose`, `out_of_range`, `bad_mesh` (one without triangles), `bad_option`, `cancelled`.
 Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                          const MeasureOptions& options = {}, Workspace* workspace = nullptr);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "impinge/contacts.hpp"
+#include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/result.hpp"
@@ -45,6 +46,12 @@ struct ConfigurationOptions {
 struct Configurations {
   std::vector<std::uint8_t> touches;              ///< by configuration: 1 if something touches, else 0
   std::vector<std::optional<Touch>> witnesses{};  ///< by configuration, if wanted; which one is open
+};
+
+/// How near two of a scene's objects are to each other.
+struct ObjectDistance {
+  std::array<std::uint32_t, 2> objects{};  ///< the lower first
+  Nearest nearest{};                       ///< a of the first of them
 };
 
 /// Placed meshes that are asked about again and again. Keeps which objects are near each other between frames.
@@ -105,6 +112,17 @@ class Scene {
   /// those half-way between. Errors: likewise; with one, poses behind it may not have been looked at.
   Result<std::optional<std::size_t>> first_touching(std::span<const ObjectId> ids, std::span<const Pose> poses,
                                                     const ConfigurationOptions& options = {}) const;
+
+  /// The two objects that are nearest to each other, of all that are tested against each other: pruned over all pairs
+  /// together. Nothing if there are none, or none within `stop_above`. Errors: `bad_option`, `out_of_range`,
+  /// `cancelled`.
+  Result<std::optional<ObjectDistance>> distance(const MeasureOptions& options = {}) const;
+  /// The same of one object and all others. Errors: likewise, and `unknown_id`.
+  Result<std::optional<ObjectDistance>> distance_with(ObjectId id, const MeasureOptions& options = {}) const;
+  /// The same for each configuration, of what moves and everything. Errors: as `collide_configurations`.
+  Result<std::vector<std::optional<ObjectDistance>>> distance_configurations(std::span<const ObjectId> ids,
+                                                                             std::span<const Pose> poses,
+                                                                             const MeasureOptions& options = {}) const;
 
   struct State;  // internal
 

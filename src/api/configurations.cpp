@@ -21,8 +21,8 @@ namespace {
 /// Configurations that one thread takes at once: enough to be worth waking it.
 constexpr std::size_t kAtOnce = 64;
 
-Result<void> validate(const Scene::State& scene, const ConfigurationOptions& options) {
-  if (auto valid = validate(Options{.threads = options.threads}); !valid) return valid;
+Result<void> validate(const Scene::State& scene, int threads) {
+  if (auto valid = validate(Options{.threads = threads}); !valid) return valid;
   return scene.check_domain();
 }
 
@@ -48,30 +48,34 @@ struct Batch {
   Movers movers;
   std::span<const Pose> poses;
   CurrentPairs near_pairs;
-  const ConfigurationOptions& options;
+  int threads;
+  std::stop_token stop;
 
+  template <class AnyOptions>
   static Result<Batch> of(const Scene::State& scene, std::span<const ObjectId> ids, std::span<const Pose> poses,
-                          const ConfigurationOptions& options) {
-    if (auto valid = validate(scene, options); !valid) return valid.error();
+                          const AnyOptions& options) {
+    if (auto valid = validate(scene, options.threads); !valid) return valid.error();
     auto movers = Movers::of(scene, ids);
     if (!movers) return movers.error();
     if (ids.empty() ? !poses.empty() : poses.size() % ids.size() != 0)
       return Error{Code::bad_option, "there are " + std::to_string(poses.size()) + " poses, which is no multiple of " +
                                          std::to_string(ids.size()) + " ids; give each configuration one of each"};
-    return Batch{std::move(*movers), poses, {scene.near_pairs, options.threads}, options};
+    return Batch{std::move(*movers), poses, {scene.near_pairs, options.threads}, options.threads, options.stop};
   }
 
+  [[nodiscard]] TouchingConfigurations touching() const { return {movers, *near_pairs, stop}; }
   [[nodiscard]] std::size_t size() const { return movers.size() == 0 ? 0 : poses.size() / movers.size(); }
 
-  /// Calls take(configuration, touch) for the configurations number_of(0), number_of(1), .. until it returns false.
-  template <class Number, class Take>
-  Result<void> run(const Number& number_of, const Take& take) const {
+  /// Calls take(configuration, found) for the configurations number_of(0), number_of(1), .. until it returns false.
+  /// Each thread has searches of its own.
+  template <class MakeSearch, class Number, class Take>
+  Result<void> run(const MakeSearch& make_search, const Number& number_of, const Take& take) const {
     FirstError failed;
     std::atomic<bool> ended = false;
     const auto run_some = [&](std::size_t chunk) {
-      ConfigurationSearch search(movers, *near_pairs, options.stop);
+      auto search = make_search();
       for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, size()); ++i) {
-        if (ended || options.stop.stop_requested()) return;
+        if (ended || stop.stop_requested()) return;
         const std::size_t configuration = number_of(i);
         auto found = search.find(poses.subspan(configuration * movers.size(), movers.size()));
         if (!found)
@@ -81,12 +85,14 @@ struct Batch {
       }
     };
     const std::size_t chunks = (size() + kAtOnce - 1) / kAtOnce;
-    run_each(chunks > 1 ? on_threads(options.threads) : ForEach(), chunks, run_some);
-    if (options.stop.stop_requested()) return cancelled();
+    run_each(chunks > 1 ? on_threads(threads) : ForEach(), chunks, run_some);
+    if (stop.stop_requested()) return cancelled();
     if (!ended && failed.error()) return *failed.error();
     return {};
   }
 };
+
+std::size_t in_order(std::size_t i) { return i; }
 
 /// Numbers 0 to n - 1 from coarse to fine: both ends, the middle, the middles of both halves and so on.
 std::vector<std::size_t> coarse_to_fine(std::size_t n) {
@@ -98,6 +104,32 @@ std::vector<std::size_t> coarse_to_fine(std::size_t n) {
     for (std::size_t i = step; i + 1 < n; i += 2 * step) order.push_back(i);
   }
   return order;
+}
+
+/// The nearest objects of which one is chosen. What is certainly farther along x than the nearest so far is not looked
+/// at: objects are taken in the order of their boxes.
+template <class Chosen>
+Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
+                                                      const Chosen& is_chosen) {
+  if (auto valid = validate(s, options.threads); !valid) return valid.error();
+  if (auto valid = validate_limits(options); !valid) return valid.error();
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < s.objects.size(); ++i)
+    if (s.objects[i].mesh != nullptr) order.push_back(i);
+  const auto low = [&](std::uint32_t i) { return s.objects[i].box.lo.x; };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) { return low(i) < low(k); });
+  NearestObjectsSearch search(options.stop_above, options.enough_below);
+  for (std::size_t i = 0; i < order.size() && !options.stop.stop_requested(); ++i) {
+    const scene::PlacedObject& one = s.objects[order[i]];
+    for (std::size_t k = i + 1; k < order.size() && low(order[k]) - one.box.hi.x <= search.nearest_most(); ++k)
+      if ((is_chosen(order[i]) || is_chosen(order[k])) && s.are_tested(order[i], order[k]))
+        search.offer(order[i], one, order[k], s.objects[order[k]]);
+  }
+  measure::PairMemory memory;
+  const auto found =
+      search.find([&](std::uint32_t i) { return s.placed(i); }, {on_threads(options.threads), options.stop, &memory});
+  if (options.stop.stop_requested()) return cancelled();
+  return object_distance(found);
 }
 
 }  // namespace
@@ -114,7 +146,7 @@ Result<Configurations> Scene::collide_configurations(std::span<const ObjectId> i
       if (options.witnesses) found.witnesses[i] = touch;
       return true;
     };
-    if (auto done = batch->run([](std::size_t i) { return i; }, take); !done) return done.error();
+    if (auto done = batch->run([&] { return batch->touching(); }, in_order, take); !done) return done.error();
     return found;
   });
 }
@@ -133,7 +165,8 @@ Result<std::optional<std::size_t>> Scene::first_touching(std::span<const ObjectI
       found = i;
       return false;
     };
-    if (auto done = batch->run([&](std::size_t i) { return order[i]; }, take); !done) return done.error();
+    if (auto done = batch->run([&] { return batch->touching(); }, [&](std::size_t i) { return order[i]; }, take); !done)
+      return done.error();
     return found;
   });
 }
@@ -141,7 +174,7 @@ Result<std::optional<std::size_t>> Scene::first_touching(std::span<const ObjectI
 Result<bool> Scene::touches_any(const ConfigurationOptions& options) const {
   return guarded([&]() -> Result<bool> {
     const State& s = *state_;
-    if (auto valid = validate(s, options); !valid) return valid.error();
+    if (auto valid = validate(s, options.threads); !valid) return valid.error();
     broad::ObjectPairs pairs;
     std::vector<std::uint64_t> scratch;
     (*CurrentPairs(s.near_pairs, options.threads))
@@ -157,6 +190,32 @@ Result<bool> Scene::touches_any(const ConfigurationOptions& options) const {
     if (options.stop.stop_requested() && !found) return cancelled();
     return found.load();
   });
+}
+
+Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configurations(std::span<const ObjectId> ids,
+                                                                                  std::span<const Pose> poses,
+                                                                                  const MeasureOptions& options) const {
+  return guarded([&]() -> Result<std::vector<std::optional<ObjectDistance>>> {
+    if (auto valid = validate_limits(options); !valid) return valid.error();
+    const auto batch = Batch::of(*state_, ids, poses, options);
+    if (!batch) return batch.error();
+    std::vector<std::optional<ObjectDistance>> found(batch->size());
+    const auto take = [&](std::size_t i, const std::optional<ObjectDistance>& one) { return found[i] = one, true; };
+    const auto make_search = [&] { return DistantConfigurations(batch->movers, options); };
+    if (auto done = batch->run(make_search, in_order, take); !done) return done.error();
+    return found;
+  });
+}
+
+Result<std::optional<ObjectDistance>> Scene::distance_with(ObjectId id, const MeasureOptions& options) const {
+  return guarded([&]() -> Result<std::optional<ObjectDistance>> {
+    if (auto known = state_->check(id); !known) return known.error();
+    return nearest_objects(*state_, options, [&](std::uint32_t object) { return object == id.index; });
+  });
+}
+
+Result<std::optional<ObjectDistance>> Scene::distance(const MeasureOptions& options) const {
+  return guarded([&] { return nearest_objects(*state_, options, [](std::uint32_t) { return true; }); });
 }
 
 }  // namespace impinge

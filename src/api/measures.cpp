@@ -9,6 +9,7 @@
 #include "measure/nearest.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
+#include "pipeline/nearest_objects.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/workspace_state.hpp"
 #include "scene/validate_pose.hpp"
@@ -42,6 +43,7 @@ Result<void> validate(const Measured& a, const Measured& b, const MeasureOptions
   if (options.threads < 0)
     return Error{Code::bad_option,
                  "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
+  if (auto valid = validate_limits(options); !valid) return valid;
   for (const Measured* const placed : {&a, &b})
     if (auto valid = validate(*placed); !valid) return valid;
   return {};
@@ -67,9 +69,10 @@ Result<std::optional<measure::NearestPair>> nearest(const Measured& a, const Mea
 Result<Nearest> distance(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                          const MeasureOptions& options, Workspace* workspace) {
   return guarded([&]() -> Result<Nearest> {
-    const auto found =
-        nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"}, {kInfinity, 0}, options, workspace);
+    const auto found = nearest({mesh_a, pose_a, "first"}, {mesh_b, pose_b, "second"},
+                               {options.stop_above, options.enough_below}, options, workspace);
     if (!found) return found.error();
+    if (!*found) return Nearest{.distance = kInfinity};
     const measure::NearestPair& pair = **found;
     return Nearest{pair.distance, pair.error, pair.a, pair.b, pair.triangle_a, pair.triangle_b};
   });

@@ -25,7 +25,7 @@ Result<Movers> Movers::of(const Scene::State& scene, std::span<const ObjectId> i
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const std::string place = "ids[" + std::to_string(i) + "]: ";
     if (auto known = scene.check(ids[i]); !known) return Error{known.error().code, place + known.error().message};
-    if (std::exchange(movers.moves_[ids[i].index], 1) != 0)
+    if (std::exchange(movers.numbers_[ids[i].index], static_cast<std::uint32_t>(i + 1)) != 0)
       return Error{Code::bad_option, place + "this object was named before; name each once"};
     movers.objects_.push_back(ids[i].index);
   }
@@ -35,35 +35,42 @@ Result<Movers> Movers::of(const Scene::State& scene, std::span<const ObjectId> i
   return movers;
 }
 
-ConfigurationSearch::ConfigurationSearch(const Movers& movers, const broad::NearPairs& near_pairs,
-                                         const std::stop_token& stop)
+Result<void> PlacedMovers::place(std::span<const Pose> poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (auto valid = scene::validate(poses[i]); !valid) return valid.error();
+    const std::uint32_t object = movers_.object(i);
+    placed_[i] = scene::place(movers_.scene().meshes[object]->data, poses[i], 0);
+    if (!placed_[i].in_domain) return out_of_domain("object " + std::to_string(object));
+  }
+  return {};
+}
+
+TouchingConfigurations::TouchingConfigurations(const Movers& movers, const broad::NearPairs& near_pairs,
+                                               const std::stop_token& stop)
     : movers_(movers),
       near_pairs_(near_pairs),
       search_(stop),
       numbers_(movers.size()),
-      placed_(movers.size()),
+      placed_(movers),
       boxes_(movers.size()) {
   std::iota(numbers_.begin(), numbers_.end(), 0);
 }
 
-PlacedMesh ConfigurationSearch::first(const Candidate& pair) const {
-  return {placed_[pair.mover], *movers_.scene().meshes[movers_.object(pair.mover)]};
-}
-
-PlacedMesh ConfigurationSearch::second(const Candidate& pair) const {
+PlacedMesh TouchingConfigurations::second(const Candidate& pair) const {
   const Scene::State& scene = movers_.scene();
-  if (pair.other_moves) return {placed_[pair.other], *scene.meshes[movers_.object(pair.other)]};
+  if (pair.other_moves) return placed_.mesh(pair.other);
   return {scene.objects[pair.other], *scene.meshes[pair.other]};
 }
 
-std::optional<Touch> ConfigurationSearch::touch(const Candidate& pair, const TrianglePair& triangles) const {
+TouchingConfigurations::Found TouchingConfigurations::touch(const Candidate& pair,
+                                                            const TrianglePair& triangles) const {
   const std::uint32_t mover = movers_.object(pair.mover),
                       other = pair.other_moves ? movers_.object(pair.other) : pair.other;
   if (mover < other) return Touch{{mover, other}, triangles};
   return Touch{{other, mover}, {triangles.b, triangles.a}};
 }
 
-void ConfigurationSearch::find_candidates() {
+void TouchingConfigurations::find_candidates() {
   candidates_.clear();
   for (const auto& [i, k] : movers_.pairs())
     if (are_near(placed_[i], placed_[k])) candidates_.push_back({i, k, true});
@@ -76,24 +83,37 @@ void ConfigurationSearch::find_candidates() {
   }
 }
 
-Result<std::optional<Touch>> ConfigurationSearch::find(std::span<const Pose> poses) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (auto valid = scene::validate(poses[i]); !valid) return valid.error();
-    const std::uint32_t object = movers_.object(i);
-    placed_[i] = scene::place(movers_.scene().meshes[object]->data, poses[i], 0);
-    if (!placed_[i].in_domain) return out_of_domain("object " + std::to_string(object));
-    boxes_[i] = placed_[i].box;
-  }
-  if (last_ && search_.is_contact(first(*last_), second(*last_), last_triangles_))
+Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<const Pose> poses) {
+  if (auto placed = placed_.place(poses); !placed) return placed.error();
+  for (std::size_t i = 0; i < poses.size(); ++i) boxes_[i] = placed_[i].box;
+  if (last_ && search_.is_contact(placed_.mesh(last_->mover), second(*last_), last_triangles_))
     return touch(*last_, last_triangles_);
   find_candidates();
   if (last_) std::partition(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c == *last_; });
   for (const Candidate& candidate : candidates_)
-    if (const auto triangles = search_.find(first(candidate), second(candidate))) {
+    if (const auto triangles = search_.find(placed_.mesh(candidate.mover), second(candidate))) {
       last_ = candidate, last_triangles_ = *triangles;
       return touch(candidate, *triangles);
     }
-  return std::optional<Touch>();
+  return Found();
+}
+
+DistantConfigurations::DistantConfigurations(const Movers& movers, const MeasureOptions& options)
+    : movers_(movers), options_(options), placed_(movers), search_(options.stop_above, options.enough_below) {}
+
+Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
+  if (auto placed = placed_.place(poses); !placed) return placed.error();
+  const Scene::State& scene = movers_.scene();
+  for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
+      if (!movers_.moves(object) && movers_.meets(mover, object))
+        search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);
+  for (const auto& [i, k] : movers_.pairs())
+    search_.offer(movers_.object(i), placed_[i], movers_.object(k), placed_[k]);
+  const auto placed = [&](std::uint32_t object) {
+    return movers_.moves(object) ? placed_.mesh(movers_.mover(object)) : scene.placed(object);
+  };
+  return object_distance(search_.find(placed, {{}, options_.stop, &memory_}));
 }
 
 }  // namespace impinge

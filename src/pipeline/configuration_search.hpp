@@ -10,6 +10,8 @@
 
 #include "broad/box_tree.hpp"
 #include "impinge/scene.hpp"
+#include "measure/pair_queue.hpp"
+#include "pipeline/nearest_objects.hpp"
 #include "pipeline/scene_state.hpp"
 #include "pipeline/touch_search.hpp"
 
@@ -27,29 +29,50 @@ class Movers {
   [[nodiscard]] bool meets(std::size_t mover, std::uint32_t object) const {
     return scene_->are_tested(objects_[mover], object);
   }
-  [[nodiscard]] bool moves(std::uint32_t object) const { return moves_[object] != 0; }
+  [[nodiscard]] bool moves(std::uint32_t object) const { return numbers_[object] != 0; }
+  /// The number of an object that moves.
+  [[nodiscard]] std::size_t mover(std::uint32_t object) const { return numbers_[object] - 1; }
   /// Pairs of movers that are tested against each other.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   [[nodiscard]] const Scene::State& scene() const { return *scene_; }
 
  private:
-  explicit Movers(const Scene::State& scene) : scene_(&scene), moves_(scene.slots.size()) {}
+  explicit Movers(const Scene::State& scene) : scene_(&scene), numbers_(scene.slots.size()) {}
 
   const Scene::State* scene_;
   std::vector<std::uint32_t> objects_;
-  std::vector<std::uint8_t> moves_;  ///< by object of the scene
+  std::vector<std::uint32_t> numbers_;  ///< by object of the scene: a mover's number + 1, or 0
   std::vector<std::array<std::uint32_t, 2>> pairs_;
+};
+
+/// Movers, placed. One thread uses it at a time.
+class PlacedMovers {
+ public:
+  explicit PlacedMovers(const Movers& movers) : movers_(movers), placed_(movers.size()) {}
+
+  /// Errors: `bad_pose`, `out_of_range`.
+  Result<void> place(std::span<const Pose> poses);
+  [[nodiscard]] const scene::PlacedObject& operator[](std::size_t mover) const { return placed_[mover]; }
+  [[nodiscard]] PlacedMesh mesh(std::size_t mover) const {
+    return {placed_[mover], *movers_.scene().meshes[movers_.object(mover)]};
+  }
+
+ private:
+  const Movers& movers_;
+  std::vector<scene::PlacedObject> placed_;
 };
 
 /// Whether movers at given poses touch each other or what stands still, asked again and again by one thread. What it
 /// found last time decides what it tries first, never the answer.
-class ConfigurationSearch {
+class TouchingConfigurations {
  public:
+  using Found = std::optional<Touch>;
+
   /// `near_pairs` is current.
-  ConfigurationSearch(const Movers& movers, const broad::NearPairs& near_pairs, const std::stop_token& stop);
+  TouchingConfigurations(const Movers& movers, const broad::NearPairs& near_pairs, const std::stop_token& stop);
 
   /// A pair of triangles that touch, if any do; the lower object first. Errors: `bad_pose`, `out_of_range`.
-  Result<std::optional<Touch>> find(std::span<const Pose> poses);
+  Result<Found> find(std::span<const Pose> poses);
 
  private:
   /// A mover, and another one or an object of the scene.
@@ -59,21 +82,37 @@ class ConfigurationSearch {
     friend bool operator==(const Candidate&, const Candidate&) = default;
   };
 
-  [[nodiscard]] PlacedMesh first(const Candidate& pair) const;
   [[nodiscard]] PlacedMesh second(const Candidate& pair) const;
   void find_candidates();
-  [[nodiscard]] std::optional<Touch> touch(const Candidate& pair, const TrianglePair& triangles) const;
+  [[nodiscard]] Found touch(const Candidate& pair, const TrianglePair& triangles) const;
 
   const Movers& movers_;
   const broad::NearPairs& near_pairs_;
   TouchSearch search_;
   std::vector<std::uint32_t> numbers_;  ///< 0, 1, .. of the movers
-  std::vector<scene::PlacedObject> placed_;
+  PlacedMovers placed_;
   std::vector<Box> boxes_;
   broad::BoxTree::Search near_;
   std::vector<Candidate> candidates_;
   std::optional<Candidate> last_;  ///< the pair that touched last
   TrianglePair last_triangles_{};
+};
+
+/// The least distance of movers at given poses from each other and from what stands still.
+class DistantConfigurations {
+ public:
+  using Found = std::optional<ObjectDistance>;
+
+  DistantConfigurations(const Movers& movers, const MeasureOptions& options);
+  /// Errors: `bad_pose`, `out_of_range`.
+  Result<Found> find(std::span<const Pose> poses);
+
+ private:
+  const Movers& movers_;
+  const MeasureOptions& options_;
+  PlacedMovers placed_;
+  NearestObjectsSearch search_;
+  measure::PairMemory memory_;
 };
 
 }  // namespace impinge

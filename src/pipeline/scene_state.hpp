@@ -13,6 +13,7 @@
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/query.hpp"
 #include "scene/scene_view.hpp"
 
 namespace impinge {
@@ -70,6 +71,7 @@ struct Scene::State {
   [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {
     return (objects[a].group == 0 || objects[a].group != objects[b].group) && !ignored.contains(a, b);
   }
+  [[nodiscard]] PlacedMesh placed(std::uint32_t object) const { return {objects[object], *meshes[object]}; }
   [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }
 };
 

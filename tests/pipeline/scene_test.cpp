@@ -345,6 +345,66 @@ TEST(Scene, AnswersConfigurationsAsIfItsObjectsStoodThere) {
   EXPECT_LT(touching, 250u);
 }
 
+/// Against the least of the distances of all pairs, near the origin and far from it.
+TEST(Scene, MeasuresItsLeastDistance) {
+  test::Seeded seeded(10);
+  scenes::Random& random = seeded.random;
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(300)), ball = test::mesh_of(scenes::uv_sphere(8, 8, 2));
+  const Mesh empty = test::mesh_of({});
+  for (const double far : {0.0, 1e6, 0x1p40}) {
+    Scene scene;
+    std::vector<ObjectId> ids;
+    std::vector<Pose> stands;
+    const auto pose = [&] {
+      Pose one = scenes::random_motion(random, 40);
+      one.t[1] += far;
+      return one;
+    };
+    for (int i = 0; i < 14; ++i) {
+      stands.push_back(pose());
+      ids.push_back(scene.add(i % 2 == 0 ? knot : ball, stands.back(), i % 5).value());
+    }
+    ASSERT_TRUE(scene.add(empty));
+    ASSERT_TRUE(scene.ignore(ids[2], ids[3]));
+    const auto expect_least = [&](const std::optional<ObjectDistance>& found, const auto& is_chosen) {
+      double least = std::numeric_limits<double>::infinity(), error = 0;
+      for (std::uint32_t i = 0; i < ids.size(); ++i)
+        for (std::uint32_t k = i + 1; k < ids.size(); ++k) {
+          if ((i % 5 != 0 && i % 5 == k % 5) || (i == 2 && k == 3) || !is_chosen(i, k)) continue;
+          const Nearest one =
+              distance(i % 2 == 0 ? knot : ball, stands[i], k % 2 == 0 ? knot : ball, stands[k]).value();
+          if (one.distance < least) least = one.distance, error = one.error;
+        }
+      ASSERT_TRUE(found);
+      EXPECT_LE(std::abs(found->nearest.distance - least), found->nearest.error + error);
+      const auto [i, k] = found->objects;
+      EXPECT_TRUE(is_chosen(i, k));
+      const Nearest pair = distance(i % 2 == 0 ? knot : ball, stands[i], k % 2 == 0 ? knot : ball, stands[k]).value();
+      EXPECT_LE(std::abs(found->nearest.distance - pair.distance), found->nearest.error + pair.error);
+    };
+    expect_least(scene.distance().value(), [](std::uint32_t, std::uint32_t) { return true; });
+    for (const std::uint32_t one : {0U, 7U})
+      expect_least(scene.distance_with(ids[one]).value(),
+                   [&](std::uint32_t i, std::uint32_t k) { return i == one || k == one; });
+    const double least = scene.distance()->value().nearest.distance;
+    EXPECT_EQ(scene.distance({.stop_above = 0.9 * least})->has_value(), least == 0);
+    EXPECT_LT(scene.distance({.enough_below = 2 * least + 1})->value().nearest.distance, 2 * least + 1);
+    EXPECT_EQ(scene.distance({.stop_above = -1}).error().code, Code::bad_option);
+
+    const std::array movers{ids[4], ids[9], ids[1]};
+    std::vector<Pose> poses;
+    for (int i = 0; i < 3 * 80; ++i) poses.push_back(pose());
+    const auto found = scene.distance_configurations(movers, poses).value();
+    ASSERT_EQ(found.size(), 80u);
+    for (std::size_t c = 0; c < found.size(); c += 20) {
+      for (std::size_t i = 0; i < 3; ++i) stands[movers[i].index] = poses[3 * c + i];
+      const auto moves = [](std::uint32_t i) { return i == 4 || i == 9 || i == 1; };
+      expect_least(found[c], [&](std::uint32_t i, std::uint32_t k) { return moves(i) || moves(k); });
+    }
+  }
+  EXPECT_FALSE(Scene().distance()->has_value());
+}
+
 TEST(Scene, SaysWhichConfigurationIsWrong) {
   Scene scene;
   const std::array ids{scene.add(cube()).value(), scene.add(cube(), at(5)).value()};
