@@ -306,10 +306,10 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_output(command, "--previous", to.previous,
              "the JSON of an earlier run: say what is new, what persists and what is resolved since then; includes "
              "--regions");
-  add_output(
-      command, "--decisions", to.decisions,
-      "what people decided about pairs: a status and comment for each, in JSON by its id or by two names of parts, or "
-      "in a table that --csv wrote (docs/triage.md); it is only read");
+  add_output(command, "--decisions", to.decisions,
+             "what people decided about pairs: a status, comment and assignee for each, in JSON by its id or by two "
+             "names of parts, or "
+             "in a table that --csv wrote (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth_precision);
   command.add_flag("--regions", to.regions,

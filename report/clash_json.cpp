@@ -165,6 +165,7 @@ Json json_triage(const Review& review, std::size_t pair) {
           {"change", or_null(name(standing.change))},
           {"status", or_null(standing.decision.status)},
           {"comment", or_null(standing.decision.comment)},
+          {"assignee", or_null(standing.decision.assignee)},
           {"was", standing.was ? Json(name(*standing.was)) : Json()}};
 }
 

@@ -50,6 +50,12 @@ const io::Object& part(const Row& row, std::size_t side) { return row.review.ass
 const std::string& file(const Row& row, std::size_t side) {
   return row.review.assembly.files[row.review.assembly.file_of[row.pair.objects[side]]];
 }
+/// Empty where the part's file does not say it.
+std::string property(const Row& row, std::size_t side, std::string_view wanted) {
+  for (const auto& [name, value] : part(row, side).properties)
+    if (name == wanted) return csv_cell(value);
+  return "";
+}
 std::string inner(const Row& row) {
   if (row.pair.verdict != Verdict::inside || row.pair.inner < 0) return "";
   return row.pair.inner == 0 ? "a" : "b";
@@ -169,6 +175,15 @@ constexpr std::array kColumns{
     Column{"z_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::z); },
            [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
     Column{"fails_below", [](const Row& row) { return number(row.pair.fails_below); }},
+    Column{"a_class", [](const Row& row) { return property(row, 0, "class"); }},
+    Column{"b_class", [](const Row& row) { return property(row, 1, "class"); }},
+    Column{"a_global_id", [](const Row& row) { return property(row, 0, "GlobalId"); }},
+    Column{"b_global_id", [](const Row& row) { return property(row, 1, "GlobalId"); }},
+    Column{"a_tag", [](const Row& row) { return property(row, 0, "Tag"); }},
+    Column{"b_tag", [](const Row& row) { return property(row, 1, "Tag"); }},
+    Column{"a_storey", [](const Row& row) { return property(row, 0, "storey"); }},
+    Column{"b_storey", [](const Row& row) { return property(row, 1, "storey"); }},
+    Column{"assignee", [](const Row& row) { return csv_cell(row.standing.decision.assignee); }},
 };
 
 /// Cells with commas between them, and the end of the line.

@@ -75,7 +75,7 @@ class Table {
 
 /// Where the first row of a table says that ids and decisions are.
 struct Columns {
-  std::optional<std::size_t> id, status, comment;
+  std::optional<std::size_t> id, status, comment, assignee;
 
   explicit Columns(Table& table) {
     const std::optional<Table::Row> names = table.next();
@@ -83,13 +83,15 @@ struct Columns {
       if (names->cells[i] == "id") id = i;
       if (names->cells[i] == "status") status = i;
       if (names->cells[i] == "comment") comment = i;
+      if (names->cells[i] == "assignee") assignee = i;
     }
   }
-  [[nodiscard]] bool are_there() const { return id && (status || comment); }
+  [[nodiscard]] bool are_there() const { return id && (status || comment || assignee); }
 };
 
 bool is_same(const Decision& p, const Decision& q) {
-  return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment);
+  return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment) &&
+         printable(p.assignee) == printable(q.assignee);
 }
 
 }  // namespace
@@ -98,16 +100,16 @@ Result<Decisions> parse_decided_table(const std::string& name, const std::string
   Table table(text);
   const Columns columns(table);
   if (!columns.are_there())
-    return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status' and 'comment', "
-                                             "as the CSV of impinge clash has them",
+    return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status', 'comment' and "
+                                             "'assignee', as the CSV of impinge clash has them",
                                              name)};
   Decisions decisions;
   while (const std::optional<Table::Row> row = table.next()) {
     const auto cell = [&](const std::optional<std::size_t>& at) {
       return at && *at < row->cells.size() ? without_defusing(row->cells[*at]) : std::string();
     };
-    const Decision decision{cell(columns.status), cell(columns.comment)};
-    if (decision.status.empty() && decision.comment.empty()) continue;
+    const Decision decision{cell(columns.status), cell(columns.comment), cell(columns.assignee)};
+    if (is_same(decision, {})) continue;
     const std::string id = cell(columns.id);
     if (!is_pair_id(id))
       return Error{Code::bad_file,

@@ -45,7 +45,7 @@ Result<Decisions> parse_decisions(const std::string& name, const std::string& te
       return json_error(name, text, (json::json_pointer() / key).to_string(),
                         "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
                         "between them");
-    const Decision decision{entry.value("status", ""), entry.value("comment", "")};
+    const Decision decision{entry.value("status", ""), entry.value("comment", ""), entry.value("assignee", "")};
     if (bar == std::string::npos)
       decisions.by_id.emplace(key, decision);
     else

@@ -32,7 +32,7 @@ struct Decisions {
 /// the line and the place.
 Result<Decisions> read_decisions(const std::string& name);
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text);
-/// Rows without a status and a comment decide nothing.
+/// Rows without a status, a comment and an assignee decide nothing.
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text);
 
 /// Whether a text looks like the id of a pair.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 namespace impinge::report {
 namespace {
@@ -129,12 +130,15 @@ Json json_depth(const std::optional<OverlapDepth>& depth) {
 
 Json json_identity(const Assembly& assembly, std::size_t object) {
   const io::Object& about = assembly.objects[object];
+  Json properties = Json::object();
+  for (const auto& [name, value] : about.properties) properties[name] = value;
   return {{"id", object},
           {"name", about.name},
           {"path", about.path},
           {"product", about.product},
           {"file", assembly.files[assembly.file_of[object]]},
-          {"triangles", about.mesh.triangle_count()}};
+          {"triangles", about.mesh.triangle_count()},
+          {"properties", std::move(properties)}};
 }
 
 Json json_facts(const std::optional<Part>& part) {

@@ -87,13 +87,13 @@ Json json_map(const Affine& map);
 /// {"a_in_b":[lo,hi],"b_in_a":[lo,hi]}, or null where there is none.
 Json json_depth(const std::optional<OverlapDepth>& depth);
 
-/// What an object is called and where it comes from: "id" to "triangles".
+/// What an object is called and where it comes from: "id" to "properties".
 Json json_identity(const Assembly& assembly, std::size_t object);
 
 /// The facts of a part: "class" to "inner_radius", all null where there is no part; not "closed" and "open_edges".
 Json json_facts(const std::optional<Part>& part);
 
-/// Members of a pair: "test", "change", "status", "comment" and "was".
+/// Members of a pair: "test", "change", "status", "comment", "assignee" and "was".
 Json json_triage(const Review& review, std::size_t pair);
 
 /// A list of what is missing of the files, where something is.

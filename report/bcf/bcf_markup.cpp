@@ -165,6 +165,8 @@ std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) 
   add_labels(about, topic);
   add_element(about, "CreationDate", topic.date);
   add_element(about, "CreationAuthor", kAuthor);
+  if (const std::string& assignee = topic.standing.decision.assignee; !assignee.empty())
+    add_element(about, "AssignedTo", in_short(assignee));
   add_element(about, "Description", description(topic));
   add_comment(markup, topic);
   pugi::xml_node views = markup.append_child("Viewpoints");

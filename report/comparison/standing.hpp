@@ -21,7 +21,7 @@ enum class Change : std::uint8_t {
 
 /// What people decided about a pair, in their own words.
 struct Decision {
-  std::string status, comment;
+  std::string status, comment, assignee;
 };
 
 struct RegionStanding {

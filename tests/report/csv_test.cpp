@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "models.hpp"
 #include "read_back.hpp"
 #include "report/writers.hpp"
 #include "tests/cli/meshes.hpp"
@@ -20,7 +21,8 @@ const std::string kHead =
     "rank,verdict,fails,id,a,b,a_path,b_path,a_product,b_product,a_file,b_file,inner,depth,a_in_b_least,"
     "a_in_b_most,b_in_a_least,b_in_a_most,distance,distance_error,regions,area,length,x,y,z,normal_x,normal_y,"
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
-    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below\r\n";
+    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,"
+    "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee\r\n";
 
 class Csv : public testing::Test {
  protected:
@@ -111,6 +113,27 @@ TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
   }
 }
 
+TEST_F(Csv, AndTheJsonSayWhatAnIfcFileSaysOfItsParts) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  EXPECT_EQ(impinge(folder, {"clash", "two.ifc", "a.off", "--csv", "t.csv", "--json", "t.json", "--quiet"}).code, 1);
+  const std::vector<Row> rows = rows_of(folder.read("t.csv"));
+  ASSERT_EQ(rows.size(), 1U);
+  const json walls = json::parse(R"([
+      {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house"},
+      {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house"},
+      {}])");
+  const json objects = json::parse(folder.read("t.json")).at("objects");
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(objects.at(i).at("properties"), walls.at(i));
+  for (const auto& [column, value] : Row{{"a_class", walls[0]["class"]},
+                                         {"b_class", walls[1]["class"]},
+                                         {"a_global_id", walls[0]["GlobalId"]},
+                                         {"b_global_id", walls[1]["GlobalId"]},
+                                         {"a_tag", "'-7"},
+                                         {"b_tag", ""},
+                                         {"b_storey", "Level 1, north"}})
+    EXPECT_EQ(rows[0].at(column), value) << column;
+}
+
 /// A table that a spreadsheet saved: with words typed into the columns of one pair.
 TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   const auto clash = [&](std::vector<std::string> files, const std::vector<std::string>& more) {
@@ -125,13 +148,14 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   const std::string id = rows[1].at("id");
   folder.write("saved.csv",
                "\xEF\xBB\xBF"
-               "comment;id;status\n\"'-3 mm; see \"\"A\"\"\";" +
-                   id + ";approved\n;" + rows[0].at("id") + ";\n");
+               "comment;id;status;assignee\n\"'-3 mm; see \"\"A\"\"\";" +
+                   id + ";approved;Ann\n;" + rows[0].at("id") + ";;\n");
   EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
   const std::string decided = folder.read("t.csv");
   EXPECT_EQ(rows_of(decided)[0].at("status"), "");
   EXPECT_EQ(rows_of(decided)[1].at("status"), "approved");
   EXPECT_EQ(rows_of(decided)[1].at("comment"), "'-3 mm; see \"A\"");
+  EXPECT_EQ(rows_of(decided)[1].at("assignee"), "Ann");
 
   const auto is_refused = [&](const Ended& ended) {
     EXPECT_EQ(folder.read("t.csv"), decided);
@@ -144,7 +168,11 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
   // Where the pair is gone, another file may still tell what was decided.
   is_refused(clash(one, {}));
-  folder.write("d.json", R"({"a | b":{"status":"approved","comment":"-3 mm; see \"A\""}})");
+  const std::string same = R"({"a | b":{"status":"approved","comment":"-3 mm; see \"A\"","assignee":"Ann"}})";
+  std::string other = same;
+  folder.write("d.json", other.replace(other.find("Ann"), 3, "Bob"));
+  is_refused(clash(one, {"--decisions", "d.json"}));
+  folder.write("d.json", same);
   EXPECT_EQ(clash(one, {"--decisions", "d.json"}).code, 1);
   folder.write("t.csv", decided);
   EXPECT_EQ(clash(both, {"--force"}).code, 1);

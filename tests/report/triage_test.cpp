@@ -62,7 +62,8 @@ class TriageFiles : public testing::Test {
   json second() const {
     json first = run({"p1", "p2", "p3"}, {});
     folder.write("last.json", first.dump());
-    const json decision{{"status", "in \"review\"\n<b>"}, {"comment", "two\nlines & \x1b[2J"}};
+    const json decision{
+        {"status", "in \"review\"\n<b>"}, {"comment", "two\nlines & \x1b[2J"}, {"assignee", "Ann <a@b.c>"}};
     folder.write("decisions.json", json{{pair_of(first, "p2").at("id"), decision}}.dump());
     pin("p4", 32);
     return again({});
@@ -85,6 +86,7 @@ TEST_F(TriageFiles, CsvHasTestChangeStatusAndComment) {
   EXPECT_EQ(kept.at("new_regions"), "0");
   EXPECT_EQ(kept.at("status"), "in \"review\"\\n<b>");
   EXPECT_EQ(kept.at("comment"), "two\\nlines & \\x1b[2J");
+  EXPECT_EQ(kept.at("assignee"), "Ann <a@b.c>");
   const Row& fresh = by_id.at(pair_of(report, "p4").at("id"));
   EXPECT_EQ(fresh.at("change"), "new");
   EXPECT_EQ(fresh.at("was"), "");
@@ -106,7 +108,7 @@ TEST_F(TriageFiles, CsvOfARunWithoutTriageLeavesItsCellsEmpty) {
   EXPECT_EQ(impinge(folder, {"clash", "plate.off", "p1.off", "--csv", "out.csv"}).code, 1);
   const std::vector<Row> rows = rows_of(folder.read("out.csv"));
   ASSERT_EQ(rows.size(), 1U);
-  for (const char* column : {"test", "change", "was", "new_regions", "region", "status", "comment"})
+  for (const char* column : {"test", "change", "was", "new_regions", "region", "status", "comment", "assignee"})
     EXPECT_EQ(rows[0].at(column), "") << column;
 }
 
@@ -125,6 +127,7 @@ TEST_F(TriageFiles, BcfHasStatusLabelsAndComments) {
   ASSERT_EQ(topics.size(), 3U);
   const Topic& kept = topics.at(pair_of(report, "p2").at("id"));
   EXPECT_EQ(std::string(kept.topic().attribute("TopicStatus").value()), "in \"review\"\\n<b>");
+  EXPECT_EQ(texts(kept.topic(), "AssignedTo"), std::vector<std::string>{"Ann <a@b.c>"});
   EXPECT_EQ(texts(kept.topic(), "Labels"), (std::vector<std::string>{"penetrating", "pins & \"plate\"", "persisting"}));
   const std::string description = kept.topic().child("Description").text().get();
   EXPECT_NE(description.find("\nTest: pins & \"plate\"\nSince the earlier run: persisting\n"), std::string::npos)
@@ -165,7 +168,7 @@ TEST_F(TriageFiles, GltfHasTheJsonsWords) {
     const json& extras = node.at("extras");
     for (const json& pair : report.at("pairs")) {
       if (pair.at("id") != extras.at("id")) continue;
-      for (const char* key : {"test", "change", "status", "comment", "was"})
+      for (const char* key : {"test", "change", "status", "comment", "assignee", "was"})
         EXPECT_EQ(extras.at(key), pair.at(key)) << key;
       for (std::size_t i = 0; i < pair.at("regions").size(); ++i, ++regions) {
         const json& child = document.at("nodes").at(node.at("children").at(i).get<std::size_t>());
