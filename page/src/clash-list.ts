@@ -10,6 +10,7 @@ import {
   type Group,
   groupClashes,
   isWorse,
+  type PartWords,
   sortClashes,
   verbOf,
   verdictName,
@@ -19,11 +20,6 @@ import { counted, nameText, plural, rounded, spanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
 
-export interface PartWords {
-  title: (id: number) => string;
-  typeOf: (id: number) => { key: number; title: string };
-}
-
 type Row = { clash: Clash } | { group: Group };
 
 const kListed = byId('clash-list');
@@ -32,7 +28,8 @@ export class ClashList {
   /** What passes the filter, in order. */
   visible: Clash[] = [];
   private rowsShown: Row[] = [];
-  private readonly closed = new Set<string>();
+  /** Keys of the groups that are not as they are at first. */
+  private readonly turned = new Set<string>();
   private readonly rows: VirtualRows;
 
   constructor(
@@ -47,7 +44,8 @@ export class ClashList {
       onKey: (i, event) => this.key(i, event),
     });
     store.listen((_, changed) => {
-      if (changed.has('filter') || changed.has('sort') || changed.has('group')) this.update();
+      if (changed.has('group')) this.turned.clear();
+      if ((['filter', 'sort', 'group', 'link', 'decided'] as const).some((key) => changed.has(key))) this.update();
       else if (changed.has('clash')) this.reveal();
     });
     this.update();
@@ -58,15 +56,17 @@ export class ClashList {
   }
 
   private update(): void {
-    const { filter, sort, group, clash } = this.store.state;
+    const { filter, sort, group, link, clash } = this.store.state;
     this.visible = sortClashes(filterClashes(this.clashes, filter), sort);
     if (group === 'none') {
       this.rowsShown = this.visible.map((one) => ({ clash: one }));
     } else {
       this.rowsShown = [];
-      for (const one of groupClashes(this.visible, group, this.words.title, this.words.typeOf)) {
-        this.rowsShown.push({ group: one });
-        if (!this.closed.has(one.key)) for (const member of one.clashes) this.rowsShown.push({ clash: member });
+      for (const one of groupClashes(this.visible, group, this.words, link)) {
+        // What is near nothing else needs no line to stand under.
+        const isAlone = group === 'place' && one.clashes.length === 1;
+        if (!isAlone) this.rowsShown.push({ group: one });
+        if (isAlone || !this.isClosed(one)) for (const member of one.clashes) this.rowsShown.push({ clash: member });
       }
     }
     kListed.setAttribute('role', group === 'none' ? 'grid' : 'treegrid');
@@ -110,10 +110,14 @@ export class ClashList {
     else this.store.select(row.clash);
   }
 
-  private toggle(group: Group, isClosed = !this.closed.has(group.key)): void {
+  /** Clusters are closed at first, and what people know to look for is open. */
+  private isClosed(group: Group): boolean {
+    return this.turned.has(group.key) !== (this.store.state.group === 'place');
+  }
+
+  private toggle(group: Group, isClosed = !this.isClosed(group)): void {
     const { scrollTop } = kListed;
-    if (isClosed) this.closed.add(group.key);
-    else this.closed.delete(group.key);
+    if (isClosed !== this.isClosed(group) && !this.turned.delete(group.key)) this.turned.add(group.key);
     this.update();
     kListed.scrollTop = scrollTop;
     this.rows.moveTo(this.rowsShown.findIndex((row) => 'group' in row && row.group.key === group.key));
@@ -135,7 +139,7 @@ export class ClashList {
   }
 
   private fillGroup(row: HTMLElement, group: Group): void {
-    const isOpen = !this.closed.has(group.key);
+    const isOpen = !this.isClosed(group);
     row.className = 'row clash-group';
     row.setAttribute('aria-level', '1');
     row.setAttribute('aria-expanded', String(isOpen));

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The clashes of a report: ranked, filtered, sorted and grouped. Nothing here touches the page.
+import { clusters } from './clusters';
 import { kVerdicts, type Pair, type Place, type Report, type Resolved, type Vec3, type Verdict } from './data';
-import { shown } from './format';
+import { fileName, plural, shown } from './format';
 
 export interface Clash {
   /** From 1, in the order of the command's table. Resolved clashes follow. */
@@ -15,6 +16,7 @@ export interface Clash {
   first: number;
   second: number;
   names: [string, string];
+  parts: [Place, Place];
   /** The greater upper end of both overlap depths, NaN if none was measured. */
   depth: number;
   /** It fails at every tolerance below this; infinite: at every one. NaN where it is not known. */
@@ -26,7 +28,30 @@ export interface Clash {
 }
 
 export type SortKey = 'rank' | 'depth' | 'distance' | 'area' | 'name';
-export type GroupKey = 'none' | 'part' | 'types' | 'test';
+
+/** What parts are told apart by. */
+export type Trait = 'class' | 'storey' | 'file';
+export type GroupKey = 'none' | 'part' | 'types' | 'test' | 'place' | Trait;
+
+/** Empty where the file does not say it. */
+export const traitOf = (part: Place, trait: Trait): string =>
+  trait === 'file' ? part.file : (part.properties?.[trait] ?? '');
+
+export const traitName = (value: string, trait: Trait): string =>
+  trait === 'file' ? fileName(value) : value || `without ${trait}`;
+
+/** Those of both parts, in the order of the alphabet. */
+export const traitsOf = ({ parts }: Clash, trait: Trait): [string, string] => {
+  const [p, q] = parts.map((part) => traitOf(part, trait));
+  return collator.compare(p, q) <= 0 ? [p, q] : [q, p];
+};
+
+export const traitTitle = ([p, q]: [string, string], trait: Trait): string =>
+  p === q ? `both ${traitName(p, trait)}` : `${traitName(p, trait)} × ${traitName(q, trait)}`;
+
+/** The values that a trait takes in the report, in the order of the alphabet. */
+export const traitValues = (parts: Place[], trait: Trait): string[] =>
+  [...new Set(parts.map((part) => traitOf(part, trait)))].sort(collator.compare);
 
 export interface Filter {
   verdicts: Set<Verdict>;
@@ -40,7 +65,13 @@ export interface Filter {
   parts: Set<number> | null;
   test: string;
   status: string;
+  assignee: string;
   change: string;
+  /** Of one part at least. */
+  class: string;
+  storey: string;
+  /** Of both parts, as `traitsOf`. */
+  traits: { trait: Trait; values: [string, string] } | null;
 }
 
 export const emptyFilter = (): Filter => ({
@@ -54,7 +85,11 @@ export const emptyFilter = (): Filter => ({
   parts: null,
   test: '',
   status: '',
+  assignee: '',
   change: '',
+  class: '',
+  storey: '',
+  traits: null,
 });
 
 export const isFiltering = (filter: Filter): boolean =>
@@ -65,6 +100,10 @@ export function depthOf(pair: Pair): number {
   return depths.length ? Math.max(...depths.map((d) => d[1])) : NaN;
 }
 
+/** All that a part is found by. */
+export const searchText = (part: Place): string =>
+  [part.path, part.name, ...Object.values(part.properties ?? {})].join('\n').toLowerCase();
+
 /** A clash of two parts of which no more is known than their names. */
 const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
   rank: 0,
@@ -74,11 +113,12 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
   first: -1,
   second: -1,
   names: [a.name, b.name],
+  parts: [a, b],
   depth: NaN,
   failsBelow: NaN,
   distance: NaN,
   area: NaN,
-  text: `${a.path}\n${a.name}\n${b.path}\n${b.name}`.toLowerCase(),
+  text: `${searchText(a)}\n${searchText(b)}`,
 });
 
 function ofPair(report: Report, pair: Pair): Clash {
@@ -188,6 +228,11 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (filter.parts && !filter.parts.has(clash.first) && !filter.parts.has(clash.second)) return false;
   if (filter.test && about.test !== filter.test) return false;
   if (filter.status && clash.pair?.status !== filter.status) return false;
+  if (filter.assignee && clash.pair?.assignee !== filter.assignee) return false;
+  for (const trait of ['class', 'storey'] as const)
+    if (filter[trait] && !traitsOf(clash, trait).includes(filter[trait])) return false;
+  const { traits } = filter;
+  if (traits && traitsOf(clash, traits.trait).join('\n') !== traits.values.join('\n')) return false;
   if (filter.change === kWorse) return isWorse(clash.pair);
   return !filter.change || (clash.pair !== null && changeOf(clash.pair) === filter.change);
 }
@@ -219,12 +264,53 @@ export interface Group {
   clashes: Clash[];
 }
 
-/** Groups in the order of their first clash. By part, a clash stands under both of its parts. */
+/** How parts are called in the titles of groups. */
+export interface PartWords {
+  title: (id: number) => string;
+  typeOf: (id: number) => { key: number; title: string };
+}
+
+type Membership = [key: string, title: () => string];
+
+/** The groups that a clash is in: by part, one under each of its parts. */
+function membershipsOf(clash: Clash, by: Exclude<GroupKey, 'none' | 'place'>, words: PartWords): Membership[] {
+  if (by === 'test') {
+    const test = (clash.pair ?? clash.resolved!).test ?? '';
+    return [[test, () => test || 'No named test']];
+  }
+  const ids = [clash.first, clash.second];
+  if (by === 'part')
+    return ids.map((id, side) =>
+      id < 0 ? [`gone ${clash.names[side]}`, () => clash.names[side]] : [String(id), () => words.title(id)],
+    );
+  if (by === 'types') {
+    const types = ids.map((id, side) => (id < 0 ? { key: -1, title: clash.names[side] } : words.typeOf(id)));
+    types.sort((x, y) => x.key - y.key);
+    const key = types.map((type) => (type.key < 0 ? type.title : String(type.key))).join('\n');
+    return [[key, () => `${types[0].title} × ${types[1].title}`]];
+  }
+  const values = traitsOf(clash, by);
+  return [[values.join('\n'), () => traitTitle(values, by)]];
+}
+
+/** What is near each other: a part that all have in common against the others, or the first and how many more. */
+function clusterTitle(members: Clash[], words: PartWords): string {
+  const [{ first, second, names }] = members;
+  if (members.length === 1) return names.join(' × ');
+  const shared = [first, second].find((id) => id >= 0 && members.every((one) => one.first === id || one.second === id));
+  if (shared !== undefined) {
+    const parts = new Set(members.flatMap((one) => [one.first, one.second]));
+    return `${words.title(shared)} × ${plural(parts.size - 1, 'part')}`;
+  }
+  return `${names.join(' × ')} and ${plural(members.length - 1, 'other')}`;
+}
+
+/** Groups in the order of their first clash; by place, of clashes that are linked by steps of at most `within`. */
 export function groupClashes(
   clashes: Clash[],
-  by: GroupKey,
-  titleOfPart: (id: number) => string,
-  typeOf: (id: number) => { key: number; title: string },
+  by: Exclude<GroupKey, 'none'>,
+  words: PartWords,
+  within: number,
 ): Group[] {
   const groups = new Map<string, Group>();
   const put = (key: string, title: () => string, clash: Clash) => {
@@ -232,23 +318,13 @@ export function groupClashes(
     if (group) group.clashes.push(clash);
     else groups.set(key, { key, title: title(), clashes: [clash] });
   };
-  for (const clash of clashes) {
-    if (by === 'test') {
-      const test = (clash.pair ?? clash.resolved!).test ?? '';
-      put(test, () => test || 'No named test', clash);
-    } else if (by === 'part') {
-      [clash.first, clash.second].forEach((id, side) => {
-        if (id < 0) put(`gone ${clash.names[side]}`, () => clash.names[side], clash);
-        else put(String(id), () => titleOfPart(id), clash);
-      });
-    } else {
-      const types = [clash.first, clash.second].map((id, side) =>
-        id < 0 ? { key: -1, title: clash.names[side] } : typeOf(id),
-      );
-      types.sort((x, y) => x.key - y.key);
-      const key = types.map((type) => (type.key < 0 ? type.title : String(type.key))).join('\n');
-      put(key, () => `${types[0].title} × ${types[1].title}`, clash);
-    }
+  if (by === 'place') {
+    const numbers = clusters(clashes.map(placeOf), within);
+    clashes.forEach((clash, i) => put(String(clashes[numbers[i]].rank), () => '', clash));
+    for (const group of groups.values()) group.title = clusterTitle(group.clashes, words);
+  } else {
+    for (const clash of clashes)
+      for (const [key, title] of membershipsOf(clash, by, words)) put(key, title, clash);
   }
   return [...groups.values()];
 }

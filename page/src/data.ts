@@ -19,6 +19,8 @@ export interface Part {
   product: string;
   file: string;
   triangles: number;
+  /** What the file says of it; of IFC "class", "GlobalId", "Tag", "ObjectType", "storey" and "building". */
+  properties?: Record<string, string>;
   open_edges?: number;
   class?: 'solid' | 'cracked' | 'surface' | null;
   turned?: number;
@@ -70,13 +72,11 @@ export interface Pair {
   was?: Verdict | null;
   status?: string | null;
   comment?: string | null;
+  assignee?: string | null;
 }
 
-export interface Place {
-  name: string;
-  path: string;
-  file: string;
-}
+/** A part, as far as an earlier run names it. */
+export type Place = Pick<Part, 'name' | 'path' | 'file' | 'properties'>;
 
 export interface Resolved {
   a: Place;

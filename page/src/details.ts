@@ -5,7 +5,7 @@
 import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import { byId, button, countOf, el, letterOf, nameOf, numberOf, remarkOf } from './dom';
-import { counted, fileName } from './format';
+import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
 
@@ -29,6 +29,7 @@ function failsBelowText({ failsBelow }: Clash): Value | null {
   return failsBelow > 0 ? ['a tolerance of ', numberOf(failsBelow)] : null;
 }
 
+const kPropertyNames: Record<string, string> = { class: 'Class', storey: 'Storey', building: 'Building', ObjectType: 'Type' };
 const kRegionsAtOnce = 60;
 
 const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', numberOf(p[2])];
@@ -120,7 +121,13 @@ export class Details {
       {},
       nameOf(part.path === part.name ? fileName(part.file) : `${fileName(part.file)} / ${part.path}`, 300),
     );
-    return el('div', { class: 'part-link' }, letter, el('div', {}, link, where));
+    const about = [part.properties?.class, part.properties?.storey].filter(Boolean).join(' · ');
+    return el(
+      'div',
+      { class: 'part-link' },
+      letter,
+      el('div', {}, link, where, about !== '' && el('small', {}, nameOf(about, 300))),
+    );
   }
 
   /** What was measured, large. `a` and `b` of the report are turned where the inner part stands first. */
@@ -172,6 +179,12 @@ export class Details {
       ['Inner radius of A', measured(parts[0].inner_radius)],
       ['Inner radius of B', measured(parts[1].inner_radius)],
       ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
+      ...['GlobalId', 'Tag'].flatMap((name) =>
+        parts.map(({ properties }, side): [string, Value | null] => [
+          `${name} of ${'AB'[side]}`,
+          properties?.[name] ? [nameOf(properties[name])] : null,
+        ]),
+      ),
       ['Id', pair.id ? [nameOf(pair.id)] : null],
     ]);
   }
@@ -246,7 +259,10 @@ export class Details {
       figures([
         ['File', [nameOf(part.file, 2000)]],
         ['Path', [nameOf(part.path, 2000)]],
-        ['IFC product', part.product ? [nameOf(part.product, 2000)] : null],
+        ...Object.entries(part.properties ?? {}).map(([name, value]): [string, Value] => [
+          kPropertyNames[name] ?? nameText(name, 40),
+          [nameOf(value, 2000)],
+        ]),
         ['Part number', [countOf(part.id)]],
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],

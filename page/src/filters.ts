@@ -14,6 +14,9 @@ import {
   kChanges,
   kWorse,
   type SortKey,
+  type Trait,
+  traitTitle,
+  traitValues,
   verdictName,
 } from './clashes';
 import type { Report } from './data';
@@ -25,14 +28,22 @@ type Choice = [value: string, text: string];
 
 const named = (id: string, label: string) => ({ id, 'aria-label': label, title: label });
 
-function numberField(label: string, id: string, onChange: (value: number) => void): HTMLLabelElement {
+function numberField(id: string, value: number, onChange: (value: number) => void): HTMLInputElement {
   const input = el('input', { type: 'number', min: 0, step: 'any', id, inputmode: 'decimal' });
+  if (!Number.isNaN(value)) input.value = String(value);
   input.addEventListener('input', () => onChange(input.value === '' ? NaN : Number(input.value)));
-  return el('label', { class: 'field' }, el('span', {}, label), input);
+  return input;
 }
 
-/** The values that a key of triage takes in the report: changes as they are counted, the others sorted. */
-function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
+const labelled = (label: string, input: HTMLInputElement): HTMLLabelElement =>
+  el('label', { class: 'field' }, el('span', {}, label), input);
+
+const kChosen = ['test', 'status', 'assignee', 'change', 'class', 'storey'] as const;
+
+/** The values that something takes in the report: changes as they are counted, the others sorted. */
+function valuesOf(report: Report, key: (typeof kChosen)[number]): Choice[] {
+  if (key === 'class' || key === 'storey')
+    return traitValues(report.objects, key).filter(Boolean).map((value) => [value, nameText(value, 60)]);
   if (key === 'change') {
     const changes = new Set(report.pairs.map(changeOf));
     const choices: Choice[] = kChanges
@@ -50,11 +61,15 @@ function valuesOf(report: Report, key: 'test' | 'status' | 'change'): Choice[] {
 export class Filters {
   private readonly host = byId('filters');
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
-  private readonly search = searchField('clash-search', 'Filter', 'Filter by part names', 'clash-list', () =>
+  private readonly search = searchField('clash-search', 'Filter', 'Filter by names, classes, storeys, tags and ids of the parts', 'clash-list', () =>
     this.store.filterBy({ text: this.search.value }),
   );
   private readonly clear = button('Clear filters', () => this.reset(), { id: 'clear-filters', class: 'link' });
   private readonly partNote = el('span', { class: 'part-note' });
+  private readonly choosers = new Map<(typeof kChosen)[number], HTMLSelectElement>();
+  /** What is typed, and what of the filter it is. */
+  private readonly typed: [HTMLInputElement, 'text' | 'depthFrom' | 'distanceTo'][] = [[this.search, 'text']];
+  private readonly link: HTMLElement;
 
   constructor(
     private readonly report: Report,
@@ -62,10 +77,15 @@ export class Filters {
     private readonly store: Store,
     private readonly partName: (id: number) => string,
   ) {
+    this.link = labelled(
+      'linked within',
+      numberField('link', store.state.link, (link) => this.store.set({ link })),
+    );
     const state = el('div', { class: 'line filter-state' }, this.partNote, this.clear);
     this.host.append(this.makeChips(), this.makeLine(), this.makeMore(), state);
     store.listen((_, changed) => {
-      if (changed.has('filter')) this.update();
+      if (changed.has('decided')) this.fillChoosers();
+      if (changed.has('filter') || changed.has('group')) this.update();
     });
     this.update();
   }
@@ -127,6 +147,13 @@ export class Filters {
       ['types', 'in pairs of types'],
     ];
     if (this.report.pairs.some((pair) => pair.test)) groups.push(['test', 'in tests']);
+    const traits: [Trait, string][] = [
+      ['storey', 'in storeys'],
+      ['class', 'in pairs of classes'],
+      ['file', 'in pairs of files'],
+    ];
+    groups.push(...traits.filter(([trait]) => traitValues(this.report.objects, trait).length > 1));
+    if (!isMotion) groups.push(['place', 'in clusters']);
     return el(
       'div',
       { class: 'line' },
@@ -137,41 +164,57 @@ export class Filters {
   }
 
   private makeMore(): HTMLElement {
-    const fields: HTMLElement[] = [];
+    const fields = [this.link];
     const { settings } = this.report;
     if ((settings && settings.depth_precision !== null) || this.report.pairs.some((pair) => pair.span?.overlap_depth))
-      fields.push(numberField('Depth from', 'depth-from', (depthFrom) => this.store.filterBy({ depthFrom })));
-    if (settings?.clearance)
-      fields.push(numberField('Distance to', 'distance-to', (distanceTo) => this.store.filterBy({ distanceTo })));
-    for (const key of ['test', 'status', 'change'] as const) {
-      const values = valuesOf(this.report, key);
-      if (!values.length) continue;
-      const choices: Choice[] = [['', `any ${key}`], ...values];
+      fields.push(this.limit('Depth from', 'depth-from', 'depthFrom'));
+    if (settings?.clearance) fields.push(this.limit('Distance to', 'distance-to', 'distanceTo'));
+    for (const key of kChosen) {
       const onChange = (value: string) => this.store.filterBy({ [key]: value });
-      fields.push(chooser(choices, onChange, named(`filter-${key}`, `Only of ${key}`)));
+      this.choosers.set(key, chooser([], onChange, named(`filter-${key}`, `Only of ${key}`)));
     }
-    const line = el('div', { class: 'line' }, ...fields);
-    line.hidden = !fields.length;
-    return line;
+    this.fillChoosers();
+    return el('div', { class: 'line' }, ...fields, ...this.choosers.values());
+  }
+
+  private limit(label: string, id: string, key: 'depthFrom' | 'distanceTo'): HTMLElement {
+    const input = numberField(id, NaN, (value) => this.store.filterBy({ [key]: value }));
+    this.typed.push([input, key]);
+    return labelled(label, input);
+  }
+
+  private fillChoosers(): void {
+    const { filter } = this.store.state;
+    for (const [key, element] of this.choosers) {
+      const values = valuesOf(this.report, key);
+      // What is chosen stays, though nothing has it any more.
+      if (filter[key] && !values.some(([value]) => value === filter[key])) values.push([filter[key], filter[key]]);
+      const choices: Choice[] = [['', `any ${key}`], ...values];
+      element.replaceChildren(...choices.map(([value, text]) => el('option', { value }, text)));
+      element.value = filter[key];
+      element.hidden = !values.length;
+    }
   }
 
   private reset(): void {
-    for (const input of this.host.querySelectorAll('input')) input.value = '';
-    for (const select of this.host.querySelectorAll<HTMLSelectElement>('select[id^=filter-]')) select.value = '';
     this.store.set({ filter: emptyFilter() });
     this.search.focus();
   }
 
   private update(): void {
-    const { filter } = this.store.state;
+    const { filter, group } = this.store.state;
+    this.link.hidden = group !== 'place';
+    for (const [key, element] of this.choosers) element.value = filter[key];
+    for (const [input, key] of this.typed)
+      if (input !== document.activeElement && (filter[key] === '' || Number.isNaN(filter[key]))) input.value = '';
     for (const { element, isOn } of this.chips) setPressed(element, isOn(filter));
     this.clear.hidden = !isFiltering(filter);
-    const parts = filter.parts;
-    this.partNote.textContent = !parts
-      ? ''
-      : parts.size === 1
-        ? `only clashes of ${nameText(this.partName([...parts][0]), 60)}`
-        : `only clashes of ${counted(parts.size)} parts`;
+    const { parts, traits } = filter;
+    const notes: string[] = [];
+    if (parts?.size === 1) notes.push(`only clashes of ${nameText(this.partName([...parts][0]), 60)}`);
+    else if (parts) notes.push(`only clashes of ${counted(parts.size)} parts`);
+    if (traits) notes.push(`only ${nameText(traitTitle(traits.values, traits.trait), 120)}`);
+    this.partNote.textContent = notes.join('; ');
     this.clear.parentElement!.hidden = this.clear.hidden;
   }
 }

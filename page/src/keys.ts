@@ -36,9 +36,9 @@ let areOn = true;
 export function listenForKeys(shortcuts: Shortcut[]): void {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (byId<HTMLDialogElement>('help').open) return;
+    if (document.querySelector('dialog[open]')) return;
     const target = event.target as HTMLElement;
-    const isField = target.matches('input:not([type=checkbox], [type=range]), select');
+    const isField = target.matches('input:not([type=checkbox], [type=range]), select, textarea');
     if (isField) return;
     if (!areOn && event.key !== 'Escape') return;
     if (isOwn(event.key, target)) return;

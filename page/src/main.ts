@@ -3,8 +3,9 @@
 //
 // Puts the page together: first what can be read, then what can be seen.
 import { inAddress, tellAddress } from './address';
-import { rankClashes } from './clashes';
+import { placeOf, rankClashes } from './clashes';
 import { ClashList, sentenceOf } from './clash-list';
+import { usualLink } from './clusters';
 import { BlockError, readReport, readScene, type Report, type SceneBlock } from './data';
 import { Details } from './details';
 import { byId, button, el } from './dom';
@@ -58,6 +59,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
     store.set({ time: motion.times[0], colourBy: 'verdict' });
   }
   const clashes = rankClashes(report);
+  store.set({ link: usualLink(clashes.map(placeOf).filter((place) => place !== null)) });
   const pairs = report.pairs.length;
   const isReview = report.settings !== null || motion !== null;
   document.body.classList.toggle('view-only', !isReview);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The tree of files, groups and parts.
-import { type Clash, wordsOf } from './clashes';
+import { type Clash, searchText, wordsOf } from './clashes';
 import type { Report, SceneBlock } from './data';
 import { byId, button, el, nameOf, searchField } from './dom';
 import { counted, fileName, nameText, plural } from './format';
@@ -45,7 +45,7 @@ export class PartsTree {
   ) {
     const { objects } = report;
     this.leafOf = new Int32Array(objects.length);
-    this.texts = objects.map((part) => `${part.path}\n${part.name}\n${part.product}`.toLowerCase());
+    this.texts = objects.map((part) => `${searchText(part)}\n${part.product.toLowerCase()}`);
     this.clashesOf = new Int32Array(objects.length);
     this.fails = new Uint8Array(objects.length);
     for (const { pair, first, second } of clashes) {

@@ -19,6 +19,10 @@ export interface State {
   filter: Filter;
   sort: SortKey;
   group: GroupKey;
+  /** The longest step within a cluster. */
+  link: number;
+  /** Rises with each decision. */
+  decided: number;
 }
 
 type Listener = (state: State, changed: ReadonlySet<keyof State>) => void;
@@ -37,6 +41,8 @@ export class Store {
     filter: emptyFilter(),
     sort: 'rank',
     group: 'none',
+    link: 0,
+    decided: 0,
   };
   private readonly listeners: Listener[] = [];
 

@@ -120,9 +120,18 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
     ['far bolt', 'far', 'right.stl', 0],
     ['nothing', 'far', 'right.stl', -1],
   ];
-  const objects = named.map(([name, group, file, mesh], id) =>
-    part(id, name, group, file, mesh < 0 ? 0 : meshes[mesh].corners.length / 3, 1 + id),
-  );
+  const objects = named.map(([name, group, file, mesh], id) => ({
+    ...part(id, name, group, file, mesh < 0 ? 0 : meshes[mesh].corners.length / 3, 1 + id),
+    properties:
+      file === 'right.stl'
+        ? {}
+        : {
+            class: ['IfcFastener', 'IfcPlate', 'IfcColumn'][mesh],
+            GlobalId: `0guid$${id}`,
+            Tag: `T-${id}`,
+            storey: id % 2 ? 'Level 2' : 'Level 10',
+          },
+  }));
   const places = named.map((_, i) => [
     2.2 * (i % 4) + offset[0],
     2.2 * Math.floor(i / 4) + offset[1],

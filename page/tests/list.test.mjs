@@ -285,6 +285,31 @@ describe('the list of clashes', () => {
     await clear();
   });
 
+  test('is filtered by what the files say of the parts', async () => {
+    const says = (key, value) => (pair) => [pair.a, pair.b].some((id) => report.objects[id].properties[key] === value);
+    for (const [key, value] of [
+      ['GlobalId', '0guid$3'],
+      ['Tag', 'T-4'],
+      ['class', 'IfcPlate'],
+      ['storey', 'Level 10'],
+    ]) {
+      await page.fill('#clash-search', value.toLowerCase());
+      await lists(says(key, value), `search for ${value}`);
+      await clear();
+    }
+    for (const [key, values] of [
+      ['class', ['IfcColumn', 'IfcFastener', 'IfcPlate']],
+      ['storey', ['Level 2', 'Level 10']],
+    ]) {
+      const options = await page.locator(`#filter-${key} option`).allTextContents();
+      assert.deepEqual(options, [`any ${key}`, ...values]);
+      await page.selectOption(`#filter-${key}`, values[1]);
+      await lists(says(key, values[1]), values[1]);
+      await clear();
+      assert.equal(await page.inputValue(`#filter-${key}`), '');
+    }
+  });
+
   test('is filtered by a part of the tree', async () => {
     const row = page.locator('#parts-tree .row', { hasText: 'far bolt' });
     await row.click();
@@ -322,6 +347,61 @@ describe('the list of clashes', () => {
     await page.selectOption('#group', 'none');
   });
 
+  test('is grouped by storey, class and file', async () => {
+    for (const key of ['storey', 'class', 'file']) {
+      const of = (id) => (key === 'file' ? report.objects[id].file : report.objects[id].properties[key]) ?? `without ${key}`;
+      const titleOf = ([p, q]) => (p === q ? `both ${p}` : `${p} × ${q}`);
+      const orders = ({ a, b }) => [titleOf([of(a), of(b)]), titleOf([of(b), of(a)])];
+      await page.selectOption('#group', key);
+      const titles = await listed(page, '.group-title .name');
+      const ranks = await listed(page);
+      let title;
+      const found = new Map();
+      titles.forEach((text, i) => text ? found.set((title = text), []) : found.get(title).push(ranks[i])); // prettier-ignore
+      for (const [title, members] of found)
+        assert.deepEqual(members, ranksOf((pair) => orders(pair).includes(title)), `${key}: ${title}`);
+      assert.equal([...found.values()].flat().length, report.pairs.length);
+    }
+    await page.selectOption('#group', 'none');
+  });
+
+  test('is grouped in clusters by single linkage', async () => {
+    const seed = 20250601;
+    let state = seed;
+    const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+    const blank = { ...report.pairs[0], id: undefined };
+    const at = (centroid) => [{ ...report.pairs[0].regions[0], centroid }];
+    // A duct through 40 studs, 0.4 apart and 400 from the rest, and 300 clashes of two parts anywhere in a box.
+    const objects = Array.from({ length: 42 }, (_, id) => ({ ...report.objects[0], id, name: id ? `stud ${id}` : 'duct' }));
+    const pairs = Array.from({ length: 40 }, (_, i) => ({ ...blank, a: 0, b: i + 1, regions: at([0.4 * i, 0, 400]) }));
+    for (let i = 0; i < 300; ++i)
+      pairs.push({ ...blank, a: 1, b: 41, regions: i % 50 ? at([20 * random(), 10 * random(), 10 * random()]) : [] });
+    const { page, close } = await browser.open(compose({ report: { ...report, objects, pairs, resolved: [] } }));
+    await page.selectOption('#group', 'place');
+    for (const link of [0.41, 0.8, 1.3, 30]) {
+      await page.fill('#link', String(link));
+      // Each takes in all that is near one of it, until nothing is.
+      const clusters = [];
+      const left = new Set(pairs);
+      const distance = (p, q) => Math.hypot(...p.regions[0].centroid.map((c, k) => c - q.regions[0].centroid[k]));
+      for (const first of left) {
+        const cluster = [first];
+        left.delete(first);
+        for (const one of cluster)
+          for (const other of left)
+            if (one.regions.length && other.regions.length && distance(one, other) <= link) cluster.push(other), left.delete(other);
+        clusters.push(cluster);
+      }
+      const rows = await listed(page, '.badge');
+      const sizes = (counts) => counts.sort((x, y) => x - y).join();
+      assert.equal(sizes(rows.map((count) => Number(count ?? 1))), sizes(clusters.map((one) => one.length)), `link ${link}, seed ${seed}`);
+      assert.ok((await listed(page, '.group-title .name')).includes('duct × 40 parts'));
+    }
+    await page.locator('.clash-group', { hasText: 'duct' }).click();
+    assert.equal((await listed(page)).filter((rank) => rank !== null).length, 40 + 6);
+    await close();
+  });
+
   test('shows all figures of a clash', async () => {
     const pair = report.pairs[0];
     await choose(rankOf(pair));
@@ -334,6 +414,10 @@ describe('the list of clashes', () => {
       '2 regions of contact',
       'a tolerance of 0.4867',
       'A is a solid, B is a solid',
+      'IfcFastener · Level 10',
+      'IfcPlate · Level 2',
+      'GlobalId of A0guid$0',
+      'Tag of BT-3',
       'seen by <b>two</b>',
       'approved',
       'persisting, and worse: it was touching',
