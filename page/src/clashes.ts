@@ -27,6 +27,10 @@ export interface Clash {
   text: string;
 }
 
+const collator = new Intl.Collator('en', { numeric: true });
+/** No two texts are equal. */
+const compareTexts = (p: string, q: string): number => collator.compare(p, q) || Number(p > q) - Number(p < q);
+
 export type SortKey = 'rank' | 'depth' | 'distance' | 'area' | 'name';
 
 /** What parts are told apart by. */
@@ -43,7 +47,7 @@ export const traitName = (value: string, trait: Trait): string =>
 /** Those of both parts, in the order of the alphabet. */
 export const traitsOf = ({ parts }: Clash, trait: Trait): [string, string] => {
   const [p, q] = parts.map((part) => traitOf(part, trait));
-  return collator.compare(p, q) <= 0 ? [p, q] : [q, p];
+  return compareTexts(p, q) <= 0 ? [p, q] : [q, p];
 };
 
 export const traitTitle = ([p, q]: [string, string], trait: Trait): string =>
@@ -51,7 +55,7 @@ export const traitTitle = ([p, q]: [string, string], trait: Trait): string =>
 
 /** The values that a trait takes in the report, in the order of the alphabet. */
 export const traitValues = (parts: Place[], trait: Trait): string[] =>
-  [...new Set(parts.map((part) => traitOf(part, trait)))].sort(collator.compare);
+  [...new Set(parts.map((part) => traitOf(part, trait)))].sort(compareTexts);
 
 export interface Filter {
   verdicts: Set<Verdict>;
@@ -244,8 +248,6 @@ export function filterClashes(clashes: Clash[], filter: Filter): Clash[] {
   const words = wordsOf(filter.text);
   return clashes.filter((clash) => passes(clash, filter, words));
 }
-
-const collator = new Intl.Collator('en', { numeric: true });
 
 export function sortClashes(clashes: Clash[], key: SortKey): Clash[] {
   const by: Record<SortKey, (x: Clash, y: Clash) => number> = {

@@ -12,6 +12,7 @@ import { byId, button, el } from './dom';
 import { Filters } from './filters';
 import { counted, nameText } from './format';
 import { listenForKeys, makeHelp, type Shortcut } from './keys';
+import { makeMatrix } from './matrix';
 import { type Motion, pairsOf, readMotion } from './motion';
 import { PartsTree } from './parts-tree';
 import { Stage } from './stage';
@@ -75,6 +76,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
   showTolerance(report, clashes, store);
+  makeMatrix(report, clashes, store);
   const timeline = motion && new Timeline(motion, clashes, store, () => list.visible);
 
   const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });

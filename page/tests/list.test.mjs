@@ -319,6 +319,28 @@ describe('the list of clashes', () => {
     await page.keyboard.press('Escape');
   });
 
+  test('is counted in a matrix whose cells filter it', async () => {
+    const failing = ranked.filter((pair) => pair.fails);
+    for (const key of ['file', 'class', 'storey']) {
+      const of = (id) => (key === 'file' ? report.objects[id].file : report.objects[id].properties[key]) ?? `without ${key}`;
+      await page.click('#matrix-button');
+      await page.selectOption('#matrix-by', key);
+      const cells = page.locator('#matrix td button');
+      const counts = (await cells.allTextContents()).map(Number);
+      assert.equal(counts.reduce((sum, count) => sum + count), failing.length, key);
+      const last = cells.last();
+      const [, ...found] = /^(?:both (.*)|(.*) × (.*)): \d+ pairs? fails?$/.exec(await last.getAttribute('title'));
+      const values = [found[0] ?? found[1], found[0] ?? found[2]].sort();
+      await last.click();
+      assert.ok(await page.isHidden('#matrix'));
+      const expected = failing.filter(({ a, b }) => [of(a), of(b)].sort().join() === values.join());
+      assert.equal(expected.length, counts.at(-1));
+      await lists((pair) => expected.includes(pair), `${key}: ${values}`);
+      assert.equal(await page.getAttribute('.chip.failing', 'aria-pressed'), 'true');
+      await clear();
+    }
+  });
+
   test('is grouped by part, by types and by test', async () => {
     await page.selectOption('#group', 'part');
     const sizes = new Map();
