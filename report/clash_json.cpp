@@ -112,6 +112,18 @@ std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>
       std::count_if(pairs.begin(), pairs.end(), [&](std::size_t i) { return review.standings[i].fails; }));
 }
 
+/// As a file of decisions has them, without what is empty.
+Json json_decisions(const Review& review) {
+  Json all = Json::object();
+  for (const auto& [key, decision] : review.decisions) {
+    Json& entry = all[key] = Json::object();
+    if (!decision.status.empty()) entry["status"] = decision.status;
+    if (!decision.comment.empty()) entry["comment"] = decision.comment;
+    if (!decision.assignee.empty()) entry["assignee"] = decision.assignee;
+  }
+  return all;
+}
+
 void write_tests(JsonDocument& document, const Review& review) {
   const std::vector<PlannedTest>& tests = review.plan.tests();
   std::vector<std::uint64_t> counts(tests.size()), failing(tests.size());
@@ -184,6 +196,7 @@ Result<void> write_clash_json(Sink& sink, const Review& review) {
   write_missing(document, review.assembly);
   document.list("pairs", review.clashes.pairs.size(), [&](std::size_t i) { return json_pair(review, i); });
   write_resolved(document, review);
+  document.member("decisions", json_decisions(review));
   write_groups(document, review);
   document.member("counts", json_counts(review));
   return document.end();

@@ -67,6 +67,7 @@ std::vector<std::string> decide(const Decisions& decisions, Review& review) {
   std::unordered_map<std::string_view, std::size_t> pairs;
   for (std::size_t i = 0; i < review.ids.size(); ++i) pairs.emplace(review.ids[i], i);
   for (const auto& [id, decision] : decisions.by_id) {
+    review.decisions.emplace_back(id, decision);
     const auto pair = pairs.find(id);
     if (pair == pairs.end()) {
       unmatched.push_back(id);
@@ -83,6 +84,7 @@ std::vector<std::string> decide(const Decisions& decisions, Review& review) {
     return named;
   };
   for (const Decisions::ByNames& entry : decisions.by_names) {
+    review.decisions.emplace_back(entry.key, entry.decision);
     const std::vector<bool> a = parts_named(entry.a), b = parts_named(entry.b);
     bool is_matched = false;
     for (std::size_t i = 0; i < is_decided.size(); ++i) {

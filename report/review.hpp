@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -34,6 +35,7 @@ struct Review {
   Plan plan;                            ///< without tests, if there is no configuration
   std::vector<Standing> standings;      ///< for each pair
   std::vector<Resolved> resolved;       ///< what is gone since the previous run
+  std::vector<std::pair<std::string, Decision>> decisions;  ///< all that were read, by their keys
   PartTypes types;
   std::size_t split_products = 0;     ///< IFC products of several parts, which were not tested against each other
   std::vector<std::string> warnings;  ///< sentences on the configuration and on renamed files

@@ -107,6 +107,8 @@ export interface Report {
   missing?: string[];
   counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
   resolved?: Resolved[];
+  /** All that were read, by pairs' ids or by names of parts, also those that match no pair. */
+  decisions?: Record<string, Record<string, string>>;
   tests?: unknown[];
 }
 

@@ -4,7 +4,8 @@
 // The figures of the chosen clash or part.
 import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
-import { byId, button, countOf, el, letterOf, nameOf, numberOf, remarkOf } from './dom';
+import type { Decision, Decisions } from './decisions';
+import { byId, button, chooser, countOf, el, letterOf, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -51,6 +52,7 @@ export class Details {
 
   constructor(
     private readonly report: Report,
+    private readonly decisions: Decisions,
     private readonly clashesOf: (part: number) => number,
     private readonly store: Store,
     private readonly fit: (parts: number[]) => void,
@@ -89,11 +91,10 @@ export class Details {
       ),
     ];
     const about = clash.pair ?? clash.resolved!;
+    if (clash.pair?.id) nodes.push(this.decision(clash.pair));
     if (clash.pair?.note) nodes.push(el('p', { class: 'note' }, `Note: ${clash.pair.note}.`));
     nodes.push(
       figures([
-        ['Status', clash.pair?.status ? [nameOf(clash.pair.status)] : null],
-        ['Comment', clash.pair?.comment ? [remarkOf(clash.pair.comment)] : null],
         ['Change', changeText(clash)],
         ['Test', about.test ? [nameOf(about.test)] : null],
       ]),
@@ -103,6 +104,28 @@ export class Details {
     if (span) nodes.push(this.ofSpan(clash, span));
     else if (clash.pair) nodes.push(this.facts(clash, clash.pair), ...this.regions(clash.pair));
     return nodes;
+  }
+
+  /** The fields of a decision, each of which is kept as it is typed: the list may change under a click that ends typing. */
+  private decision(pair: Pair): HTMLElement {
+    const take = (decision: Partial<Decision>) => this.decisions.decide(pair, decision);
+    const statuses = this.decisions.statuses.map((one): [string, string] => [one, nameText(one, 60)]);
+    const status = chooser([['', '–'], ...statuses], (value) => take({ status: value }), { id: 'decided-status' });
+    status.value = pair.status ?? '';
+    const assignee = el('input', { type: 'text', id: 'decided-assignee', dir: 'auto', autocomplete: 'off' });
+    assignee.value = pair.assignee ?? '';
+    assignee.addEventListener('input', () => take({ assignee: assignee.value.trim() }));
+    const comment = el('textarea', { id: 'decided-comment', rows: 2, dir: 'auto' });
+    comment.value = pair.comment ?? '';
+    comment.addEventListener('input', () => take({ comment: comment.value.trim() }));
+    const labelled = (text: string, field: HTMLElement) => [el('label', { for: field.id }, text), field];
+    return el(
+      'div',
+      { class: 'decision', role: 'group', 'aria-label': 'Decision' },
+      ...labelled('Status', status),
+      ...labelled('Assignee', assignee),
+      ...labelled('Comment', comment),
+    );
   }
 
   private partLink(clash: Clash, side: 0 | 1): HTMLElement {

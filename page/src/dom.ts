@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Making elements. All text goes in as text: nothing that a file says is ever read as markup.
-import { counted, nameText, remarkText, rounded } from './format';
+import { counted, nameText, rounded } from './format';
 
 type Child = Node | string | null | undefined | false;
 
@@ -41,9 +41,6 @@ export function nameOf(name: string, longest = 200): HTMLElement {
 /** Which of the two parts of a clash: A or B, in its colour. */
 export const letterOf = (side: number): HTMLElement =>
   el('span', { class: `letter side-${'ab'[side]}` }, 'AB'[side]);
-
-/** What people wrote, line by line. */
-export const remarkOf = (remark: string): HTMLElement => el('span', { class: 'remark' }, remarkText(remark));
 
 export function button(
   text: string,

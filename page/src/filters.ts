@@ -174,7 +174,7 @@ export class Filters {
       this.choosers.set(key, chooser([], onChange, named(`filter-${key}`, `Only of ${key}`)));
     }
     this.fillChoosers();
-    return el('div', { class: 'line' }, ...fields, ...this.choosers.values());
+    return el('div', { class: 'line more' }, ...fields, ...this.choosers.values());
   }
 
   private limit(label: string, id: string, key: 'depthFrom' | 'distanceTo'): HTMLElement {

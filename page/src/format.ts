@@ -51,12 +51,5 @@ export function nameText(name: string, longest = 200): string {
   return text === '' ? '(no name)' : text;
 }
 
-/** What people wrote, with its lines; nothing else in it steers the text around it. */
-export function remarkText(remark: string, longest = 2000): string {
-  const text = remark.replace(/\r\n?/g, '\n');
-  const cut = text.length > longest ? `${text.slice(0, longest)}…` : text;
-  return cut.replace(kUnseen, (character) => (/[\n\t]/.test(character) ? character : spelled(character)));
-}
-
 /** The last step of a file's path. */
 export const fileName = (file: string): string => file.split(/[/\\]/).pop() || file;

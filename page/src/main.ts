@@ -7,10 +7,11 @@ import { placeOf, rankClashes } from './clashes';
 import { ClashList, sentenceOf } from './clash-list';
 import { usualLink } from './clusters';
 import { BlockError, readReport, readScene, type Report, type SceneBlock } from './data';
+import { Decisions } from './decisions';
 import { Details } from './details';
 import { byId, button, el } from './dom';
 import { Filters } from './filters';
-import { counted, nameText } from './format';
+import { counted, nameText, plural } from './format';
 import { listenForKeys, makeHelp, type Shortcut } from './keys';
 import { makeMatrix } from './matrix';
 import { type Motion, pairsOf, readMotion } from './motion';
@@ -53,6 +54,28 @@ function typesOf(report: Report, scene: SceneBlock | null): (id: number) => { ke
   };
 }
 
+/** A button, once something is changed, that gives all decisions as a file. */
+function makeSaving(decisions: Decisions, store: Store): void {
+  const save = button('Save decisions', () => {
+    const link = el('a', { download: 'decisions.json' });
+    link.href = URL.createObjectURL(new Blob([decisions.file()], { type: 'application/json' }));
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+    byId('live').textContent = 'Saved as decisions.json';
+  });
+  save.id = 'save-decisions';
+  save.className = 'primary';
+  const update = () => {
+    save.hidden = decisions.changes === 0;
+    save.title = `${plural(decisions.changes, 'decision')} changed: all as a file for impinge clash --decisions`;
+  };
+  store.listen((_, changed) => {
+    if (changed.has('decided')) update();
+  });
+  update();
+  byId('clashes-actions').append(save);
+}
+
 function makePage(report: Report, scene: SceneBlock | null, motion: Motion | null): void {
   const store = new Store(report.objects.length);
   if (motion) {
@@ -71,12 +94,14 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
   new PartsTree(report, scene, clashes, store, (parts) => stage.fitParts(parts));
   const countOf = (part: number) =>
     clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
-  new Details(report, countOf, store, (parts) => stage.fitParts(parts));
+  const decisions = new Decisions(report, titleOf(report, scene), store);
+  new Details(report, decisions, countOf, store, (parts) => stage.fitParts(parts));
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
   new Filters(report, clashes, store, partTitle);
   showTolerance(report, clashes, store);
   makeMatrix(report, clashes, store);
+  if (decisions.canDecide) makeSaving(decisions, store);
   const timeline = motion && new Timeline(motion, clashes, store, () => list.visible);
 
   const back = button('◂', () => list.step(-1), { 'aria-label': 'Previous clash', title: 'Previous clash (K)' });

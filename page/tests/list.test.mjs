@@ -440,8 +440,6 @@ describe('the list of clashes', () => {
       'IfcPlate · Level 2',
       'GlobalId of A0guid$0',
       'Tag of BT-3',
-      'seen by <b>two</b>',
-      'approved',
       'persisting, and worse: it was touching',
       '0000-0',
     ]) {
@@ -453,19 +451,6 @@ describe('the list of clashes', () => {
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
     await page.keyboard.press('Escape');
     assert.ok(!page.url().includes('#'));
-  });
-
-  test('shows a decision in its lines', async () => {
-    await choose(rankOf(report.pairs[0]));
-    const lines = ['seen by <b>two</b>', 'not by\\u202e three', 'or four'];
-    const comment = page.locator('#details-body .remark');
-    assert.equal(await comment.innerText(), lines.join('\n'));
-    assert.equal(await comment.textContent(), lines.join('\n'), 'each character but those of line breaks is seen');
-    const height = await comment.evaluate(
-      (one) => one.getBoundingClientRect().height / parseFloat(getComputedStyle(one).lineHeight),
-    );
-    assert.ok(height > lines.length - 0.5, `${height} lines`);
-    await page.keyboard.press('Escape');
   });
 
   test('tells what is resolved', async () => {

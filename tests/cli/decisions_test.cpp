@@ -65,13 +65,17 @@ TEST_F(DecisionsFile, OfIdsCountBeforeThoseOfNamesAndOfTheseTheFirst) {
 
 TEST_F(DecisionsFile, KeysThatMatchNoPairAreNamed) {
   const std::string id = "01234567-89ab-5cde-8f01-23456789abcd";
-  const Ended ended = run(R"({"$schema":"decisions.schema.json","pipe* | beam":{},"pipe* | wall":{"status":"ok"},")" +
-                          id + R"(":{"comment":"gone"}})");
+  const std::string text = R"({"$schema":"decisions.schema.json","pipe* | beam":{},"pipe* | wall":{"status":"ok"},")" +
+                           id + R"(":{"comment":"gone","assignee":"Ann"}})";
+  const Ended ended = run(text);
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.err, "impinge: d.json: no pair of this run is '" + id +
                            "'; if that clash is solved, delete the key\n"
                            "impinge: d.json: no pair of this run is 'pipe* | wall'; if that clash is solved, delete "
                            "the key\n");
+  json all = json::parse(text);
+  all.erase("$schema");
+  EXPECT_EQ(json::parse(folder.read("out.json")).at("decisions"), all) << "and none is lost in the report";
 }
 
 TEST_F(DecisionsFile, MistakesAreToldWithTheirPlaces) {
