@@ -9,6 +9,7 @@ import {
   filterClashes,
   type Group,
   groupClashes,
+  isFiltering,
   isWorse,
   type PartWords,
   sortClashes,
@@ -27,6 +28,7 @@ const kListed = byId('clash-list');
 export class ClashList {
   /** What passes the filter, in order. */
   visible: Clash[] = [];
+  private groups: Group[] = [];
   private rowsShown: Row[] = [];
   /** Keys of the groups that are not as they are at first. */
   private readonly turned = new Set<string>();
@@ -58,11 +60,12 @@ export class ClashList {
   private update(): void {
     const { filter, sort, group, link, clash } = this.store.state;
     this.visible = sortClashes(filterClashes(this.clashes, filter), sort);
+    this.groups = group === 'none' ? [] : groupClashes(this.visible, group, this.words, link);
     if (group === 'none') {
       this.rowsShown = this.visible.map((one) => ({ clash: one }));
     } else {
       this.rowsShown = [];
-      for (const one of groupClashes(this.visible, group, this.words, link)) {
+      for (const one of this.groups) {
         // What is near nothing else needs no line to stand under.
         const isAlone = group === 'place' && one.clashes.length === 1;
         if (!isAlone) this.rowsShown.push({ group: one });
@@ -89,6 +92,13 @@ export class ClashList {
       this.rows.moveTo(this.rowsShown.findIndex((row) => 'clash' in row && row.clash === clash));
     }
     this.rows.refresh();
+  }
+
+  /** The clashes that one stands with: those of its group, or without groups of a list that is filtered. */
+  around(clash: Clash): Clash[] {
+    const { group, filter } = this.store.state;
+    if (group !== 'none') return this.groups.find((one) => one.clashes.includes(clash))?.clashes ?? [];
+    return isFiltering(filter) && this.visible.includes(clash) ? this.visible : [];
   }
 
   /** The next clash of the list in a direction, from the chosen one. */

@@ -295,16 +295,22 @@ function membershipsOf(clash: Clash, by: Exclude<GroupKey, 'none' | 'place'>, wo
   return [[values.join('\n'), () => traitTitle(values, by)]];
 }
 
-/** What is near each other: a part that all have in common against the others, or the first and how many more. */
+/** The part that is in most of the clashes, and how many others there are; both parts where there are no more. */
 function clusterTitle(members: Clash[], words: PartWords): string {
-  const [{ first, second, names }] = members;
-  if (members.length === 1) return names.join(' × ');
-  const shared = [first, second].find((id) => id >= 0 && members.every((one) => one.first === id || one.second === id));
-  if (shared !== undefined) {
-    const parts = new Set(members.flatMap((one) => [one.first, one.second]));
-    return `${words.title(shared)} × ${plural(parts.size - 1, 'part')}`;
+  const seen = new Map<string, { title: () => string; count: number; against: Set<string> }>();
+  for (const clash of members) {
+    const parts = membershipsOf(clash, 'part', words);
+    parts.forEach(([key, title], side) => {
+      const part = seen.get(key) ?? { title, count: 0, against: new Set() };
+      ++part.count;
+      part.against.add(parts[1 - side][0]);
+      seen.set(key, part);
+    });
   }
-  return `${names.join(' × ')} and ${plural(members.length - 1, 'other')}`;
+  if (seen.size === 2) return members[0].names.join(' × ');
+  const { title, count, against } = [...seen.values()].reduce((best, one) => (one.count > best.count ? one : best));
+  const rest = members.length - count;
+  return `${title()} × ${plural(against.size, 'part')}${rest ? ` and ${plural(rest, 'other')}` : ''}`;
 }
 
 /** Groups in the order of their first clash; by place, of clashes that are linked by steps of at most `within`. */

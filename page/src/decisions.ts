@@ -57,8 +57,8 @@ export class Decisions {
     return [...new Set([...kStatuses, ...used])];
   }
 
-  decide(pair: Pair, decision: Partial<Decision>): void {
-    this.apply(pair, decision);
+  decide(pairs: Pair[], decision: Partial<Decision>): void {
+    for (const pair of pairs) if (this.given.has(pair)) this.apply(pair, decision);
     this.keep();
     this.store.set({ decided: this.store.state.decided + 1 });
   }

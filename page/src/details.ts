@@ -49,18 +49,21 @@ function figures(rows: [string, Value | null][]): HTMLElement {
 
 export class Details {
   private readonly body = byId('details-body');
+  private all: HTMLButtonElement | null = null;
 
   constructor(
     private readonly report: Report,
     private readonly decisions: Decisions,
     private readonly clashesOf: (part: number) => number,
     private readonly store: Store,
+    private readonly around: (clash: Clash) => Clash[],
     private readonly fit: (parts: number[]) => void,
   ) {
     store.listen((_, changed) => {
       if (changed.has('clash') || changed.has('part')) this.show();
       else if (changed.has('region')) this.markRegion();
       else if (changed.has('hidden')) this.show();
+      if ((['decided', 'filter', 'group', 'link'] as const).some((key) => changed.has(key))) this.offerAll();
     });
     this.show();
   }
@@ -91,7 +94,7 @@ export class Details {
       ),
     ];
     const about = clash.pair ?? clash.resolved!;
-    if (clash.pair?.id) nodes.push(this.decision(clash.pair));
+    if (clash.pair?.id) nodes.push(this.decision(clash, clash.pair));
     if (clash.pair?.note) nodes.push(el('p', { class: 'note' }, `Note: ${clash.pair.note}.`));
     nodes.push(
       figures([
@@ -107,8 +110,8 @@ export class Details {
   }
 
   /** The fields of a decision, each of which is kept as it is typed: the list may change under a click that ends typing. */
-  private decision(pair: Pair): HTMLElement {
-    const take = (decision: Partial<Decision>) => this.decisions.decide(pair, decision);
+  private decision(clash: Clash, pair: Pair): HTMLElement {
+    const take = (decision: Partial<Decision>) => this.decisions.decide([pair], decision);
     const statuses = this.decisions.statuses.map((one): [string, string] => [one, nameText(one, 60)]);
     const status = chooser([['', '–'], ...statuses], (value) => take({ status: value }), { id: 'decided-status' });
     status.value = pair.status ?? '';
@@ -119,13 +122,33 @@ export class Details {
     comment.value = pair.comment ?? '';
     comment.addEventListener('input', () => take({ comment: comment.value.trim() }));
     const labelled = (text: string, field: HTMLElement) => [el('label', { for: field.id }, text), field];
+    this.all = button('', () => this.decideAll(clash, pair), { id: 'decide-all' });
+    this.offerAll();
     return el(
       'div',
       { class: 'decision', role: 'group', 'aria-label': 'Decision' },
       ...labelled('Status', status),
       ...labelled('Assignee', assignee),
       ...labelled('Comment', comment),
+      this.all,
     );
+  }
+
+  private offerAll(): void {
+    const { clash, group } = this.store.state;
+    if (!this.all || !clash?.pair) return;
+    const { status, assignee, comment } = clash.pair;
+    const count = this.around(clash).length;
+    this.all.hidden = count < 2 || !(status || assignee || comment);
+    this.all.textContent = `Same for all ${counted(count)} of the ${group === 'none' ? 'list' : 'group'}`;
+  }
+
+  /** What is not said of the one stays as it is of the others. */
+  private decideAll(clash: Clash, { status, assignee, comment }: Pair): void {
+    const pairs = this.around(clash).flatMap((one) => one.pair ?? []);
+    if (!confirm(`Decide the same about ${counted(pairs.length)} clashes? It replaces what was decided about them.`)) return;
+    const said = { ...(status && { status }), ...(assignee && { assignee }), ...(comment && { comment }) };
+    this.decisions.decide(pairs, said);
   }
 
   private partLink(clash: Clash, side: 0 | 1): HTMLElement {

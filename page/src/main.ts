@@ -95,9 +95,9 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
   const countOf = (part: number) =>
     clashes.filter((one) => one.pair && (one.first === part || one.second === part)).length;
   const decisions = new Decisions(report, titleOf(report, scene), store);
-  new Details(report, decisions, countOf, store, (parts) => stage.fitParts(parts));
   const partTitle = (id: number) => report.objects[id].name;
   const list = new ClashList(clashes, { title: partTitle, typeOf: typesOf(report, scene) }, store);
+  new Details(report, decisions, countOf, store, (clash) => list.around(clash), (parts) => stage.fitParts(parts));
   new Filters(report, clashes, store, partTitle);
   showTolerance(report, clashes, store);
   makeMatrix(report, clashes, store);

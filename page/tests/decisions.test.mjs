@@ -140,6 +140,37 @@ describe('decisions', () => {
     await close();
   });
 
+  test('are made for all of a group, or of a list that is filtered', async () => {
+    const { page, close } = await browser.open(reviewPage());
+    page.on('dialog', (dialog) => dialog.accept());
+    const { report } = review();
+    const count = (key, value) =>
+      page.evaluate(([key, value]) => window.impinge.clashes.filter(({ pair }) => pair?.[key] === value).length, [key, value]);
+    await page.selectOption('#group', 'file');
+    await page.locator('#clash-list .clash').first().click();
+    await decide(page, { status: 'active', assignee: 'Ann' });
+    const title = await page.locator('.group-title .name').first().textContent();
+    const [p, q] = /^both (.*)$/.test(title) ? [title.slice(5), title.slice(5)] : title.split(' × ');
+    const filesOf = ({ a, b }) => [report.objects[a].file, report.objects[b].file].sort().join();
+    const members = report.pairs.filter((pair) => filesOf(pair) === [p, q].sort().join());
+    assert.equal(await page.textContent('#decide-all'), `Same for all ${members.length} of the group`);
+    await page.click('#decide-all');
+    assert.equal(await count('status', 'active'), members.length);
+    await page.selectOption('#group', 'none');
+    await page.click('.chip.touching');
+    await page.locator('#clash-list .clash').first().click();
+    await decide(page, { status: '', assignee: 'Bob', comment: '' });
+    assert.equal(await page.textContent('#decide-all'), 'Same for all 3 of the list');
+    await page.click('#decide-all');
+    assert.equal(await count('assignee', 'Bob'), 3);
+    const { a, b } = await page.evaluate(() => window.impinge.store.state.clash.pair);
+    const wasActive = members.some((pair) => pair.a === a && pair.b === b);
+    assert.equal(await count('status', 'active'), members.length - wasActive, 'a status that is not said is kept');
+    await page.click('#clear-filters');
+    assert.ok(await page.isHidden('#decide-all'), 'not for all there are');
+    await close();
+  });
+
   test('show what people wrote as they wrote it', async () => {
     const { page, close } = await browser.open(reviewPage());
     const rank = await page.evaluate(() => window.impinge.clashes.find(({ pair }) => pair?.comment).rank);

@@ -418,6 +418,7 @@ describe('the list of clashes', () => {
       const sizes = (counts) => counts.sort((x, y) => x - y).join();
       assert.equal(sizes(rows.map((count) => Number(count ?? 1))), sizes(clusters.map((one) => one.length)), `link ${link}, seed ${seed}`);
       assert.ok((await listed(page, '.group-title .name')).includes('duct × 40 parts'));
+      if (link === 30) assert.ok((await listed(page, '.group-title .name')).includes('stud 1 × stud 41'), 'twice the same two');
     }
     await page.locator('.clash-group', { hasText: 'duct' }).click();
     assert.equal((await listed(page)).filter((rank) => rank !== null).length, 40 + 6);
