@@ -61,8 +61,12 @@ function valuesOf(report: Report, key: (typeof kChosen)[number]): Choice[] {
 export class Filters {
   private readonly host = byId('filters');
   private readonly chips: { element: HTMLButtonElement; isOn: (filter: Filter) => boolean }[] = [];
-  private readonly search = searchField('clash-search', 'Filter', 'Filter by names, classes, storeys, tags and ids of the parts', 'clash-list', () =>
-    this.store.filterBy({ text: this.search.value }),
+  private readonly search = searchField(
+    'clash-search',
+    'Filter',
+    'Filter by names, classes, storeys, tags and GlobalIds of the parts',
+    'clash-list',
+    () => this.store.filterBy({ text: this.search.value }),
   );
   private readonly clear = button('Clear filters', () => this.reset(), { id: 'clear-filters', class: 'link' });
   private readonly partNote = el('span', { class: 'part-note' });
