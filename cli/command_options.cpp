@@ -119,7 +119,8 @@ void add_ignore(CLI::App& command, SceneOptions& to) {
   command
       .add_option("--ignore", to.ignored,
                   "leave out all pairs of an object named A and one named B; * stands for any characters, ? for one; "
-                  "may be given again")
+                  "class:IfcWall, file:steel*.ifc and storey:'Level 1' name those of a class, a file or a storey; may "
+                  "be given again")
       ->type_name("A B")
       ->allow_extra_args(false);
 }
@@ -299,6 +300,8 @@ void add_clash(CLI::App& command, ClashArguments& to) {
              "list parts that are nearer to each other than C as well, with their distance")
       ->type_name("C");
   add_ignore(command, to);
+  command.add_option("--between", to.between, "only pairs of a part of the one file and a part of the other")
+      ->type_name("FILE FILE");
   command.add_flag("--within-products", to.within_products,
                    "test the parts of one IFC product against each other as well");
   add_fail_on(command, to.fail_on, {"contact", "penetration", "inside", "clearance", "new"},

@@ -30,14 +30,19 @@ std::string summary_of_test(const Review& review, std::uint32_t test) {
   const PlannedTest& planned = review.plan.tests()[test];
   std::uint64_t failing = 0;
   const std::string counts = counts_of_test(review, test, failing);
-  return fmt::format("{}: {}{} of {} {}, tolerance {}: {}; {}.\n", printable(planned.name), name(planned.mode),
+  std::string left_out;
+  for (const auto& [rule, pairs] : review.plan.left_out(test))
+    left_out +=
+        fmt::format("{}{} by '{}'", left_out.empty() ? "; left out by design: " : ", ", counted(pairs, "pair"), rule);
+  return fmt::format("{}: {}{} of {} {}, tolerance {}: {}; {}{}.\n", printable(planned.name), name(planned.mode),
                      planned.clearance > 0 ? fmt::format(" {}", planned.clearance) : "",
                      counted(planned.parts_a, "part"),
                      planned.b.empty() ? "against each other" : "against " + counted(planned.parts_b, "part"),
                      planned.tolerance ? fmt::format("{}", *planned.tolerance) : "auto", counts,
                      failing == 0   ? "none fails"
                      : failing == 1 ? "1 fails"
-                                    : grouped(failing) + " fail");
+                                    : grouped(failing) + " fail",
+                     left_out);
 }
 
 std::string summary_of_changes(const Review& review, const std::string& previous) {

@@ -80,8 +80,9 @@ Result<Model> import_file(const std::filesystem::path& file, const Source& sourc
   if (!importer) return file_error(source, importer.error().message);
 
   const auto seconds = std::max<std::chrono::seconds::rep>(options.time_limit.count(), 1);
-  const std::vector<std::string> arguments{importer->string(), file.string(),
-                                           std::to_string(options.memory_limit_bytes), std::to_string(seconds)};
+  std::vector<std::string> arguments{importer->string(), file.string(), std::to_string(options.memory_limit_bytes),
+                                     std::to_string(seconds)};
+  if (options.property_sets) arguments.emplace_back("property-sets");
   ChildLimits limits{options.time_limit, options.memory_limit_bytes, options.stop};
   const ChildReport report = run_child(arguments, limits);
   if (report.cancelled) return Error{Code::cancelled, sentence(source.label, ": reading was cancelled")};

@@ -82,6 +82,7 @@ Result<Assembly> read_assembly(const SceneOptions& options, const std::function<
     io::ReadOptions read;
     read.max_file_bytes = options.max_file_bytes;
     read.scale = scale_of(options, file);
+    read.property_sets = options.property_sets;
     read.stop = options.stop;
     for (const io::Model& earlier : models)
       if (!read.unit_in_metres) read.unit_in_metres = earlier.unit_in_metres;

@@ -133,6 +133,9 @@ void write_tests(JsonDocument& document, const Review& review) {
   }
   document.list("tests", tests.size(), [&](std::size_t i) {
     const PlannedTest& test = tests[i];
+    Json left_out = Json::object();
+    for (const auto& [rule, pairs] : review.plan.left_out(static_cast<std::uint32_t>(i)))
+      left_out[std::string(rule)] = pairs;
     return Json{{"name", test.name},
                 {"mode", name(test.mode)},
                 {"tolerance", json_tolerance(test.tolerance)},
@@ -141,6 +144,7 @@ void write_tests(JsonDocument& document, const Review& review) {
                 {"b", or_null(test.b)},
                 {"parts_a", test.parts_a},
                 {"parts_b", test.parts_b},
+                {"left_out", std::move(left_out)},
                 {"count", counts[i]},
                 {"fail", failing[i]}};
   });

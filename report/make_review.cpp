@@ -41,6 +41,9 @@ Result<void> configure(ReviewInput& input) {
         "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
         options.clearance, printable(configuration.name)));
   if (auto checked = check(configuration); !checked) return checked.error();
+  const Result<bool> property_sets = needs_property_sets(configuration);
+  if (!property_sets.has_value()) return property_sets.error();
+  options.property_sets = *property_sets;
   if (auto added = add_files(configuration, options); !added) return added.error();
   if (options.files.empty())
     return Error{Code::bad_option,
@@ -65,6 +68,24 @@ void warn_of_unmatched(const std::vector<std::string>& keys, Review& review) {
         fmt::format("{}: {} match no pair either", file, counted(keys.size() - kMostNamed, "other key")));
 }
 
+/// The files that `between` names, if it does. Errors: `bad_option`, of a name that is none or several of theirs.
+using FilePair = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
+Result<FilePair> files_between(const Review& review) {
+  if (!review.options.between) return FilePair();
+  const std::vector<std::string>& files = review.assembly.files;
+  const auto number = [&](const std::string& file) -> Result<std::uint32_t> {
+    if (std::ranges::count(files, file) == 1)
+      return static_cast<std::uint32_t>(std::ranges::find(files, file) - files.begin());
+    return Error{Code::bad_option, fmt::format("--between {}: it is none of the files to read; the nearest is '{}'",
+                                               printable(file), printable(nearest_text(file, files)))};
+  };
+  const auto& [first, second] = *review.options.between;
+  const Result<std::uint32_t> a = number(first), b = number(second);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  return FilePair({*a, *b});
+}
+
 Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   ClashOptions options;
   options.tolerance = review.options.tolerance;
@@ -73,10 +94,20 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.regions = review.options.regions;
   options.threads = review.options.threads;
   options.backend = review.options.backend;
-  if (!review.plan.tests().empty()) {
-    options.clearance = review.plan.largest_distance();
-    options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
-      review.plan.terms(a, b, terms);
+  const bool has_tests = !review.plan.tests().empty();
+  const Result<FilePair> between = files_between(review);
+  if (!between) return between.error();
+  if (has_tests) options.clearance = review.plan.largest_distance();
+  if (has_tests || *between) {
+    const ClashTerms same_for_all{options.tolerance, options.clearance};
+    options.clearance = std::max(options.clearance, options.tolerance.value_or(0));
+    options.terms = [&, same_for_all](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
+      const std::vector<std::uint32_t>& file_of = review.assembly.file_of;
+      if (*between && std::minmax(file_of[a], file_of[b]) != std::minmax((*between)->first, (*between)->second)) return;
+      if (has_tests)
+        review.plan.terms(a, b, terms);
+      else
+        terms.push_back(same_for_all);
     };
   }
   options.progress = review.options.progress;

@@ -4,9 +4,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "report/named_tests/ifc_classes.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinds{"class:", "file:", "storey:"};
+
+/// The objects of a class with what is derived from it, or whose file or storey a pattern describes.
+Result<std::vector<std::uint32_t>> objects_of(const Assembly& assembly, std::string_view kind, std::string_view word) {
+  const bool by_class = kind == kKinds[0], by_file = kind == kKinds[1];
+  std::set<std::string> known;
+  std::vector<std::uint32_t> found;
+  const auto look_at = [&](std::uint32_t object, const std::string& text) {
+    known.insert(text);
+    if (by_class ? is_of_ifc_class(text, word) : matches_pattern(word, text)) found.push_back(object);
+  };
+  for (std::uint32_t i = 0; i < assembly.objects.size(); ++i) {
+    const io::Object& object = assembly.objects[i];
+    const std::filesystem::path file = assembly.files[assembly.file_of[i]];
+    if (by_file) look_at(i, matches_pattern(word, file.string()) ? file.string() : file.filename().string());
+    for (const auto& [name, value] : object.properties)
+      if (!by_file && name == kind.substr(0, kind.size() - 1)) look_at(i, value);
+  }
+  if (!found.empty()) return found;
+  return Error{Code::bad_option,
+               fmt::format("no part is of '{}{}'{}", kind, word,
+                           known.empty() ? "; only IFC files say this"
+                                         : fmt::format("; the nearest is '{}{}'", kind, nearest_text(word, known)))};
+}
+
+}  // namespace
+
 Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::string_view word) {
   const auto all_where = [&](auto says) {
     std::vector<std::uint32_t> found;
@@ -15,6 +50,10 @@ Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::
     return found;
   };
   std::vector<std::uint32_t> found = all_where([&](std::string_view name) { return name == word; });
+  if (found.empty())
+    if (const auto kind = std::ranges::find_if(kKinds, [&](auto begin) { return word.starts_with(begin); });
+        kind != kKinds.end())
+      return objects_of(assembly, *kind, word.substr(kind->size()));
   if (found.empty() && word.find_first_of("*?") != std::string_view::npos)
     found = all_where([&](std::string_view name) { return matches_pattern(word, name); });
   if (!found.empty()) return found;

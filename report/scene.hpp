@@ -15,8 +15,8 @@
 namespace impinge::report {
 
 /// The objects that a word such as those of `--ignore` names: those whose name, or whose label in the table, is the
-/// word; only where there is none, those that the word describes as a shell pattern. Errors: `bad_option`, with the
-/// nearest name.
+/// word; only where there is none, those that the word describes as a shell pattern. If it begins with "class:",
+/// "file:" or "storey:", those of an IFC class, a file or a storey. Errors: `bad_option`, with the nearest name.
 Result<std::vector<std::uint32_t>> objects_named(const Assembly& assembly, std::string_view word);
 
 /// The assembly as a scene that knows which of its objects are near each other; an object's index is its number. Pairs

@@ -37,7 +37,9 @@ struct Object {
   std::optional<std::uint32_t> node{};   ///< of the model's nodes, where the file has animations
   bool is_baked = false;                 ///< the mesh is that of the node, mapped by where the node is at rest
   std::optional<std::uint32_t> group{};  ///< of the model's groups, that it hangs under; nothing: it is at the top
-  /// Names and values, of IFC alone: class, GlobalId, Tag, ObjectType, storey and building, those that the file gives.
+  /// Names and values, of IFC alone and those that the file gives: class, GlobalId, Tag, Description, ObjectType,
+  /// space, storey, building, site, type, and one for each material, layer, system and group. With
+  /// `ReadOptions::property_sets` also "Pset_WallCommon.FireRating" and so on; what a product lacks, its type has.
   std::vector<std::pair<std::string, std::string>> properties{};
 };
 
@@ -102,6 +104,7 @@ struct ReadOptions {
   double scale = 1;
   /// Without a scale: a file whose unit is known is brought to the one of so many metres.
   std::optional<double> unit_in_metres{};
+  bool property_sets = false;                                 ///< of IFC, into the objects' properties
   std::chrono::seconds time_limit{300};                       ///< for the child process
   std::uint64_t memory_limit_bytes = std::uint64_t{8} << 30;  ///< for the child process
   std::filesystem::path importer{};  ///< the child's program; empty: beside the running program, or as installed

@@ -28,6 +28,7 @@ struct SceneOptions {
   std::vector<std::pair<std::string, std::string>> ignored;  ///< names or patterns: such pairs are not tested
   std::vector<std::pair<std::string, double>> scales;        ///< of files; each at most once
   bool skip_unreadable = false;                              ///< go on without files that cannot be read
+  bool property_sets = false;                                ///< as `io::ReadOptions::property_sets`
   std::uint64_t max_file_bytes = 2'000'000'000;              ///< larger files are refused unread
   int threads = 0;                                           ///< at most so many; 0: all there are
   Progress* progress = nullptr;                              ///< counts steps of judging, or the frames of a motion
@@ -49,6 +50,9 @@ struct FailOn {
   bool fresh = false;      ///< and of all these only what is new since the previous report
 };
 
+/// Of the BCF that is written.
+enum class BcfVersion : std::uint8_t { v2_1, v3_0 };
+
 /// How pairs are put together in tables and documents.
 enum class GroupBy : std::uint8_t { none, part, type, test };
 
@@ -60,14 +64,18 @@ struct ReportOptions : SceneOptions, PageOptions {
   bool regions = false;             ///< find regions of contact
   std::string backend = "simd";     ///< as `ClashOptions::backend`
   FailOn fail_on{.penetration = true, .inside = true};
-  bool within_products = false;          ///< test the parts of one IFC product against each other
+  bool within_products = false;  ///< test the parts of one IFC product against each other
+  /// Two of the files: only pairs of a part of the one and a part of the other are judged.
+  std::optional<std::pair<std::string, std::string>> between;
   std::optional<std::string> config;     ///< the file of a configuration with named tests (docs/triage.md)
   std::optional<std::string> previous;   ///< the JSON of an earlier report, to compare with
   std::optional<std::string> decisions;  ///< a file of what people decided about pairs (docs/triage.md)
   GroupBy group_by = GroupBy::none;
   std::optional<double> metres;               ///< that one of the files' units has; nothing: nobody said
-  std::string date = "1970-01-01T00:00:00Z";  ///< of the BCF's topics
-  std::uint64_t topics = 1'000;               ///< of the BCF, at most
+  std::string date = "1970-01-01T00:00:00Z";  ///< of the BCF's topics, in UTC
+  std::string author = "impinge";             ///< of the BCF's topics and comments
+  BcfVersion bcf_version = BcfVersion::v2_1;
+  std::uint64_t topics = 1'000;  ///< of the BCF, at most
 };
 
 /// When the parts of an animated file are looked at, and what counts as a clash.

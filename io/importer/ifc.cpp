@@ -30,15 +30,16 @@ bool is_ifc(const char* file) {
   return ending == ".ifc" || ending == ".ifczip";
 }
 
-std::string become_ifc_importer(const char* file) {
+std::string become_ifc_importer(const char* file, bool property_sets) {
   const std::string script = find_script().string();
   std::error_code ignored;
   if (!std::filesystem::exists(script, ignored)) {
     return io::sentence("the script that reads IFC, ", script,
                         ", is missing; './dev page' builds it, and an installed impinge has it beside impinge-import");
   }
-  std::string node = "node", name = file;
-  std::array<char*, 4> arguments{node.data(), const_cast<char*>(script.c_str()), name.data(), nullptr};
+  std::string node = "node", name = file, sets = "property-sets";
+  std::array<char*, 5> arguments{node.data(), const_cast<char*>(script.c_str()), name.data(),
+                                 property_sets ? sets.data() : nullptr, nullptr};
   execvp(node.c_str(), arguments.data());
   if (errno == ENOENT) {
     return "IFC is read by Node.js, and there is no program 'node' on the PATH; install Node.js 18 or newer (Debian's "

@@ -16,6 +16,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "io/import_stream.hpp"
 #include "io/importer/ifc.hpp"
@@ -60,10 +61,10 @@ int take_standard_output() {
   return stream;
 }
 
-int run_ifc(const char* file, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
+int run_ifc(const char* file, bool property_sets, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
   // WebAssembly reserves more addresses than any limit on these would leave it.
   set_limits(RLIMIT_DATA, memory_bytes, cpu_seconds);
-  const std::string problem = become_ifc_importer(file);
+  const std::string problem = become_ifc_importer(file, property_sets);
   io::ImportWriter(STDOUT_FILENO).error(problem);
   return 0;
 }
@@ -98,11 +99,13 @@ int run(const char* file, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
 int main(int argc, char** argv) {
   std::int64_t memory_bytes = 0, cpu_seconds = 0;
   std::string problem;
-  if (argc != 4 || !impinge::io::parse_integer(argv[2], memory_bytes, problem) || memory_bytes <= 0 ||
-      !impinge::io::parse_integer(argv[3], cpu_seconds, problem) || cpu_seconds <= 0) {
-    std::fputs("usage: impinge-import FILE MEMORY_BYTES CPU_SECONDS\n", stderr);
+  const bool property_sets = argc == 5 && std::string_view(argv[4]) == "property-sets";
+  if ((argc != 4 && !property_sets) || !impinge::io::parse_integer(argv[2], memory_bytes, problem) ||
+      memory_bytes <= 0 || !impinge::io::parse_integer(argv[3], cpu_seconds, problem) || cpu_seconds <= 0) {
+    std::fputs("usage: impinge-import FILE MEMORY_BYTES CPU_SECONDS [property-sets]\n", stderr);
     return 2;
   }
-  const bool is_ifc = impinge::importer::is_ifc(argv[1]);
-  return (is_ifc ? impinge::importer::run_ifc : impinge::importer::run)(argv[1], memory_bytes, cpu_seconds);
+  if (impinge::importer::is_ifc(argv[1]))
+    return impinge::importer::run_ifc(argv[1], property_sets, memory_bytes, cpu_seconds);
+  return impinge::importer::run(argv[1], memory_bytes, cpu_seconds);
 }

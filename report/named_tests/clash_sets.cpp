@@ -11,7 +11,6 @@
 
 #include "report/json_file.hpp"
 #include "report/named_tests/configuration.hpp"
-#include "report/named_tests/ifc_classes.hpp"
 #include "report/schemas.hpp"
 #include "report/text.hpp"
 
@@ -20,62 +19,11 @@ namespace {
 
 using nlohmann::json;
 
-bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
-
-bool is_class(std::string_view word) {
-  return word.starts_with("Ifc") && std::all_of(word.begin(), word.end(), is_letter_or_digit);
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-/// One word of a selector. Of the query language these are understood: a class, a global id, and what is a pattern of
-/// names.
-Group read_selected(std::string_view word, const std::string& place) {
-  const auto by = [&](std::vector<Word> Group::*list, std::string text) {
-    Group group;
-    group.place = place;
-    (group.*list).push_back({std::move(text), place, std::string(word)});
-    return group;
-  };
-  if (is_class(word)) return by(&Group::classes, std::string(word));
-  if (word.starts_with('#')) return by(&Group::products, "*" + std::string(word.substr(1)) + "*");
-  return by(&Group::names, std::string(word));
-}
-
-bool is_everything(std::string_view word) { return word == "IfcElement" || word == "IfcProduct"; }
-
-/// Empty: everything.
-Result<std::vector<Group>> read_selector(const Word& selector, const Configuration& configuration) {
-  const std::string& text = selector.text;
-  std::vector<Group> groups;
-  std::string_view left = text;
-  for (bool more = !trimmed(left).empty(); more;) {
-    const std::size_t comma = left.find_first_of(",+");
-    std::string_view word = trimmed(left.substr(0, comma));
-    more = comma != std::string_view::npos;
-    if (more) left.remove_prefix(comma + 1);
-    if (word.starts_with('.')) word.remove_prefix(1);  // a class, as IfcClash once wrote it
-    if (word.empty() || word.find_first_of("=!<>|&@\"") != std::string_view::npos ||
-        (text.find(',') != std::string::npos && !is_class(word)))
-      return configuration.error_at(
-          selector.place,
-          fmt::format("the selector '{}' is a query that impinge does not answer; it takes classes such as IfcWall, a "
-                      "global id after '#', or a pattern of names",
-                      fit(printable(text), 80)));
-    if (is_everything(word)) return std::vector<Group>();
-    if (is_class(word) && !is_ifc_class(word))
-      return configuration.error_at(
-          selector.place,
-          fmt::format("impinge knows no class '{}' of IFC; the nearest is '{}'. Write classes that it is above, or "
-                      "in a configuration of impinge's own \"product\": \"{}_*\"",
-                      fit(printable(word), 80), nearest_ifc_class(word), fit(printable(word), 80)));
-    groups.push_back(read_selected(word, selector.place));
-  }
-  return groups;
+/// Whether a selector takes everything, as an empty one does.
+bool is_everything(std::string_view selector) {
+  while (selector.starts_with(' ')) selector.remove_prefix(1);
+  while (selector.ends_with(' ')) selector.remove_suffix(1);
+  return selector.empty() || selector == "IfcElement" || selector == "IfcProduct";
 }
 
 /// The text that stands here, or an empty one in place of null or nothing.
@@ -86,34 +34,27 @@ Word read_text(const JsonNode& object, const char* key) {
 }
 
 /// {file, selector, mode}. A selector that is not looked at, because there is no mode, goes into `ignored`.
-Result<Group> read_source(const JsonNode& node, const Configuration& configuration, std::vector<Word>& ignored) {
+Group read_source(const JsonNode& node, std::vector<Word>& ignored) {
   Group source;
   source.place = node.place.to_string();
   source.files.push_back(read_text(node, "file"));
   const Word selector = read_text(node, "selector");
   const std::string mode = read_text(node, "mode").text;
-  Result<std::vector<Group>> selected = read_selector(selector, configuration);
-  if (!selected) return selected.error();
-  if (!selected->empty() && mode.empty()) ignored.push_back(selector);
-  if (selected->empty() || (mode != "i" && mode != "e")) return source;
+  if (is_everything(selector.text)) return source;
+  if (mode.empty()) ignored.push_back(selector);
+  if (mode == "i") source.selects.push_back(selector);
   if (mode == "e") {
-    source.except = *std::move(selected);
-    return source;
+    Group& except = source.except.emplace_back();
+    except.selects.push_back(selector);
+    except.place = selector.place;
   }
-  for (Group& group : *selected) group.files = source.files;
-  source.files.clear();
-  source.any = *std::move(selected);
   return source;
 }
 
-Result<Group> read_sources(const JsonNode& node, const Configuration& configuration, std::vector<Word>& ignored) {
+Group read_sources(const JsonNode& node, std::vector<Word>& ignored) {
   Group group;
   group.place = node.place.to_string();
-  for (Result<Group>& source :
-       node.each([&](const JsonNode& each) { return read_source(each, configuration, ignored); })) {
-    if (!source) return source.error();
-    group.any.push_back(*std::move(source));
-  }
+  group.any = node.each([&](const JsonNode& each) { return read_source(each, ignored); });
   return group;
 }
 
@@ -138,20 +79,13 @@ void warn(const std::vector<IgnoredSelector>& ignored, Configuration& to) {
         fmt::format("{} more with a selector and no \"mode\"", counted(ignored.size() - kMost, "source")));
 }
 
-Result<NamedTest> read_clash_set(const JsonNode& node, const Configuration& configuration,
-                                 std::vector<IgnoredSelector>& to_warn_of) {
+NamedTest read_clash_set(const JsonNode& node, std::vector<IgnoredSelector>& to_warn_of) {
   NamedTest test;
   test.place = node.place.to_string();
   test.name = read_text(node, "name");
   std::vector<Word> ignored;
-  Result<Group> a = read_sources(node["a"], configuration, ignored);
-  if (!a) return a.error();
-  test.a = *std::move(a);
-  if (const auto b = node.find("b"); b && !b->value.empty()) {
-    Result<Group> group = read_sources(*b, configuration, ignored);
-    if (!group) return group.error();
-    test.b = *std::move(group);
-  }
+  test.a = read_sources(node["a"], ignored);
+  if (const auto b = node.find("b"); b && !b->value.empty()) test.b = read_sources(*b, ignored);
   for (Word& selector : ignored) to_warn_of.push_back({std::move(selector), test.name.text});
   // Each of the lengths and flags is for one mode; the program that writes these files writes all of them.
   const std::string mode = node.value.value("mode", "intersection");
@@ -174,10 +108,7 @@ Result<void> read_clash_sets(const JsonNode& sets, Configuration& to) {
   static const json schema = json::parse(kClashSetsSchema);
   if (auto valid = check_against(schema, to.name, to.text, sets.value); !valid) return valid;
   std::vector<IgnoredSelector> ignored;
-  for (Result<NamedTest>& test : sets.each([&](const JsonNode& set) { return read_clash_set(set, to, ignored); })) {
-    if (!test) return test.error();
-    to.tests.push_back(*std::move(test));
-  }
+  to.tests = sets.each([&](const JsonNode& set) { return read_clash_set(set, ignored); });
   warn(ignored, to);
   return {};
 }

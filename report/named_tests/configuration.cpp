@@ -40,6 +40,11 @@ Group read_group(const JsonNode& node) {
   if (const auto names = node.find("name")) group.names = read_words(*names);
   if (const auto paths = node.find("path")) group.paths = read_words(*paths);
   if (const auto products = node.find("product")) group.products = read_words(*products);
+  if (const auto classes = node.find("class")) group.classes = read_words(*classes);
+  if (const auto selects = node.find("select")) group.selects = read_words(*selects);
+  if (const auto properties = node.find("property"))
+    for (const auto& [name, words] : properties->value.items())
+      group.properties.push_back({name, read_words({words, properties->place / name})});
   if (const auto files = node.find("file")) group.files = read_words(*files);
   if (const auto named = node.find("group")) group.named = read_words(*named);
   if (const auto except = node.find("except")) group.except.push_back(read_group(*except));
@@ -58,6 +63,8 @@ IgnoreRules read_ignore(const JsonNode& node) {
   if (const auto same_file = node.find("same_file")) rules.same_file = same_file->value.get<bool>();
   if (const auto same_parent = node.find("same_parent")) rules.same_parent = same_parent->value.get<bool>();
   if (const auto pairs = node.find("pairs")) rules.pairs = read_pairs(*pairs);
+  if (const auto names = node.find("by_design"))
+    for (const Word& word : names->each(read_word)) rules.by_design.push_back(find_design_rule(word.text));
   if (const auto within = node.find("within")) rules.within = within->each(read_group);
   return rules;
 }
@@ -156,6 +163,52 @@ Result<void> check(const Configuration& configuration) {
           fmt::format("only mode clearance keeps a clearance, and this test has mode {}", name(mode)));
   }
   return {};
+}
+
+Result<void> for_each_group(const Configuration& configuration,
+                            const std::function<Result<void>(const Group&)>& look_at) {
+  const std::function<Result<void>(const Group&)> visit = [&](const Group& group) -> Result<void> {
+    if (auto seen = look_at(group); !seen) return seen;
+    for (const std::vector<Group>* const more : {&group.any, &group.except})
+      for (const Group& inner : *more)
+        if (auto seen = visit(inner); !seen) return seen;
+    return {};
+  };
+  const auto visit_terms = [&](const Terms& terms) -> Result<void> {
+    for (const Group& group : terms.ignore.within)
+      if (auto seen = visit(group); !seen) return seen;
+    for (const auto* const pairs : {&terms.ignore.pairs, terms.may_touch ? &terms.may_touch->pairs : nullptr})
+      for (std::size_t i = 0; pairs && i < pairs->size(); ++i)
+        for (const Group* const group : {&(*pairs)[i].first, &(*pairs)[i].second})
+          if (auto seen = visit(*group); !seen) return seen;
+    return {};
+  };
+  for (const auto& [_, group] : configuration.groups)
+    if (auto seen = visit(group); !seen) return seen;
+  if (auto seen = visit_terms(configuration.terms); !seen) return seen;
+  for (const NamedTest& test : configuration.tests) {
+    if (auto seen = visit(test.a); !seen) return seen;
+    if (test.b)
+      if (auto seen = visit(*test.b); !seen) return seen;
+    if (auto seen = visit_terms(test.terms); !seen) return seen;
+  }
+  return {};
+}
+
+Result<bool> needs_property_sets(const Configuration& configuration) {
+  bool needs = false;
+  const auto seen = for_each_group(configuration, [&](const Group& group) -> Result<void> {
+    for (const Word& word : group.selects) {
+      const Result<Selector> selector = parse_selector(word.text);
+      if (!selector) return configuration.error_at(word.place, "the selector: " + selector.error().message);
+      needs = needs || selector->needs_property_sets();
+    }
+    for (const PropertyWords& property : group.properties)
+      needs = needs || property.name.find('.') != std::string::npos;
+    return {};
+  });
+  if (!seen) return seen.error();
+  return needs;
 }
 
 Result<Configuration> read_configuration(const std::string& name) {

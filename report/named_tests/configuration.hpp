@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "impinge/report.hpp"
+#include "report/named_tests/by_design.hpp"
+#include "report/named_tests/selector.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
 namespace impinge::report {
@@ -23,12 +26,20 @@ struct Word {
   [[nodiscard]] const std::string& shown() const { return written.empty() ? text : written; }
 };
 
+/// What parts have as a property, any of the words; a name as `io::Object::properties` has it.
+struct PropertyWords {
+  std::string name;
+  std::vector<Word> words;
+};
+
 /// A set of parts: those that agree with every list that is not empty, each by one of its words, and with one of the
 /// groups of `any` if there are some; and of these, not what `except` names.
 struct Group {
   std::vector<Word> names, paths, products, files;
-  std::vector<Word> classes;  ///< of IFC, each with what is derived from it; only clash sets name them
-  std::vector<Word> named;    ///< groups of the configuration
+  std::vector<Word> classes;              ///< of IFC, each with what is derived from it
+  std::vector<Word> selects;              ///< selectors of IfcOpenShell
+  std::vector<Word> named;                ///< groups of the configuration
+  std::vector<PropertyWords> properties;  ///< which all hold
   std::vector<Group> any;
   std::vector<Group> except;
   std::string place;
@@ -47,6 +58,7 @@ struct IgnoreRules {
   std::optional<bool> same_file, same_parent;
   std::vector<GroupPair> pairs;
   std::vector<Group> within;  ///< no two parts of such a group
+  std::vector<const DesignRule*> by_design;
 };
 
 /// Contacts by design: touching is no failure.
@@ -105,6 +117,13 @@ Result<Configuration> parse_configuration(std::string name, std::string text);
 /// What the form of a configuration cannot say: names stand once, and each test has the clearance that it needs and no
 /// other. Errors: `bad_file`.
 Result<void> check(const Configuration& configuration);
+
+/// Calls `look_at` with each group of the configuration, those within others too, until it fails.
+Result<void> for_each_group(const Configuration& configuration,
+                            const std::function<Result<void>(const Group&)>& look_at);
+
+/// Whether any group asks for property sets. Errors: `bad_file` (a selector that is not understood).
+Result<bool> needs_property_sets(const Configuration& configuration);
 
 struct JsonNode;
 /// The clash sets of IfcClash, a list, in place of a configuration. Errors: `bad_file`.

@@ -61,24 +61,7 @@ class FileAdder {
     for (const Word& word : group.files)
       if (!has_wildcard(word.text) && files_named(configuration_, word.text, options_.files).empty())
         if (auto added = add_new(word); !added) return added;
-    for (const std::vector<Group>* const more : {&group.any, &group.except})
-      for (const Group& inner : *more)
-        if (auto added = add_all_of(inner); !added) return added;
     return {};
-  }
-
-  Result<void> add_all_of(const std::vector<GroupPair>& pairs) {
-    for (const auto& [a, b] : pairs)
-      for (const Group* const group : {&a, &b})
-        if (auto added = add_all_of(*group); !added) return added;
-    return {};
-  }
-
-  Result<void> add_all_of(const Terms& terms) {
-    for (const Group& group : terms.ignore.within)
-      if (auto added = add_all_of(group); !added) return added;
-    if (auto added = add_all_of(terms.ignore.pairs); !added) return added;
-    return terms.may_touch ? add_all_of(terms.may_touch->pairs) : Result<void>();
   }
 
  private:
@@ -146,15 +129,8 @@ Result<void> add_files(const Configuration& configuration, ReportOptions& option
   FileAdder adder(configuration, options);
   for (const NamedFile& file : configuration.files)
     if (auto added = adder.add(file); !added) return added;
-  for (const auto& [name, group] : configuration.groups)
-    if (auto added = adder.add_all_of(group); !added) return added;
-  if (auto added = adder.add_all_of(configuration.terms); !added) return added;
-  for (const NamedTest& test : configuration.tests) {
-    if (auto added = adder.add_all_of(test.a); !added) return added;
-    if (test.b)
-      if (auto added = adder.add_all_of(*test.b); !added) return added;
-    if (auto added = adder.add_all_of(test.terms); !added) return added;
-  }
+  const auto add_all_of = [&](const Group& group) { return adder.add_all_of(group); };
+  if (auto added = for_each_group(configuration, add_all_of); !added) return added;
   for (const auto& [file, factor] : asked)
     if (auto added = add_scale(configuration, file, factor, options); !added) return added;
   return {};

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
-#include "report/named_tests/ifc_classes.hpp"
 #include "report/scene.hpp"
 #include "report/text.hpp"
 
@@ -38,11 +38,6 @@ PartSet where(const std::vector<io::Object>& objects, const std::string io::Obje
   return set;
 }
 
-/// Of "IfcWall_North_2O2Fr$t4X7Zf8NOew3FNr2" what stands first.
-std::string_view class_of(const io::Object& object) {
-  return std::string_view(object.product).substr(0, object.product.find('_'));
-}
-
 }  // namespace
 
 Error PartSets::nothing_named(const Word& word, std::string_view what, const std::string& nearest) const {
@@ -51,11 +46,15 @@ Error PartSets::nothing_named(const Word& word, std::string_view what, const std
                               nearest.empty() ? "" : fmt::format("; the nearest is '{}'", printable(nearest))));
 }
 
+Result<void> PartSets::count_word(const Word& word) {
+  if (++words_ <= kMostWords) return {};
+  return configuration_.error_at(word.place, fmt::format("there are more than {} words in all groups together; "
+                                                         "patterns such as 'pipe*' need fewer",
+                                                         grouped(kMostWords)));
+}
+
 Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Group::*list) {
-  if (++words_ > kMostWords)
-    return configuration_.error_at(word.place, fmt::format("there are more than {} words in all groups together; "
-                                                           "patterns such as 'pipe*' need fewer",
-                                                           grouped(kMostWords)));
+  if (auto counted = count_word(word); !counted) return counted.error();
   if (list == &Group::named) return of_named(word);
   PartSet set(assembly_.objects.size());
   if (list == &Group::names) {
@@ -72,9 +71,13 @@ Result<PartSet> PartSets::of_word(const Word& word, const std::vector<Word> Grou
     return set;
   }
   if (list == &Group::classes) {
-    for (std::size_t i = 0; i < set.size(); ++i) set[i] = is_of_ifc_class(class_of(assembly_.objects[i]), word.text);
-    if (is_empty(set)) return nothing_named(word, "part's IFC class, or one that it is derived from,", "");
-    return set;
+    Result<PartSet> found = of_class(assembly_, word.text);
+    return found ? found : configuration_.error_at(word.place, found.error().message);
+  }
+  if (list == &Group::selects) {
+    const Result<Selector> selector = parse_selector(word.text);
+    const Result<PartSet> found = selector ? select(*selector, assembly_) : Result<PartSet>(selector.error());
+    return found ? found : configuration_.error_at(word.place, "the selector: " + found.error().message);
   }
   const auto text = list == &Group::paths ? &io::Object::path : &io::Object::product;
   set = where(assembly_.objects, text, word.text);
@@ -102,6 +105,37 @@ Result<PartSet> PartSets::of_named(const Word& word) {
   return set;
 }
 
+Result<PartSet> PartSets::with_property(const PropertyWords& property, const std::string& place) {
+  const std::vector<io::Object>& objects = assembly_.objects;
+  std::set<std::string> names;
+  std::vector<std::vector<std::string_view>> values(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    for (const auto& [name, value] : objects[i].properties) {
+      names.insert(name);
+      if (name == property.name) values[i].push_back(value);
+    }
+  if (!names.contains(property.name))
+    return nothing_named({property.name, place + "/property"}, "part's property", nearest_text(property.name, names));
+  PartSet all(objects.size());
+  for (const Word& word : property.words) {
+    if (auto counted = count_word(word); !counted) return counted.error();
+    const auto some = [&](auto says) {
+      PartSet set(objects.size());
+      for (std::size_t i = 0; i < set.size(); ++i) set[i] = std::ranges::any_of(values[i], says);
+      return set;
+    };
+    PartSet set = some([&](std::string_view value) { return value == word.text; });
+    if (is_empty(set)) set = some([&](std::string_view value) { return matches_pattern(word.text, value); });
+    if (is_empty(set)) {
+      std::set<std::string_view> known;
+      for (const auto& of_object : values) known.insert(of_object.begin(), of_object.end());
+      return nothing_named(word, "part's " + printable(property.name), nearest_text(word.text, known));
+    }
+    unite(all, set);
+  }
+  return all;
+}
+
 Result<PartSet> PartSets::any_of(const std::vector<Group>& groups) {
   PartSet all(assembly_.objects.size());
   for (const Group& group : groups) {
@@ -114,8 +148,8 @@ Result<PartSet> PartSets::any_of(const std::vector<Group>& groups) {
 
 Result<PartSet> PartSets::of(const Group& group) {
   PartSet all(assembly_.objects.size(), true);
-  for (const auto list :
-       {&Group::names, &Group::paths, &Group::products, &Group::classes, &Group::files, &Group::named}) {
+  for (const auto list : {&Group::names, &Group::paths, &Group::products, &Group::classes, &Group::selects,
+                          &Group::files, &Group::named}) {
     if ((group.*list).empty()) continue;
     PartSet some(all.size());
     for (const Word& word : group.*list) {
@@ -124,6 +158,11 @@ Result<PartSet> PartSets::of(const Group& group) {
       unite(some, *set);
     }
     intersect(all, some);
+  }
+  for (const PropertyWords& property : group.properties) {
+    const Result<PartSet> some = with_property(property, group.place);
+    if (!some) return some.error();
+    intersect(all, *some);
   }
   if (!group.any.empty()) {
     const Result<PartSet> some = any_of(group.any);
@@ -150,6 +189,8 @@ std::string in_short(const Group& group) {
   add_words(group.paths, "path ");
   add_words(group.products, "product ");
   add_words(group.classes, "class ");
+  add_words(group.selects, "");
+  for (const PropertyWords& property : group.properties) add_words(property.words, (property.name + " ").c_str());
   add_words(group.files, "file ");
   add_words(group.named, "");
   for (const Group& inner : group.any) add(in_short(inner));

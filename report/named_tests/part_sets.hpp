@@ -12,9 +12,6 @@
 
 namespace impinge::report {
 
-/// For each object whether it is in a set.
-using PartSet = std::vector<bool>;
-
 /// What the groups of a configuration are in an assembly.
 class PartSets {
  public:
@@ -26,8 +23,10 @@ class PartSets {
   Result<PartSet> of(const Group& group);
 
  private:
+  Result<void> count_word(const Word& word);
   Result<PartSet> of_word(const Word& word, const std::vector<Word> Group::*list);
   Result<PartSet> of_named(const Word& word);
+  Result<PartSet> with_property(const PropertyWords& property, const std::string& place);
   Result<PartSet> any_of(const std::vector<Group>& groups);
   [[nodiscard]] Error nothing_named(const Word& word, std::string_view what, const std::string& nearest) const;
 

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "report/named_tests/ifc_classes.hpp"
 #include "report/text.hpp"
 
 namespace impinge::report {
@@ -29,7 +31,7 @@ std::vector<std::uint32_t> parents_of(const Assembly& assembly) {
 class Plan::Maker {
  public:
   Maker(const Configuration& configuration, const Assembly& assembly)
-      : configuration_(configuration), sets_(configuration, assembly) {
+      : configuration_(configuration), assembly_(assembly), sets_(configuration, assembly) {
     plan_.files_ = assembly.file_of;
     plan_.parents_ = parents_of(assembly);
   }
@@ -49,6 +51,7 @@ class Plan::Maker {
     }
     if (auto checked = check_groups(); !checked) return checked.error();
     lay_out_rows();
+    plan_.counters_ = std::make_unique<std::atomic<std::uint64_t>[]>(counters_);
     return std::move(plan_);
   }
 
@@ -68,6 +71,16 @@ class Plan::Maker {
     Result<PartSet> set = sets_.of(group);
     if (!set) return set.error();
     columns_.push_back(*std::move(set));
+    return static_cast<std::uint32_t>(columns_.size() - 1);
+  }
+
+  /// What is of none of these classes is in no part: a model without doors has no fillings.
+  std::uint32_t add_classes(const std::vector<std::string_view>& classes) {
+    PartSet set;
+    for (const io::Object& object : assembly_.objects)
+      set.push_back(std::ranges::any_of(
+          classes, [&](std::string_view wanted) { return is_of_ifc_class(class_of(object), wanted); }));
+    columns_.push_back(std::move(set));
     return static_cast<std::uint32_t>(columns_.size() - 1);
   }
 
@@ -117,6 +130,10 @@ class Plan::Maker {
     rules.same_file = terms.ignore.same_file.value_or(all.ignore.same_file.value_or(false));
     rules.same_parent = terms.ignore.same_parent.value_or(all.ignore.same_parent.value_or(false));
     if (auto added = add(terms.ignore, rules.ignored); !added) return added;
+    std::set<const DesignRule*> by_design(all.ignore.by_design.begin(), all.ignore.by_design.end());
+    by_design.insert(terms.ignore.by_design.begin(), terms.ignore.by_design.end());
+    for (const DesignRule* const rule : by_design)
+      rules.by_design.push_back({rule->name, {add_classes(rule->a), add_classes(rule->b)}, counters_++});
     const std::optional<MayTouch>& touch = terms.may_touch ? terms.may_touch : all.may_touch;
     if (!touch) return {};
     rules.may_touch_all = touch->all;
@@ -133,8 +150,10 @@ class Plan::Maker {
   }
 
   const Configuration& configuration_;
+  const Assembly& assembly_;
   PartSets sets_;
   std::vector<PartSet> columns_;
+  std::size_t counters_ = 0;
   Plan plan_;
 };
 
@@ -153,6 +172,12 @@ void Plan::terms(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& to) 
     if (!is_between(groups_[i], a, b) || (rules.same_file && files_[a] == files_[b]) ||
         (rules.same_parent && parents_[a] != 0 && parents_[a] == parents_[b]) || is_in_any(rules.ignored, a, b))
       continue;
+    const auto rule =
+        std::ranges::find_if(rules.by_design, [&](const ByDesign& each) { return is_between(each.sets, a, b); });
+    if (rule != rules.by_design.end()) {
+      counters_[rule->counter].fetch_add(1, std::memory_order_relaxed);
+      continue;
+    }
     const Mode mode = tests_[i].mode;
     to.push_back({tests_[i].tolerance, tests_[i].clearance,
                   mode == Mode::penetration ? Verdict::crossing
@@ -160,6 +185,12 @@ void Plan::terms(std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& to) 
                                             : Verdict::apart,
                   i});
   }
+}
+
+std::vector<std::pair<std::string_view, std::uint64_t>> Plan::left_out(std::uint32_t test) const {
+  std::vector<std::pair<std::string_view, std::uint64_t>> counts;
+  for (const ByDesign& rule : rules_[test].by_design) counts.emplace_back(rule.name, counters_[rule.counter]);
+  return counts;
 }
 
 double Plan::largest_distance() const {

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -39,6 +43,9 @@ class Plan {
   /// The greatest clearance or tolerance of any test.
   [[nodiscard]] double largest_distance() const;
 
+  /// How many pairs of parts near each other each ready rule has left out of a test so far, by the rules' names.
+  [[nodiscard]] std::vector<std::pair<std::string_view, std::uint64_t>> left_out(std::uint32_t test) const;
+
   /// Whether the mode of this test names such a verdict on objects a and b, and it is not allowed by design.
   [[nodiscard]] bool names(std::uint32_t a, std::uint32_t b, std::uint32_t test, Verdict verdict) const;
 
@@ -47,9 +54,16 @@ class Plan {
   struct SetPair {
     std::uint32_t a = 0, b = 0;
   };
+  /// A ready rule: its sets of parts, and where what it leaves out is counted.
+  struct ByDesign {
+    std::string_view name;
+    SetPair sets;
+    std::size_t counter = 0;
+  };
   struct Rules {
     bool same_file = false, same_parent = false;
     std::vector<SetPair> ignored;
+    std::vector<ByDesign> by_design;
     bool may_touch_all = false;
     std::vector<SetPair> may_touch;
   };
@@ -71,6 +85,7 @@ class Plan {
   std::vector<std::uint32_t> parents_;  ///< of each object; 0: it has none
   std::vector<std::uint64_t> rows_;     ///< for each object a bit for each set
   std::size_t row_words_ = 0;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> counters_;
 };
 
 }  // namespace impinge::report

@@ -57,6 +57,18 @@ TEST_F(Ignore, NamesTheNearestNameForATypingError) {
             "impinge: --ignore: nothing is named 'BOLT-2*'; the nearest name is 'bolt_2'\n");
 }
 
+TEST_F(Ignore, BetweenLooksAtTwoFilesAlone) {
+  folder.write("pair.gltf", gltf({{"lid", {0, 2, 0}}, {"rim", {0, 0, 2}}}));
+  const auto found = [&](const std::string& a, const std::string& b) {
+    const Ended run = impinge(folder, {"clash", "plate.off", "bolt_1.off", "pair.gltf", "--between", a, b});
+    return run.code == 2 ? run.err : run.out.substr(0, run.out.find("\n\n"));
+  };
+  EXPECT_EQ(found("plate.off", "bolt_1.off"), "verdict   part   part\ntouching  plate  bolt_1");
+  EXPECT_EQ(found("pair.gltf", "plate.off"), "verdict   part   part\ntouching  plate  lid\ntouching  plate  rim");
+  EXPECT_EQ(found("plate.off", "bolt.off"),
+            "impinge: --between bolt.off: it is none of the files to read; the nearest is 'bolt_1.off'\n");
+}
+
 TEST_F(Ignore, RefusesAPairThatIsNone) {
   EXPECT_NE(left({"--ignore", "plate", "pl*"}).find("names only one object"), std::string::npos);
 }

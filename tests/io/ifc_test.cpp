@@ -451,6 +451,61 @@ TEST(Ifc, NamesAreThoseOfTheFile) {
                                       "O'Brien", "IfcBuildingElementProxy"}));
 }
 
+TEST(Ifc, PropertiesAreOfTheProductItsTypeAndWhatItIsRelatedTo) {
+  Step step;
+  const auto related = [&](const std::string& kind, const std::string& parts, const std::string& to) {
+    step.line(kind + "('" + step.guid() + "',$,$,$,(" + parts + ")," + to + ")");
+  };
+  const auto set = [&](const std::string& name, const std::vector<std::pair<std::string, std::string>>& values) {
+    std::string lines;
+    for (const auto& [key, value] : values)
+      lines += (lines.empty() ? "" : ",") + step.line("IFCPROPERTYSINGLEVALUE('" + key + "',$," + value + ",$)");
+    return step.line("IFCPROPERTYSET('" + step.guid() + "',$,'" + name + "',$,(" + lines + "))");
+  };
+  const std::string shown = step.shown(step.extruded(step.rectangle(1, 1), 1));
+  step.line("IFCPRESENTATIONLAYERASSIGNMENT('A-WALL',$,(" + shown + "),$)");
+  const std::string wall = step.product("wall", step.placement("$", step.origin), step.shape(shown), "IFCWALL");
+  related("IFCRELDEFINESBYTYPE", wall,
+          step.line("IFCWALLTYPE('" + step.guid() + "',$,'WT01',$,$,(" +
+                    set("Pset_WallCommon", {{"FireRating", "IFCLABEL('1HR')"}, {"IsExternal", "IFCBOOLEAN(.T.)"}}) +
+                    "),$,$,$,.STANDARD.)"));
+  related("IFCRELDEFINESBYPROPERTIES", wall,
+          set("Pset_WallCommon", {{"FireRating", "IFCLABEL('2HR')"}, {"Width", "IFCLENGTHMEASURE(0.25)"}}));
+  const std::string layers = [&] {
+    std::string text;
+    for (const char* name : {"brick", "wool"})
+      text += (text.empty() ? "" : ",") +
+              step.line("IFCMATERIALLAYER(" + step.line(std::string("IFCMATERIAL('") + name + "',$,$)") +
+                        ",0.1,$,$,$,$,$)");
+    return text;
+  }();
+  related("IFCRELASSOCIATESMATERIAL", wall,
+          step.line("IFCMATERIALLAYERSETUSAGE(" + step.line("IFCMATERIALLAYERSET((" + layers + "),$,$)") +
+                    ",.AXIS2.,.POSITIVE.,0.,$)"));
+  for (const auto& [kind, name] : {std::pair("IFCSYSTEM", "Supply"), {"IFCGROUP", "Phase 1"}})
+    related("IFCRELASSIGNSTOGROUP", wall,
+            "$," + step.line(std::string(kind) + "('" + step.guid() + "',$,'" + name + "',$,$)"));
+  const auto rest = [&](bool property_sets) {
+    const TemporaryFolder folder;
+    ReadOptions options;
+    options.property_sets = property_sets;
+    auto properties = model_of(read(folder.write("case.ifc", step.text()), options)).objects.at(0).properties;
+    EXPECT_EQ(properties.at(1).first, "GlobalId");
+    properties.erase(properties.begin() + 1);
+    return properties;
+  };
+  using Properties = std::vector<std::pair<std::string, std::string>>;
+  Properties expected{{"class", "IfcWall"}, {"Tag", "T1"},        {"storey", "Level 1"}, {"building", "House"},
+                      {"site", "Site"},     {"type", "WT01"},     {"material", "brick"}, {"material", "wool"},
+                      {"layer", "A-WALL"},  {"system", "Supply"}, {"group", "Phase 1"}};
+  EXPECT_EQ(rest(false), expected);
+  for (const auto& more : Properties{{"Pset_WallCommon.FireRating", "2HR"},
+                                     {"Pset_WallCommon.Width", "0.25"},
+                                     {"Pset_WallCommon.IsExternal", "TRUE"}})
+    expected.push_back(more);
+  EXPECT_EQ(rest(true), expected);
+}
+
 TEST(Ifc, WhatIsNotDrawnIsNamed) {
   Step step;
   const std::string box = step.extruded(step.rectangle(1, 1), 1), at = step.placement("$", step.origin);

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// node import-ifc.cjs FILE
+// node import-ifc.cjs FILE [property-sets]
 //
-// Reads an IFC file by web-ifc and writes its products to standard output, as io/import_stream.hpp describes. It is
-// started by impinge-import, which sets the limits.
+// Reads an IFC file by web-ifc and writes its products to standard output, as io/import_stream.hpp describes; those of
+// property sets only if asked for. It is started by impinge-import, which sets the limits.
 import { FileProblem, readFile } from './file.mjs';
 import * as frames from './frames.mjs';
 import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
 import { keepBodies, mendProfiles } from './mend.mjs';
+import { Properties } from './properties.mjs';
 import { shapeOf } from './shapes.mjs';
 import { Placements, Structure } from './structure.mjs';
 import { unitInMetres } from './units.mjs';
@@ -20,6 +21,8 @@ const kMostNamed = 5;
 // Products that nobody can bump into: what is cut away, rooms, lines of drawings, of analysis and of axes.
 const kNoParts =
   /^Ifc(Opening|VoidingFeature|ProjectionElement|Space|SpatialZone|ExternalSpatial|VirtualElement|Annotation|Grid|Structural|Alignment|Referent|Linear|PositioningElement|DistributionPort|Port$)/;
+// What products are in, and what that is called among their properties.
+const kPlaces = { IfcSpace: 'space', IfcBuildingStorey: 'storey', IfcBuilding: 'building', IfcSite: 'site' };
 // Those that hold others, and need no shape of their own.
 const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|Tunnel)/;
 
@@ -66,6 +69,7 @@ class Groups {
 class Importer {
   #model;
   #structure;
+  #properties;
   #placements;
   #groups;
   #remarks = new Remarks();
@@ -75,9 +79,10 @@ class Importer {
   // Geometries, and what web-ifc said when it made them.
   #incomplete = new Map();
 
-  constructor(model) {
+  constructor(model, withSets) {
     this.#model = model;
     this.#structure = new Structure(model);
+    this.#properties = new Properties(model, withSets);
     this.#placements = new Placements(model);
     this.#groups = new Groups(this.#structure);
   }
@@ -168,20 +173,17 @@ class Importer {
       group: this.#groups.numberFor(wholes),
       world,
     });
-    const nameOfWhole = (kind) => {
-      const whole = wholes.find((at) => this.#model.classOf(at) === kind);
-      return whole ? this.#structure.nameOf(whole) : '';
-    };
-    const properties = {
-      class: name,
-      GlobalId: guid,
+    const properties = [
+      ['class', name],
+      ['GlobalId', guid],
       // Of elements and proxies alone.
-      Tag: /^Ifc(Site|Building$|BuildingStorey)/.test(name) ? '' : textOf(attributes[7]),
-      ObjectType: textOf(attributes[4]),
-      storey: nameOfWhole('IfcBuildingStorey'),
-      building: nameOfWhole('IfcBuilding'),
-    };
-    for (const [key, value] of Object.entries(properties)) if (value) frames.property(key, value);
+      ['Tag', /^Ifc(Site|Building$|BuildingStorey)/.test(name) ? '' : textOf(attributes[7])],
+      ['Description', textOf(attributes[3])],
+      ['ObjectType', textOf(attributes[4])],
+      ...wholes.map((whole) => [kPlaces[this.#model.classOf(whole)], this.#structure.nameOf(whole)]),
+      ...this.#properties.of(line, referenceOf(attributes[6])),
+    ];
+    for (const [key, value] of properties) if (key && value) frames.property(key, value);
   }
 
   finish() {
@@ -246,7 +248,7 @@ function checkSchema(schema) {
   throw new FileProblem(`its schema '${schema.slice(0, 80)}' is ${what}; export it as IFC2x3, IFC4 or IFC4x3`);
 }
 
-async function run(path) {
+async function run(path, withSets) {
   const model = await Model.open(readFile(path), (opened) => {
     checkSchema(opened.schema());
     mendProfiles(opened);
@@ -257,7 +259,7 @@ async function run(path) {
   frames.exactPlaces();
   const products = model.products();
   if (products.length === 0) throw new FileProblem('the file holds no product; export the building with its elements');
-  const importer = new Importer(model);
+  const importer = new Importer(model, withSets);
   for (const product of products) await importer.write(product);
   importer.finish();
   warnOfCurves(model);
@@ -270,7 +272,7 @@ if (major < kOldestNode) {
     `Node.js ${kOldestNode} or newer is needed to read IFC, and this is ${process.versions.node}; install a newer one`,
   );
 } else {
-  run(process.argv[2]).then(
+  run(process.argv[2], process.argv[3] === 'property-sets').then(
     () => frames.end(),
     (problem) => {
       const isKnown = problem instanceof FileProblem;

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+//
+// What a product is related to beside its place: its type, materials, layers, systems and groups, and the property sets of
+// itself and of its type.
+import { referenceOf, referencesOf, textOf } from './model.mjs';
+
+const kSystems = /^Ifc(System|BuildingSystem|BuiltSystem|DistributionSystem|DistributionCircuit|StructuralAnalysisModel)$/;
+// Material sets lead to their layers, profiles or constituents, and these to materials.
+const kDeepest = 8;
+
+// A value of a property as a text; undefined where there is none.
+function valueText(value) {
+  if (value?.value === undefined || value.value === null || referenceOf(value)) return undefined;
+  return typeof value.value === 'boolean' ? String(value.value).toUpperCase() : String(value.value).trim();
+}
+
+export class Properties {
+  #model;
+  #known = new Map();
+  #materials;
+  #types;
+  #groups;
+  #layers;
+  #sets;
+
+  // Property sets are looked up only where they are asked for: they are most of many files.
+  constructor(model, withSets) {
+    this.#model = model;
+    this.#types = this.#related(['IFCRELDEFINESBYTYPE'], 4, 5);
+    this.#materials = this.#related(['IFCRELASSOCIATESMATERIAL'], 4, 5);
+    this.#groups = this.#related(['IFCRELASSIGNSTOGROUP', 'IFCRELASSIGNSTOGROUPBYFACTOR'], 4, 6);
+    this.#layers = this.#related(['IFCPRESENTATIONLAYERASSIGNMENT', 'IFCPRESENTATIONLAYERWITHSTYLE'], 2);
+    this.#sets = withSets ? this.#related(['IFCRELDEFINESBYPROPERTIES'], 4, 5) : undefined;
+  }
+
+  // For each line at the place `from` of these relationships those at the place `to`, or else the relationships.
+  #related(names, from, to) {
+    const found = new Map();
+    for (const line of this.#model.ofClass(...names)) {
+      const attributes = this.#model.attributes(line);
+      const others = to === undefined ? [line] : referencesOf(attributes[to]);
+      for (const part of referencesOf(attributes[from])) {
+        if (!found.has(part)) found.set(part, []);
+        found.get(part).push(...others);
+      }
+    }
+    return found;
+  }
+
+  // What `make` finds in a line, found once.
+  #once(line, make) {
+    if (!this.#known.has(line)) this.#known.set(line, make(this.#model.attributes(line)));
+    return this.#known.get(line);
+  }
+
+  #nameOf(line) {
+    return this.#once(line, (attributes) => textOf(attributes[2]));
+  }
+
+  // The names of the materials below a material, a list or a set of them.
+  #materialsOf(line, steps = kDeepest) {
+    const name = this.#model.classOf(line);
+    if (steps === 0 || !name.startsWith('IfcMaterial')) return [];
+    return this.#once(line, (attributes) =>
+      name === 'IfcMaterial'
+        ? [textOf(attributes[0])]
+        : attributes.flatMap(referencesOf).flatMap((part) => this.#materialsOf(part, steps - 1)),
+    );
+  }
+
+  // The properties of a set, as names with the set's before them and values: single ones, and those of lists.
+  #propertiesOf(set) {
+    return this.#once(set, (attributes) => {
+      if (this.#model.classOf(set) !== 'IfcPropertySet') return [];
+      return referencesOf(attributes[4]).flatMap((line) => {
+        if (!/^IfcProperty(Single|Enumerated|List)Value$/.test(this.#model.classOf(line))) return [];
+        const [name, , values] = this.#model.attributes(line);
+        const texts = (Array.isArray(values) ? values : [values]).map(valueText);
+        return texts.filter(Boolean).map((text) => [`${textOf(attributes[2])}.${textOf(name)}`, text]);
+      });
+    });
+  }
+
+  #layersOf(shape) {
+    if (this.#layers.size === 0) return [];
+    const shown = referencesOf(this.#model.attributes(shape)[2]);
+    const items = shown.flatMap((line) => referencesOf(this.#model.attributes(line)[3]));
+    return [...shown, ...items].flatMap((line) => this.#layers.get(line) ?? []);
+  }
+
+  // Names and values; a product in several systems, of several materials and so on has one for each.
+  of(product, shape) {
+    const type = this.#types.get(product)?.[0];
+    const found = [];
+    const add = (name, values) => {
+      for (const value of new Set(values)) if (value) found.push([name, value]);
+    };
+    add('type', type ? [this.#nameOf(type)] : []);
+    const materials = this.#materials.get(product) ?? this.#materials.get(type) ?? [];
+    add('material', materials.flatMap((line) => this.#materialsOf(line)));
+    add('layer', this.#layersOf(shape).map((line) => this.#once(line, ([name]) => textOf(name))));
+    const groups = this.#groups.get(product) ?? [];
+    const isSystem = (line) => kSystems.test(this.#model.classOf(line));
+    add('system', groups.filter(isSystem).map((line) => this.#nameOf(line)));
+    add('group', groups.filter((line) => !isSystem(line)).map((line) => this.#nameOf(line)));
+    if (!this.#sets) return found;
+    const own = (this.#sets.get(product) ?? []).flatMap((set) => this.#propertiesOf(set));
+    const names = new Set(own.map(([name]) => name));
+    const ofType = type ? referencesOf(this.#model.attributes(type)[5]).flatMap((set) => this.#propertiesOf(set)) : [];
+    // A product says otherwise than its type.
+    return [...found, ...own, ...ofType.filter(([name]) => !names.has(name))];
+  }
+}
