@@ -110,8 +110,9 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
     return write_page(sink, *page, head_of(arguments.files, arguments), *scene, write_json, stop);
   };
   if (auto written = documents.write(kPage, write_html); !written) return written.error();
-  if (arguments.csv && !arguments.force)
-    if (auto kept = check_replaced_table(*arguments.csv, decisions, *review); !kept) return kept.error();
+  for (const auto& place : {arguments.csv, arguments.bcf})
+    if (place && !arguments.force)
+      if (auto kept = check_replaced(*place, decisions, *review); !kept) return kept.error();
   const auto csv = [&](Sink& sink) { return write_csv(sink, *review); };
   if (auto written = documents.write(kCsv, csv); !written) return written.error();
   const auto gltf = [&](Sink& sink) { return write_gltf(sink, *review); };

@@ -263,8 +263,11 @@ void complete(ClashArguments& to, bool fail_on_given) {
 void add_exports(CLI::App& command, ClashArguments& to) {
   add_output(command, "--csv", to.csv, "write a table for spreadsheets, a row for each pair; includes --regions");
   add_output(command, "--bcf", to.bcf,
-             "write BCF 2.1 for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
+             "write BCF for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
              "--regions");
+  add_choice<BcfVersion>(command, "--bcf-version", to.bcf_version,
+                         {{"2.1", BcfVersion::v2_1}, {"3.0", BcfVersion::v3_0}}, "of the BCF (default: 2.1)")
+      ->needs("--bcf");
   constexpr std::uint64_t kMostTopics = 20'000;  // a zip archive counts its members in 16 bits
   add_number(command, "--bcf-topics", to.topics, std::uint64_t{0}, kMostTopics,
              "the worst N pairs at most become topics of the BCF (default: 1000)")
@@ -278,8 +281,14 @@ void add_exports(CLI::App& command, ClashArguments& to) {
   command
       .add_option_function<std::string>("--date", take_date,
                                         "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: "
-                                        "SOURCE_DATE_EPOCH, or the start of 1970)")
+                                        "SOURCE_DATE_EPOCH, or now)")
       ->type_name("DATE")
+      ->needs("--bcf");
+  command.add_option("--author", to.author, "of the BCF's topics and comments (default: impinge)")
+      ->type_name("NAME")
+      ->check([](const std::string& text) {
+        return text.find_first_not_of(" \t") == std::string::npos ? "an author has a name" : "";
+      })
       ->needs("--bcf");
   add_output(command, "--gltf", to.gltf,
              "write the regions of contact as binary glTF, lines and points for other viewers; includes --regions");
@@ -309,10 +318,11 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_output(command, "--previous", to.previous,
              "the JSON of an earlier run: say what is new, what persists and what is resolved since then; includes "
              "--regions");
-  add_output(command, "--decisions", to.decisions,
-             "what people decided about pairs: a status, comment and assignee for each, in JSON by its id or by two "
-             "names of parts, or "
-             "in a table that --csv wrote (docs/triage.md); it is only read");
+  add_output(
+      command, "--decisions", to.decisions,
+      "what people decided about pairs: a status, comment and assignee for each, in JSON by its id or by two names of "
+      "parts, "
+      "in a table that --csv wrote, or in BCF (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth_precision);
   command.add_flag("--regions", to.regions,

@@ -32,7 +32,7 @@ std::optional<std::string> parse_date(std::string_view text) {
 
 Result<std::string> usual_date() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
-  if (epoch == nullptr || *epoch == '\0') return text_of(0);
+  if (epoch == nullptr || *epoch == '\0') return text_of(std::time(nullptr));
   constexpr std::uint64_t kYear10000 = 253402300800;
   const std::optional<std::uint64_t> count = parse_number<std::uint64_t>(epoch);
   if (!count || *count >= kYear10000)

@@ -17,7 +17,7 @@ namespace impinge::cli {
 std::optional<std::string> parse_date(std::string_view text);
 
 /// Without `--date`: that of the variable SOURCE_DATE_EPOCH (https://reproducible-builds.org/specs/source-date-epoch),
-/// or 1970 began. A clock would make each document another one. Errors: `bad_option`, of the variable.
+/// or now. Errors: `bad_option`, of the variable.
 Result<std::string> usual_date();
 
 }  // namespace impinge::cli

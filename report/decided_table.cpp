@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string_view>
-#include <system_error>
-#include <unordered_map>
 #include <vector>
 
 #include "report/decisions.hpp"
-#include "report/json_file.hpp"
 #include "report/text.hpp"
 #include "report/writers.hpp"
 
@@ -89,11 +85,6 @@ struct Columns {
   [[nodiscard]] bool are_there() const { return id && (status || comment || assignee); }
 };
 
-bool is_same(const Decision& p, const Decision& q) {
-  return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment) &&
-         printable(p.assignee) == printable(q.assignee);
-}
-
 }  // namespace
 
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text) {
@@ -109,50 +100,21 @@ Result<Decisions> parse_decided_table(const std::string& name, const std::string
       return at && *at < row->cells.size() ? without_defusing(row->cells[*at]) : std::string();
     };
     const Decision decision{cell(columns.status), cell(columns.comment), cell(columns.assignee)};
-    if (is_same(decision, {})) continue;
+    if (is_empty(decision)) continue;
     const std::string id = cell(columns.id);
     if (!is_pair_id(id))
       return Error{Code::bad_file,
                    fmt::format("{}:{}: the cell under 'id' is no id of a pair: '{}'", name, row->line, printable(id))};
-    const auto [there, is_new] = decisions.by_id.emplace(id, decision);
-    if (!is_new && !is_same(there->second, decision))
+    if (!decisions.add(id, decision))
       return Error{Code::bad_file,
                    fmt::format("{}:{}: another row decides otherwise about the pair {}", name, row->line, id)};
   }
   return decisions;
 }
 
-Result<void> check_replaced_table(const std::string& name, const Decisions& given, const Review& review) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(name, unknown)) return {};
-  const Result<std::string> text = read_text_file(name, kMostBytesOfTable);
-  if (!text) return text.error();
-  Table table(*text);
-  if (!Columns(table).are_there()) return {};
-  const Result<Decisions> earlier = parse_decided_table(name, *text);
-  if (!earlier) return earlier.error();
-
-  std::unordered_map<std::string_view, const Decision*> shown;
-  for (std::size_t i = 0; i < review.ids.size(); ++i) shown.emplace(review.ids[i], &review.standings[i].decision);
-  // Of a pair that is gone the new table has no row: what only the earlier one says would be lost.
-  const auto is_given = [&](const std::string& id, const Decision& decision) {
-    const auto same_id = given.by_id.find(id);
-    if (same_id != given.by_id.end() && is_same(same_id->second, decision)) return true;
-    return std::any_of(given.by_names.begin(), given.by_names.end(),
-                       [&](const Decisions::ByNames& entry) { return is_same(entry.decision, decision); });
-  };
-  std::size_t lost = 0;
-  std::string first;
-  for (const auto& [id, decision] : earlier->by_id) {
-    const auto pair = shown.find(id);
-    if (pair != shown.end() ? is_same(*pair->second, decision) : is_given(id, decision)) continue;
-    if (lost++ == 0) first = id;
-  }
-  if (lost == 0) return {};
-  return Error{Code::bad_file,
-               fmt::format("{} holds {} that would be lost, the first about the pair {}; write to another file and "
-                           "give this one to --decisions, or replace it with --force",
-                           name, counted(lost, "decision"), first)};
+bool is_decided_table(const std::string& text) {
+  Table table(text);
+  return Columns(table).are_there();
 }
 
 }  // namespace impinge::report

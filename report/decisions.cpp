@@ -4,10 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <system_error>
 #include <unordered_map>
 
 #include "report/json_file.hpp"
@@ -24,7 +29,36 @@ constexpr std::uint64_t kMostBytesOfDecisions = 16'000'000;
 constexpr std::size_t kMostValuesOfDecisions = 1'000'000;
 constexpr std::string_view kBetweenNames = " | ";
 
+bool is_bcf(std::string_view name) { return name.ends_with(".bcf") || name.ends_with(".bcfzip"); }
+
+bool is_same(const Decision& p, const Decision& q) {
+  return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment) &&
+         printable(p.assignee) == printable(q.assignee);
+}
+
+/// What a document that is to be replaced holds: nothing where it is no table of decisions and no archive.
+Result<Decisions> decisions_in(const std::string& name) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(name, unknown)) return Decisions();
+  if (is_bcf(name)) {
+    std::array<char, 2> begin{};
+    std::ifstream(name, std::ios::binary).read(begin.data(), begin.size());
+    return std::string_view(begin.data(), begin.size()) == "PK" ? read_decided_bcf(name) : Decisions();
+  }
+  const Result<std::string> text = read_text_file(name, kMostBytesOfTable);
+  if (!text) return text.error();
+  return is_decided_table(*text) ? parse_decided_table(name, *text) : Decisions();
+}
+
 }  // namespace
+
+bool is_empty(const Decision& decision) {
+  return decision.status.empty() && decision.comment.empty() && decision.assignee.empty();
+}
+
+bool Decisions::add(const std::string& id, const Decision& decision) {
+  return is_empty(decision) || is_same(by_id.emplace(id, decision).first->second, decision);
+}
 
 bool is_pair_id(std::string_view key) {
   constexpr std::size_t kLengthOfUuid = 36;
@@ -55,6 +89,7 @@ Result<Decisions> parse_decisions(const std::string& name, const std::string& te
 }
 
 Result<Decisions> read_decisions(const std::string& name) {
+  if (is_bcf(name)) return read_decided_bcf(name);
   const bool is_table = name.ends_with(".csv");
   const Result<std::string> text = read_text_file(name, is_table ? kMostBytesOfTable : kMostBytesOfDecisions);
   if (!text) return text.error();
@@ -97,6 +132,32 @@ std::vector<std::string> decide(const Decisions& decisions, Review& review) {
     if (!is_matched) unmatched.push_back(entry.key);
   }
   return unmatched;
+}
+
+Result<void> check_replaced(const std::string& name, const Decisions& given, const Review& review) {
+  const Result<Decisions> earlier = decisions_in(name);
+  if (!earlier) return earlier.error();
+  std::unordered_map<std::string_view, const Decision*> shown;
+  for (std::size_t i = 0; i < review.ids.size(); ++i) shown.emplace(review.ids[i], &review.standings[i].decision);
+  // Of a pair that is gone the new document says nothing: what only the earlier one says would be lost.
+  const auto is_given = [&](const std::string& id, const Decision& decision) {
+    const auto same_id = given.by_id.find(id);
+    if (same_id != given.by_id.end() && is_same(same_id->second, decision)) return true;
+    return std::any_of(given.by_names.begin(), given.by_names.end(),
+                       [&](const Decisions::ByNames& entry) { return is_same(entry.decision, decision); });
+  };
+  std::size_t lost = 0;
+  std::string first;
+  for (const auto& [id, decision] : earlier->by_id) {
+    const auto pair = shown.find(id);
+    if (pair != shown.end() ? is_same(*pair->second, decision) : is_given(id, decision)) continue;
+    if (lost++ == 0) first = id;
+  }
+  if (lost == 0) return {};
+  return Error{Code::bad_file,
+               fmt::format("{} holds {} that would be lost, the first about the pair {}; write to another file and "
+                           "give this one to --decisions, or replace it with --force",
+                           name, counted(lost, "decision"), first)};
 }
 
 }  // namespace impinge::report

@@ -26,14 +26,24 @@ struct Decisions {
   };
   std::map<std::string, Decision> by_id;  ///< by the pairs' ids
   std::vector<ByNames> by_names;          ///< in the order of the file
+
+  /// False if another one decides otherwise about the pair. An empty decision decides nothing.
+  bool add(const std::string& id, const Decision& decision);
 };
 
-/// From JSON, or from a table with columns as `write_csv` has them if the name ends in ".csv". Errors: `bad_file`, with
-/// the line and the place.
+/// From JSON; from a table with columns as `write_csv` has them if the name ends in ".csv"; or from BCF if it ends in
+/// ".bcf" or ".bcfzip". Errors: `bad_file`, with the line and the place.
 Result<Decisions> read_decisions(const std::string& name);
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text);
 /// Rows without a status, a comment and an assignee decide nothing.
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text);
+/// Whether a text has the columns of a table of decisions.
+bool is_decided_table(const std::string& text);
+/// Status and comments of the topics of BCF 2.0 to 3.0, whose GUIDs are ids of pairs. Errors: also of an archive that
+/// unpacks to more than people write.
+Result<Decisions> read_decided_bcf(const std::string& name);
+
+bool is_empty(const Decision& decision);
 
 /// Whether a text looks like the id of a pair.
 bool is_pair_id(std::string_view key);
@@ -42,8 +52,8 @@ bool is_pair_id(std::string_view key);
 /// no pair.
 std::vector<std::string> decide(const Decisions& decisions, Review& review);
 
-/// Whether a new table of the review, whose decisions are those given, may take an earlier one's place. Errors:
+/// Whether a new table or BCF of the review, whose decisions are those given, may take an earlier one's place. Errors:
 /// `bad_file`, where it holds decisions that the new one would not.
-Result<void> check_replaced_table(const std::string& name, const Decisions& given, const Review& review);
+Result<void> check_replaced(const std::string& name, const Decisions& given, const Review& review);
 
 }  // namespace impinge::report

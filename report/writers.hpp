@@ -41,8 +41,8 @@ struct Topics {
 };
 Topics topics_of(const Review& review);
 
-/// BCF 2.1 (buildingSMART): a zip archive with a folder for each topic. `done` is called after each. Errors: as
-/// `write_zip`.
+/// BCF (buildingSMART), of the version that the options say: a zip archive with a folder for each topic. `done` is
+/// called after each. Errors: as `write_zip`.
 Result<void> write_bcf(Sink& sink, const Review& review, const Topics& topics, const std::function<void()>& done);
 
 }  // namespace impinge::report

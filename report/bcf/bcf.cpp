@@ -77,15 +77,18 @@ Topics topics_of(const Review& review) {
 
 Result<void> write_bcf(Sink& sink, const Review& review, const Topics& topics, const std::function<void()>& done) {
   const std::stop_token& stop = review.options.stop;
-  std::vector<Member> members(1 + 3 * topics.pairs.size());
-  members[0] = {"bcf.version", version_document()};
+  const BcfVersion version = review.options.bcf_version;
+  std::vector<Member> members(3 * topics.pairs.size());
   share(topics.pairs.size(), review.options.threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
     std::array<Member, 3> files = files_of(review, topics.pairs[i], i + 1);
-    std::move(files.begin(), files.end(), members.begin() + 1 + 3 * static_cast<std::ptrdiff_t>(i));
+    std::move(files.begin(), files.end(), members.begin() + 3 * static_cast<std::ptrdiff_t>(i));
     done();
   });
   if (stop.stop_requested()) return interrupted();
+  members.insert(members.begin(), {"bcf.version", version_document(version)});
+  if (version == BcfVersion::v3_0)
+    members.insert(members.begin() + 1, {"extensions.xml", extensions_document(review, topics.pairs)});
   return write_zip(sink, members, stop);
 }
 

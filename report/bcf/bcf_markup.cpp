@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@
 namespace impinge::report {
 namespace {
 
-constexpr const char* kAuthor = "impinge";
-
 /// Texts on one line can be long; the JSON has them whole.
 std::string in_short(std::string_view text) { return fit(printable(text), 100); }
 
@@ -25,8 +24,10 @@ struct Topic {
   const Standing& standing;
   const std::string& id;
   const std::string& date;
+  std::string author;
   Conventions conventions;
 
+  [[nodiscard]] bool is_3_0() const { return review.options.bcf_version == BcfVersion::v3_0; }
   [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
   [[nodiscard]] double square_metres(double area) const { return conventions.metres * conventions.metres * area; }
   [[nodiscard]] std::string label(int side) const {
@@ -34,37 +35,54 @@ struct Topic {
   }
 };
 
+/// "46 mm". Of files of which nobody knows the unit, in theirs.
+std::string short_length(const Topic& topic, double length) {
+  if (!topic.conventions.is_known) return fmt::format("{:.3g} (unit unknown)", length);
+  constexpr double kMillimetres = 1000, kWhole = 10;
+  const double millimetres = kMillimetres * topic.metres(length);
+  return millimetres < kWhole ? fmt::format("{:.2g} mm", millimetres) : fmt::format("{:.0f} mm", millimetres);
+}
+
+/// What both parts have as a property, each value once.
+std::vector<std::string> values_of(const Review& review, const Clash& clash, std::string_view property) {
+  std::vector<std::string> values;
+  for (const std::uint32_t object : clash.objects)
+    for (const auto& [name, value] : review.assembly.objects[object].properties)
+      if (name == property) values.push_back(in_short(value));
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// "Duct DN200 x Beam B12, Level 3, 46 mm".
 std::string title(const Topic& topic) {
   const Clash& clash = topic.clash;
-  if (clash.verdict == Verdict::inside && clash.inner >= 0)
-    return fmt::format("{} inside {}", topic.label(clash.inner), topic.label(1 - clash.inner));
-  const std::string pair = fmt::format("{} / {}", topic.label(0), topic.label(1));
+  const bool is_inside = clash.verdict == Verdict::inside && clash.inner >= 0;
+  const int first = is_inside ? clash.inner : 0;
+  std::string text = fmt::format("{} {} {}", topic.label(first), is_inside ? "inside" : "x", topic.label(1 - first));
+  if (const auto storeys = values_of(topic.review, clash, "storey"); !storeys.empty())
+    text += fmt::format(", {}", fmt::join(storeys, " / "));
+  const bool overlaps = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::crossing;
+  if (is_inside) return text;
   if (clash.verdict == Verdict::apart && clash.nearest)
-    return fmt::format("{}: {:.4g} m apart", pair, topic.metres(clash.nearest->distance));
-  if (clash.overlap_depth && depth_of(clash) > 0)
-    return fmt::format("{}: {}, {:.4g} m deep", pair, name(clash.verdict), topic.metres(depth_of(clash)));
-  return fmt::format("{}: {}", pair, name(clash.verdict));
+    return fmt::format("{}, {} apart", text, short_length(topic, clash.nearest->distance));
+  if (overlaps && depth_of(clash) > 0) return fmt::format("{}, {}", text, short_length(topic, depth_of(clash)));
+  return fmt::format("{}, {}", text, name(clash.verdict));
 }
 
 const char* priority(Verdict verdict) {
-  if (verdict == Verdict::apart) return "Low";
-  return verdict == Verdict::touching ? "Medium" : "High";
+  return kPriorities[verdict == Verdict::apart ? 2 : verdict == Verdict::touching ? 1 : 0];
 }
 
-std::string test_of(const Topic& topic) {
-  const std::vector<PlannedTest>& tests = topic.review.plan.tests();
-  return tests.empty() ? "" : in_short(tests[topic.clash.test].name);
-}
-
-void add_labels(pugi::xml_node parent, const Topic& topic) {
-  add_element(parent, "Labels", std::string(name(topic.clash.verdict)));
-  if (const std::string test = test_of(topic); !test.empty()) add_element(parent, "Labels", test);
-  if (topic.standing.change != Change::unknown) add_element(parent, "Labels", change_text(topic.clash, topic.standing));
+std::string test_of(const Review& review, const Clash& clash) {
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  return tests.empty() ? "" : in_short(tests[clash.test].name);
 }
 
 std::string triage(const Topic& topic) {
   std::string text;
-  if (const std::string test = test_of(topic); !test.empty()) text += fmt::format("Test: {}\n", test);
+  if (const std::string test = test_of(topic.review, topic.clash); !test.empty())
+    text += fmt::format("Test: {}\n", test);
   if (topic.standing.change == Change::unknown) return text;
   text += "Since the earlier run: " + change_text(topic.clash, topic.standing);
   if (topic.standing.was && *topic.standing.was != topic.clash.verdict)
@@ -113,12 +131,13 @@ std::string description(const Topic& topic) {
 
 void add_header(pugi::xml_node parent, const Topic& topic) {
   pugi::xml_node header = parent.append_child("Header");
+  if (topic.is_3_0()) header = header.append_child("Files");
   const auto& [a, b] = topic.clash.objects;
   const std::vector<std::uint32_t>& file_of = topic.review.assembly.file_of;
   for (const std::uint32_t object : {a, b}) {
     if (object != a && file_of[object] == file_of[a]) continue;
     pugi::xml_node file = header.append_child("File");
-    file.append_attribute("isExternal") = true;
+    file.append_attribute(topic.is_3_0() ? "IsExternal" : "isExternal") = true;
     add_element(file, "Filename", file_name_of(topic.review, object));
   }
 }
@@ -135,41 +154,67 @@ std::string printable_lines(std::string_view text) {
   }
 }
 
-/// What people decided about the pair. When, and who, `--decisions` does not say: the date is the topic's.
+/// What people decided about the pair. When, and who, `--decisions` does not say: both are those of the topic.
 void add_comment(pugi::xml_node parent, const Topic& topic) {
   if (topic.standing.decision.comment.empty()) return;
+  if (topic.is_3_0()) parent = parent.append_child("Comments");
   pugi::xml_node element = parent.append_child("Comment");
   element.append_attribute("Guid") = guid_of(fmt::format("{} comment ", topic.id)).c_str();
   add_element(element, "Date", topic.date);
-  add_element(element, "Author", kAuthor);
+  add_element(element, "Author", topic.author);
   add_element(element, "Comment", printable_lines(topic.standing.decision.comment));
   element.append_child("Viewpoint").append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
 }
 
 }  // namespace
 
+std::vector<std::string> labels_of(const Review& review, std::size_t pair) {
+  const Clash& clash = review.clashes.pairs[pair];
+  const Standing& standing = review.standings[pair];
+  std::vector<std::string> labels{std::string(name(clash.verdict))};
+  if (std::string test = test_of(review, clash); !test.empty()) labels.push_back(std::move(test));
+  if (standing.change != Change::unknown) labels.push_back(change_text(clash, standing));
+  for (const char* property : {"storey", "class"})
+    for (std::string& value : values_of(review, clash, property)) labels.push_back(std::move(value));
+  return labels;
+}
+
+std::string status_of(const Review& review, std::size_t pair) {
+  const std::string& status = review.standings[pair].decision.status;
+  return status.empty() ? kUndecided : printable(status);
+}
+
 std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) {
-  const Topic topic{review,           review.clashes.pairs[pair], review.standings[pair],
-                    review.ids[pair], review.options.date,        conventions_of(review.options, review.assembly)};
-  const std::string& status = topic.standing.decision.status;
+  const Topic topic{review,
+                    review.clashes.pairs[pair],
+                    review.standings[pair],
+                    review.ids[pair],
+                    review.options.date,
+                    printable(review.options.author),
+                    conventions_of(review.options, review.assembly)};
   pugi::xml_document document;
   pugi::xml_node markup = begin_document(document, "Markup");
   add_header(markup, topic);
   pugi::xml_node about = markup.append_child("Topic");
   about.append_attribute("Guid") = topic.id.c_str();
-  about.append_attribute("TopicType") = "Clash";
-  about.append_attribute("TopicStatus") = status.empty() ? "Open" : in_short(status).c_str();
+  about.append_attribute("TopicType") = kTopicType;
+  about.append_attribute("TopicStatus") = status_of(review, pair).c_str();
   add_element(about, "Title", title(topic));
   add_element(about, "Priority", priority(topic.clash.verdict));
   add_element(about, "Index", fmt::format("{}", rank));
-  add_labels(about, topic);
+  pugi::xml_node labels = topic.is_3_0() ? about.append_child("Labels") : about;
+  for (const std::string& label : labels_of(review, pair))
+    add_element(labels, topic.is_3_0() ? "Label" : "Labels", label);
   add_element(about, "CreationDate", topic.date);
-  add_element(about, "CreationAuthor", kAuthor);
+  add_element(about, "CreationAuthor", topic.author);
   if (const std::string& assignee = topic.standing.decision.assignee; !assignee.empty())
-    add_element(about, "AssignedTo", in_short(assignee));
+    add_element(about, "AssignedTo", printable(assignee));
   add_element(about, "Description", description(topic));
-  add_comment(markup, topic);
-  pugi::xml_node views = markup.append_child("Viewpoints");
+  // In 3.0 both are in the topic.
+  pugi::xml_node parent = topic.is_3_0() ? about : markup;
+  add_comment(parent, topic);
+  pugi::xml_node views = parent.append_child("Viewpoints");
+  if (topic.is_3_0()) views = views.append_child("ViewPoint");
   views.append_attribute("Guid") = guid_of_viewpoint(topic.id).c_str();
   add_element(views, "Viewpoint", "viewpoint.bcfv");
   add_element(views, "Snapshot", "snapshot.png");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <set>
 #include <sstream>
 
 #include "report/bcf/snapshot.hpp"
@@ -42,6 +43,7 @@ void add_component(pugi::xml_node parent, const Review& review, std::uint32_t ob
 
 void add_components(pugi::xml_node parent, const Review& review, const Clash& clash) {
   const std::array guids{guid_of_product(review, clash.objects[0]), guid_of_product(review, clash.objects[1])};
+  const bool is_3_0 = review.options.bcf_version == BcfVersion::v3_0;
   std::vector<std::uint32_t> parts{clash.objects[0]};
   // Two parts of one product are one component.
   if (guids[1].empty() || guids[1] != guids[0]) parts.push_back(clash.objects[1]);
@@ -54,7 +56,7 @@ void add_components(pugi::xml_node parent, const Review& review, const Clash& cl
     add_component(selection, review, parts[i]);
     pugi::xml_node colour = colouring.append_child("Color");
     colour.append_attribute("Color") = fmt::format("{:06X}", kPartColours[i]).c_str();
-    add_component(colour, review, parts[i]);
+    add_component(is_3_0 ? colour.append_child("Components") : colour, review, parts[i]);
   }
   // A viewer that finds neither part would show nothing if the others were hidden.
   const bool all_visible = guids[0].empty() || guids[1].empty();
@@ -100,11 +102,32 @@ void add_element(pugi::xml_node parent, const char* name, const std::string& tex
   parent.append_child(name).text().set(text.c_str());
 }
 
-std::string version_document() {
+std::string version_document(BcfVersion version) {
   pugi::xml_document document;
-  pugi::xml_node version = begin_document(document, "Version");
-  version.append_attribute("VersionId") = "2.1";
-  add_element(version, "DetailedVersion", "2.1");
+  pugi::xml_node root = begin_document(document, "Version");
+  root.append_attribute("VersionId") = version == BcfVersion::v3_0 ? "3.0" : "2.1";
+  if (version == BcfVersion::v2_1) add_element(root, "DetailedVersion", "2.1");
+  return text_of(document);
+}
+
+std::string extensions_document(const Review& review, const std::vector<std::size_t>& topics) {
+  std::set<std::string> statuses, labels;
+  for (const std::size_t pair : topics) {
+    statuses.insert(status_of(review, pair));
+    for (std::string& label : labels_of(review, pair)) labels.insert(std::move(label));
+  }
+  pugi::xml_document document;
+  pugi::xml_node root = begin_document(document, "Extensions");
+  const auto add = [&](const char* list, const char* name, const auto& words) {
+    pugi::xml_node element = root.append_child(list);
+    for (const auto& word : words) add_element(element, name, word);
+  };
+  add("TopicTypes", "TopicType", std::array{kTopicType});
+  add("TopicStatuses", "TopicStatus", statuses);
+  add("Priorities", "Priority", kPriorities);
+  add("TopicLabels", "TopicLabel", labels);
+  add("Users", "User", std::array{printable(review.options.author)});
+  for (const char* empty : {"SnippetTypes", "Stages"}) root.append_child(empty);
   return text_of(document);
 }
 
@@ -125,6 +148,8 @@ std::string viewpoint_of(const Review& review, std::size_t pair, const View& vie
   add_vector(camera, "CameraDirection", direction_in_bcf(conventions, view.forward));
   add_vector(camera, "CameraUpVector", direction_in_bcf(conventions, view.up));
   add_number(camera, "FieldOfView", kFieldOfView);
+  if (review.options.bcf_version == BcfVersion::v3_0)
+    add_number(camera, "AspectRatio", static_cast<double>(kSnapshotWidth) / kSnapshotHeight);
   add_lines(info, lines, conventions);
   return text_of(document);
 }

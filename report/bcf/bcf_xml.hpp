@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <pugixml.hpp>
@@ -12,10 +13,21 @@
 #include "report/conventions.hpp"
 #include "report/review.hpp"
 
-/// The XML of BCF 2.1, with its elements in the order of the published schemas: version.xsd, markup.xsd, visinfo.xsd.
+/// The XML of BCF 2.1 and 3.0, with its elements in the order of the published schemas: version.xsd, extensions.xsd,
+/// markup.xsd, visinfo.xsd.
 namespace impinge::report {
 
-std::string version_document();
+std::string version_document(BcfVersion version);
+
+/// Of BCF 3.0: the words that its topics use.
+std::string extensions_document(const Review& review, const std::vector<std::size_t>& topics);
+
+/// What a topic is marked with: verdict, test, change, and the storeys and classes of its parts; printable.
+std::vector<std::string> labels_of(const Review& review, std::size_t pair);
+/// What people decided, or else `kUndecided`; printable.
+std::string status_of(const Review& review, std::size_t pair);
+inline constexpr const char *kUndecided = "Open", *kTopicType = "Clash";
+inline constexpr std::array kPriorities{"High", "Medium", "Low"};
 
 /// The topic of a pair, which is the rank-th, with what people wrote about it. Lengths and places in it are in metres
 /// with Z up, as those of the viewpoint.

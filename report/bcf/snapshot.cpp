@@ -70,7 +70,8 @@ View clearest(const Scenery& scenery, const std::array<View, 8>& views) {
 }
 
 Picture draw(const Scenery& scenery, const View& view) {
-  constexpr std::size_t kWidth = 640, kHeight = 480, kFiner = 2;  // each pixel is the mean of so many by so many
+  constexpr std::size_t kWidth = kSnapshotWidth, kHeight = kSnapshotHeight,
+                        kFiner = 2;  // each pixel is the mean of so many by so many
   const Lens lens{view, kFiner * kWidth, kFiner * kHeight};
   const Drawing drawing = drawing_of(scenery, lens, 2.5 * kFiner);
   Picture picture{kWidth, kHeight, {}};

@@ -31,6 +31,9 @@ constexpr std::array<unsigned, 2> kPartColours{0x3B78B5, 0xE39A33};
 /// The view of several in which most of the lines can be seen; the first of those.
 View clearest(const Scenery& scenery, const std::array<View, 8>& views);
 
+/// In pixels.
+constexpr std::size_t kSnapshotWidth = 640, kSnapshotHeight = 480;
+
 /// Both parts, what is behind the nearer one shining through it, and the lines, which are bright where they are not
 /// hidden. By a depth buffer.
 Picture draw(const Scenery& scenery, const View& view);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-// The published schemas of BCF 2.1 (buildingSMART/BCF-XML: version.xsd, markup.xsd, visinfo.xsd) are written down here.
+// The published schemas of BCF 2.1 and 3.0 (buildingSMART/BCF-XML: version.xsd, extensions.xsd, markup.xsd,
+// visinfo.xsd) are written down here.
 #include "bcf_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@ struct Type {
 
 const std::map<std::string, std::string> kSimple{
     {"string", "[^]*"},
+    {"words", "[^]*[^ \\t\\r\\n][^]*"},  // NonEmptyOrBlankString
     {"int", "[+-]?[0-9]{1,9}"},
     {"double", "[+-]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+-]?[0-9]+)?"},
     {"boolean", "true|false|0|1"},
@@ -35,7 +37,9 @@ const std::map<std::string, std::string> kSimple{
     {"Color", "[0-9a-fA-F]{6}([0-9a-fA-F]{2})?"},
     {"BitmapFormat", "PNG|JPG"}};
 
-const std::map<std::string, Type> kTypes{
+using Types = std::map<std::string, Type>;
+
+const Types kTypes2{
     // version.xsd
     {"Version", {{{"DetailedVersion", "string", 0, 1}}, {{"VersionId", "string", 0, 1}}}},
     // markup.xsd
@@ -107,7 +111,66 @@ const std::map<std::string, Type> kTypes{
     {"Lines", {{{"Line", "Line", 1, kAny}}, {}}},
     {"Line", {{{"StartPoint", "Point", 1, 1}, {"EndPoint", "Point", 1, 1}}, {}}}};
 
-void check(const pugi::xml_node& node, const std::string& type_name);
+/// What 3.0 has otherwise.
+Types types_3() {
+  Types types = kTypes2;
+  const auto list = [&](const std::string& name, const std::string& item, const std::string& type, int least = 0) {
+    types[name] = {{{item, type, least, kAny}}, {}};
+  };
+  types["Version"] = {{}, {{"VersionId", "string", 1, 1}}};
+  const std::vector<std::pair<std::string, std::string>> extensions{
+      {"TopicTypes", "TopicType"}, {"TopicStatuses", "TopicStatus"},
+      {"Priorities", "Priority"},  {"TopicLabels", "TopicLabel"},
+      {"Users", "User"},           {"SnippetTypes", "SnippetType"},
+      {"Stages", "Stage"}};
+  for (const auto& [name, item] : extensions) {
+    types["Extensions"].sequence.push_back({name, name, 1, 1});
+    list(name, item, "words");
+  }
+  types["Markup"] = {{{"Header", "Header", 0, 1}, {"Topic", "Topic", 1, 1}}, {}};
+  types["Header"] = {{{"Files", "Files", 0, 1}}, {}};
+  list("Files", "File", "File");
+  types["File"] = {{{"Filename", "words", 0, 1}, {"Date", "dateTime", 0, 1}, {"Reference", "words", 0, 1}},
+                   {{"IfcProject", "IfcGuid", 0, 1},
+                    {"IfcSpatialStructureElement", "IfcGuid", 0, 1},
+                    {"IsExternal", "boolean", 0, 1}}};
+  types["Topic"] = {{{"ReferenceLinks", "ReferenceLinks", 0, 1},
+                     {"Title", "words", 1, 1},
+                     {"Priority", "words", 0, 1},
+                     {"Index", "int", 0, 1},
+                     {"Labels", "Labels", 0, 1},
+                     {"CreationDate", "dateTime", 1, 1},
+                     {"CreationAuthor", "words", 1, 1},
+                     {"ModifiedDate", "dateTime", 0, 1},
+                     {"ModifiedAuthor", "words", 0, 1},
+                     {"DueDate", "dateTime", 0, 1},
+                     {"AssignedTo", "words", 0, 1},
+                     {"Stage", "words", 0, 1},
+                     {"Description", "words", 0, 1},
+                     {"Comments", "Comments", 0, 1},
+                     {"Viewpoints", "Viewpoints", 0, 1}},
+                    {{"Guid", "Guid", 1, 1},
+                     {"ServerAssignedId", "words", 0, 1},
+                     {"TopicType", "words", 1, 1},
+                     {"TopicStatus", "words", 1, 1}}};
+  list("Labels", "Label", "words");
+  list("Comments", "Comment", "Comment");
+  list("Viewpoints", "ViewPoint", "ViewPoint");
+  types["Comment"].sequence[1].type = "words";
+  types["Comment"].sequence[2] = {"Comment", "words", 0, 1};
+  types["VisualizationInfo"].sequence = {{"Components", "Components", 0, 1},
+                                         {"PerspectiveCamera", "PerspectiveCamera", 1, 1},
+                                         {"Lines", "Lines", 0, 1},
+                                         {"ClippingPlanes", "ClippingPlanes", 0, 1}};
+  types["PerspectiveCamera"].sequence.push_back({"AspectRatio", "double", 1, 1});
+  types["Components"].sequence.erase(types["Components"].sequence.begin());
+  types["ColorElement"] = {{{"Components", "ColorComponents", 1, 1}}, {{"Color", "Color", 1, 1}}};
+  list("ColorComponents", "Component", "Component", 1);
+  types["Component"].sequence[0].type = types["Component"].sequence[1].type = "words";
+  return types;
+}
+
+void check(const pugi::xml_node& node, const std::string& type_name, const Types& types);
 
 void check_text(const std::string& text, const std::string& type, const std::string& where) {
   EXPECT_TRUE(std::regex_match(text, std::regex(kSimple.at(type)))) << where << " is no " << type << ": " << text;
@@ -128,9 +191,9 @@ void check_attributes(const pugi::xml_node& node, const std::vector<Item>& allow
 }
 
 /// Holds an element against its type: which elements it has, in which order and how many of each.
-void check(const pugi::xml_node& node, const std::string& type_name) {
-  const auto type = kTypes.find(type_name);
-  if (type == kTypes.end()) {
+void check(const pugi::xml_node& node, const std::string& type_name, const Types& types) {
+  const auto type = types.find(type_name);
+  if (type == types.end()) {
     EXPECT_FALSE(node.first_attribute()) << node.path();
     for (const pugi::xml_node& child : node) EXPECT_EQ(child.type(), pugi::node_pcdata) << node.path();
     return check_text(node.text().get(), type_name, node.path());
@@ -139,13 +202,13 @@ void check(const pugi::xml_node& node, const std::string& type_name) {
   pugi::xml_node child = node.first_child();
   for (const Item& item : type->second.sequence) {
     int count = 0;
-    for (; child && child.name() == item.name; child = child.next_sibling(), ++count) check(child, item.type);
+    for (; child && child.name() == item.name; child = child.next_sibling(), ++count) check(child, item.type, types);
     EXPECT_TRUE(count >= item.least && count <= item.most) << node.path() << " has " << count << " of " << item.name;
   }
   EXPECT_FALSE(child) << node.path() << ": " << child.name() << " is out of its place";
 }
 
-pugi::xml_document parse(const std::string& bytes, const std::string& root) {
+pugi::xml_document parse(const std::string& bytes, const std::string& root, const Types& types) {
   pugi::xml_document document;
   const auto result = document.load_buffer(bytes.data(), bytes.size(), pugi::parse_full, pugi::encoding_utf8);
   EXPECT_TRUE(result) << result.description();
@@ -155,7 +218,7 @@ pugi::xml_document parse(const std::string& bytes, const std::string& root) {
   const pugi::xml_node element = document.document_element();
   EXPECT_EQ(element.name(), root);
   EXPECT_FALSE(element.next_sibling());
-  check(element, root);
+  check(element, root, types);
   return document;
 }
 
@@ -172,22 +235,28 @@ std::vector<Topic> read_bcf(const std::string& archive) {
     EXPECT_TRUE(files.emplace(member.name, member.bytes).second) << member.name << " is there twice";
     EXPECT_EQ(member.date, "1980-01-01 00:00");
   }
-  EXPECT_EQ(std::string(parse(files.at("bcf.version"), "Version").document_element().attribute("VersionId").value()),
-            "2.1");
+  static const Types kTypes3 = types_3();
+  const bool is_3 = files.at("bcf.version").find("VersionId=\"3.0\"") != std::string::npos;
+  const Types& types = is_3 ? kTypes3 : kTypes2;
+  const pugi::xml_document version = parse(files.at("bcf.version"), "Version", types);
+  EXPECT_EQ(std::string(version.document_element().attribute("VersionId").value()), is_3 ? "3.0" : "2.1");
+  if (is_3) parse(files.at("extensions.xml"), "Extensions", types);
   std::vector<Topic> topics;
   for (const auto& [name, bytes] : files) {
     if (!name.ends_with("/markup.bcf")) continue;
     Topic topic;
     topic.guid = name.substr(0, name.find('/'));
-    topic.markup = parse(bytes, "Markup");
+    topic.markup = parse(bytes, "Markup", types);
     EXPECT_EQ(std::string(topic.topic().attribute("Guid").value()), topic.guid);
-    const pugi::xml_node about = topic.markup.document_element().child("Viewpoints");
-    topic.viewpoint = parse(files.at(topic.guid + "/" + about.child("Viewpoint").text().get()), "VisualizationInfo");
+    const pugi::xml_node about = is_3 ? topic.topic().child("Viewpoints").child("ViewPoint")
+                                      : topic.markup.document_element().child("Viewpoints");
+    topic.viewpoint =
+        parse(files.at(topic.guid + "/" + about.child("Viewpoint").text().get()), "VisualizationInfo", types);
     EXPECT_EQ(std::string(about.attribute("Guid").value()), topic.view().attribute("Guid").value());
     topic.snapshot = read_png(files.at(topic.guid + "/" + about.child("Snapshot").text().get()));
     topics.push_back(std::move(topic));
   }
-  EXPECT_EQ(files.size(), 1 + 3 * topics.size());
+  EXPECT_EQ(files.size(), (is_3 ? 2 : 1) + 3 * topics.size());
   std::sort(topics.begin(), topics.end(), [](const Topic& a, const Topic& b) {
     return a.topic().child("Index").text().as_int() < b.topic().child("Index").text().as_int();
   });

@@ -37,10 +37,16 @@ class Epoch : public testing::Test {
 };
 
 TEST_F(Epoch, SaysTheUsualDate) {
+  // Dates of this form are in the order of their texts.
+  const auto expect_now = [] {
+    const auto before = parse_date("now"), date = std::optional(*usual_date()), after = parse_date("now");
+    EXPECT_LE(*before, *date);
+    EXPECT_LE(*date, *after);
+  };
   ::unsetenv("SOURCE_DATE_EPOCH");
-  EXPECT_EQ(*usual_date(), "1970-01-01T00:00:00Z");
+  expect_now();
   set("");
-  EXPECT_EQ(*usual_date(), "1970-01-01T00:00:00Z");
+  expect_now();
   set("1000000000");  // date -u -d @1000000000
   EXPECT_EQ(*usual_date(), "2001-09-09T01:46:40Z");
   set("951782400");

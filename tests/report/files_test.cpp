@@ -31,6 +31,7 @@ class Files : public testing::Test {
     folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
     folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));
     folder.write("page.html", kPageHead + "<html><!-- impinge: data --></html>\n");
+    launch.environment["SOURCE_DATE_EPOCH"] = "0";
     launch.environment["IMPINGE_PAGE"] = (folder.path() / "page.html").string();
   }
   [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
@@ -213,6 +214,9 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   };
   refused({"--date", "2024-01-01"}, "--date requires --bcf");
   refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf-topics requires --bcf");
+  refused({"--author", "Ann"}, "--author requires --bcf");
+  refused({"--author", " ", "--bcf", "out.bcf"}, "an author has a name");
+  refused({"--bcf-version", "2.0", "--bcf", "out.bcf"}, "--bcf-version takes 2.1|3.0, not '2.0'");
   refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "x", "--html", "out.html"}, "'x'");

@@ -51,6 +51,16 @@ std::vector<Member> unzip(const std::string& archive) {
   return members;
 }
 
+void zip(const std::filesystem::path& archive, const std::vector<Member>& members) {
+  zip_t* const made = zip_open(archive.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+  demand(made != nullptr, "no archive");
+  for (const Member& member : members)
+    demand(zip_file_add(made, member.name.c_str(), zip_source_buffer(made, member.bytes.data(), member.bytes.size(), 0),
+                        0) >= 0,
+           member.name + " cannot be added");
+  demand(zip_close(made) == 0, "the archive cannot be written");
+}
+
 Pixels read_png(std::string_view bytes) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

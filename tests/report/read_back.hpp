@@ -18,6 +18,8 @@ struct Member {
 /// The members of a zip archive in their order, by libzip, which checks the archive's consistency and each checksum.
 /// Throws where it finds a fault.
 std::vector<Member> unzip(const std::string& archive);
+/// Packs members into an archive, by libzip.
+void zip(const std::filesystem::path& archive, const std::vector<Member>& members);
 
 struct Pixels {
   std::size_t width = 0, height = 0;

@@ -44,7 +44,9 @@ class TriageFiles : public testing::Test {
                                    "out.csv", "--bcf",    "out.bcf",    "--gltf",    "out.glb", "--quiet"};
     for (const std::string& name : pins) words.push_back(name + ".off");
     words.insert(words.end(), more.begin(), more.end());
-    const Ended ended = impinge(folder, words);
+    Launch launch;
+    launch.environment["SOURCE_DATE_EPOCH"] = "0";
+    const Ended ended = impinge(folder, words, launch);
     EXPECT_EQ(ended.code, 1) << ended.err;
     return json::parse(folder.read("out.json"));
   }
