@@ -17,6 +17,7 @@ Json json_settings(const ReportOptions& options) {
           {"regions", options.regions},
           {"fail_on", words_of(options.fail_on)},
           {"ignore", options.ignored},
+          {"between", options.between ? Json{options.between->first, options.between->second} : Json()},
           {"within_products", options.within_products},
           {"scale", options.scales},
           {"config", or_null(options.config)},
@@ -26,7 +27,10 @@ Json json_settings(const ReportOptions& options) {
 
 Json json_part(const Review& review, std::size_t i) {
   Json part = json_identity(review.assembly, i);
+  const std::string& key = review.identities[i].key;
   part.update(Json{{"placed", review.identities[i].placed},
+                   {"key", key},
+                   {"known_as", review.known_keys[i] == key ? Json() : Json(review.known_keys[i])},
                    {"closed", review.parts[i].facts.closed},
                    {"open_edges", review.parts[i].facts.open_edges}});
   part.update(json_facts(review.parts[i]));

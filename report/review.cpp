@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/review.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,12 +11,10 @@
 #include <tuple>
 #include <utility>
 
+#include "report/text.hpp"
+
 namespace impinge::report {
 namespace {
-
-std::pair<const Identity&, const Identity&> parts_of(const Review& review, const Clash& pair) {
-  return {review.identities[pair.objects[0]], review.identities[pair.objects[1]]};
-}
 
 /// The name that tells it apart from the same two parts' pairs of other tests.
 std::string test_of(const Review& review, const Clash& pair) {
@@ -79,10 +79,16 @@ void assign_ids(const Previous* previous, Review& review) {
   review.file_names = names_of_files(review.assembly.files);
   review.known_names = known_names(review.assembly, review.file_names, previous);
   review.identities = identities_of(review.assembly, review.known_names.known_as);
-  for (const Clash& pair : review.clashes.pairs) {
-    const auto [a, b] = parts_of(review, pair);
-    review.ids.push_back(guid_of_pair(a.key, b.key, test_of(review, pair)));
-  }
+  std::size_t made_anew = 0;
+  review.known_keys = known_keys(review.assembly, review.known_names.known_as, review.identities, previous, made_anew);
+  if (made_anew > 0)
+    review.warnings.push_back(
+        fmt::format("{} by shape and place alone: GlobalId or name is another than in {}",
+                    counted(made_anew, "part") + (made_anew == 1 ? " is known again" : " are known again"),
+                    printable(review.options.previous.value_or("the earlier run"))));
+  for (const Clash& pair : review.clashes.pairs)
+    review.ids.push_back(
+        guid_of_pair(review.known_keys[pair.objects[0]], review.known_keys[pair.objects[1]], test_of(review, pair)));
 }
 
 void compare_with_previous(const Previous* previous, Review& review) {

@@ -12,6 +12,7 @@
 #include "impinge/clash.hpp"
 #include "impinge/report.hpp"
 #include "report/assembly.hpp"
+#include "report/comparison/known_parts.hpp"
 #include "report/comparison/previous.hpp"
 #include "report/comparison/renamed_files.hpp"
 #include "report/comparison/standing.hpp"
@@ -31,6 +32,7 @@ struct Review {
   std::vector<std::string> file_names;  ///< for each file, as `names_of_files`
   FileNames known_names;                ///< what they were known by before they were renamed
   std::vector<Identity> identities;     ///< for each object
+  std::vector<std::string> known_keys;  ///< for each object its key, or that of then where it was made anew
   std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
   Plan plan;                            ///< without tests, if there is no configuration
   std::vector<Standing> standings;      ///< for each pair

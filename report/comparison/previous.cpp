@@ -28,8 +28,8 @@ using nlohmann::json;
 /// Members with other keys, such as the lines of regions and what people added, are not kept in memory.
 bool is_compared(const std::string& key) {
   static const std::unordered_set<std::string> keys{
-      "version", "files", "file",    "name", "known_as", "objects", "path",    "placed",   "pairs",   "id",
-      "a",       "b",     "verdict", "test", "nearest",  "box",     "regions", "centroid", "resolved"};
+      "version", "files", "file", "name",    "known_as", "objects", "path", "placed",  "key",      "pairs",
+      "id",      "a",     "b",    "verdict", "test",     "nearest", "box",  "regions", "centroid", "resolved"};
   return keys.contains(key);
 }
 
@@ -97,7 +97,8 @@ using Parts = std::unordered_map<std::uint32_t, OldPart>;  // by their ids
 Parts read_parts(const Value& objects) {
   Parts parts;
   for (const Value& object : objects.items()) {
-    OldPart part{object["name"].text(), object["path"].text(), object["file"].text(), object["placed"].text()};
+    OldPart part{object["name"].text(),   object["path"].text(), object["file"].text(),
+                 object["placed"].text(), object["key"].text(),  object["known_as"].text()};
     if (!object["id"]) fail(object.pointer, "this object has no \"id\"");
     if (!parts.emplace(object["id"].whole(), std::move(part)).second)
       fail(object.pointer, "an earlier object has the same \"id\"");

@@ -41,7 +41,9 @@ struct Standing {
 /// A part of the previous run, which need not exist any more.
 struct OldPart {
   std::string name, path, file;
-  std::string placed;  ///< as `Identity::placed`; empty where the report does not say
+  std::string placed;      ///< as `Identity::placed`; empty where the report does not say
+  std::string key{};       ///< as `Identity::key`, as JSON has it; likewise
+  std::string known_as{};  ///< by which it was known, if not by that
 };
 
 /// A clash of the previous run that this run does not find: a pair, or one region of a pair that it does find.

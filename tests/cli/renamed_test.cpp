@@ -128,6 +128,32 @@ TEST_F(Renamed, EachWeekIsTheSameFile) {
   }
 }
 
+TEST_F(Renamed, PartsAreKnownByShapeAndPlaceAndThenByTheirNewNames) {
+  folder.write("a.obj", blocks(kModel));
+  run({"a.obj"});
+  const std::set<std::string> first = ids();
+  ASSERT_EQ(first.size(), 2U);
+  folder.write("a.obj", blocks({{"x", {0, 0, 0}, 4}, {"y", {3, 3, 3}}, {"z", {-1, -1, -1}}}));
+  run({"a.obj"});
+  expect({"x/y", "x/z"}, {});
+  EXPECT_EQ(ids(), first);
+  EXPECT_NE(said.find("3 parts are known again by shape and place alone"), std::string::npos) << said;
+  // One moves, and keeps its new name; one gets another and moves, and is another.
+  folder.write("a.obj", blocks({{"x", {0, 0, 0}, 4}, {"y", {3, 3, 2}}, {"w", {-1, -1, 0}}}));
+  run({"a.obj"});
+  expect({"x/y"}, {"w/x"});
+  EXPECT_TRUE(first.contains(report.at("pairs").at(0).at("id"))) << "by way of two names";
+  // What has the first name of another now is not that one.
+  folder.write("a.obj", blocks({{"x", {0, 0, 0}, 4}, {"y", {3, 3, 2}}, {"pin", {-1, 3, 3}}}));
+  run({"a.obj"});
+  expect({"x/y"}, {"pin/x"});
+  EXPECT_EQ(ids().size(), 2U);
+  // Of two in one place nobody knows which is which.
+  folder.write("a.obj", blocks({{"x", {0, 0, 0}, 4}, {"p", {3, 3, 2}}, {"q", {3, 3, 2}}}));
+  run({"a.obj"});
+  expect({}, {"p/x", "q/x", "p/q"});
+}
+
 TEST_F(Renamed, PartsThatAreCalledAsTheirFileAre) {
   folder.write("plate_1.off", off(box({0, 0, 0}, {4, 4, 4})));
   folder.write("pin_1.off", off(box({3, 3, 3}, {6, 6, 6})));

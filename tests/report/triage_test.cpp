@@ -9,6 +9,7 @@
 #include <set>
 
 #include "bcf_reader.hpp"
+#include "models.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
 
@@ -181,6 +182,41 @@ TEST_F(TriageFiles, GltfHasTheJsonsWords) {
   }
   EXPECT_EQ(pairs, 3U);
   EXPECT_EQ(regions, 3U);
+}
+
+TEST_F(TriageFiles, FollowIfcProductsByGlobalIdAndElseByShapeAndPlace) {
+  const auto replaced = [](std::string text, const std::vector<std::pair<std::string, std::string>>& words) {
+    for (const auto& [from, to] : words) text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  std::string decisions = "{}";
+  const auto next = [&](const std::string& text) {
+    folder.write("two.ifc", text);
+    folder.write("decisions.json", decisions);
+    const Ended run = impinge(folder, {"clash", "two.ifc", "--previous", "last.json", "--json", "last.json",
+                                       "--decisions", "decisions.json", "--quiet"});
+    EXPECT_EQ(run.code, 1) << run.err;
+    return json::parse(folder.read("last.json")).at("pairs").at(0);
+  };
+  const std::string first = ifc_of_two_walls();
+  folder.write("two.ifc", first);
+  ASSERT_EQ(impinge(folder, {"clash", "two.ifc", "--json", "last.json", "--regions", "--quiet"}).code, 1);
+  const std::string id = json::parse(folder.read("last.json")).at("pairs").at(0).at("id");
+  decisions = json{{id, {{"status", "agreed"}}}}.dump();
+  const std::string left = "1srAI$R4T8ihLXSNHmUSET", right = "2O2Fr$t4X7Zf8NOew3FNr2";
+  const std::string other_left = "3$$$$$$$$$$$$$$$$$$$$A", other_right = "3$$$$$$$$$$$$$$$$$$$$B";
+  const std::string renamed = replaced(first, {{"'left'", "'A'"}, {"'right'", "'B'"}, {"(5000.,", "(5001.,"}});
+  const std::string anew = replaced(renamed, {{left, other_left}, {right, other_right}, {"'A'", "'C'"}});
+  for (const auto& text : {renamed, anew, replaced(anew, {{"(5001.,", "(5002.,"}})}) {
+    const json pair = next(text);
+    EXPECT_EQ(pair.at("change"), "persisting");
+    EXPECT_EQ(pair.at("id"), id);
+    EXPECT_EQ(pair.at("status"), "agreed");
+  }
+  // Another GlobalId in another place is another product.
+  const json other = next(replaced(anew, {{"(5001.,", "(5003.,"}, {other_left, "3$$$$$$$$$$$$$$$$$$$$C"}}));
+  EXPECT_EQ(other.at("change"), "new");
+  EXPECT_TRUE(other.at("status").is_null());
 }
 
 TEST_F(TriageFiles, TopicsOfFilesOfOneNameAreTopicsOfTheirOwn) {
