@@ -81,7 +81,7 @@ Result<Decisions> read_decided_bcf(const std::string& name) {
   Decisions decisions;
   std::uint64_t bytes = 0;
   for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
-    zip_stat_t about;
+    zip_stat_t about{};
     if (zip_stat_index(archive.get(), static_cast<zip_uint64_t>(i), 0, &about) != 0 ||
         !std::string_view(about.name).ends_with("/markup.bcf"))
       continue;

@@ -485,11 +485,23 @@ TEST(Ifc, PropertiesAreOfTheProductItsTypeAndWhatItIsRelatedTo) {
   for (const auto& [kind, name] : {std::pair("IFCSYSTEM", "Supply"), {"IFCGROUP", "Phase 1"}})
     related("IFCRELASSIGNSTOGROUP", wall,
             "$," + step.line(std::string(kind) + "('" + step.guid() + "',$,'" + name + "',$,$)"));
+  // A list that holds itself, and twice.
+  const std::string other = step.product("other", step.placement("$", step.origin), step.shape(shown));
+  const std::string before = step.line("IFCMATERIAL('sand',$,$)");
+  const std::string list = "#" + std::to_string(std::stoi(before.substr(1)) + 1);
+  std::string items = before;
+  for (int i = 0; i < 100; ++i) items += "," + list;
+  EXPECT_EQ(step.line("IFCMATERIALLIST((" + items + "))"), list);
+  const std::string type = step.line("IFCWALLTYPE('" + step.guid() + "',$,'WT02',$,$,$,$,$,$,.STANDARD.)");
+  related("IFCRELDEFINESBYTYPE", other, type);
+  related("IFCRELASSOCIATESMATERIAL", type, list);
   const auto rest = [&](bool property_sets) {
     const TemporaryFolder folder;
     ReadOptions options;
     options.property_sets = property_sets;
-    auto properties = model_of(read(folder.write("case.ifc", step.text()), options)).objects.at(0).properties;
+    const Model model = model_of(read(folder.write("case.ifc", step.text()), options));
+    EXPECT_THAT(model.objects.at(1).properties, Contains(std::pair<std::string, std::string>("material", "sand")));
+    auto properties = model.objects.at(0).properties;
     EXPECT_EQ(properties.at(1).first, "GlobalId");
     properties.erase(properties.begin() + 1);
     return properties;

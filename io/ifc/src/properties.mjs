@@ -48,9 +48,12 @@ export class Properties {
     return found;
   }
 
-  // What `make` finds in a line, found once.
-  #once(line, make) {
-    if (!this.#known.has(line)) this.#known.set(line, make(this.#model.attributes(line)));
+  // What `make` finds in a line, found once; `loop` to whom it asks on the way.
+  #once(line, make, loop) {
+    if (!this.#known.has(line)) {
+      this.#known.set(line, loop);
+      this.#known.set(line, make(this.#model.attributes(line)));
+    }
     return this.#known.get(line);
   }
 
@@ -62,11 +65,12 @@ export class Properties {
   #materialsOf(line, steps = kDeepest) {
     const name = this.#model.classOf(line);
     if (steps === 0 || !name.startsWith('IfcMaterial')) return [];
-    return this.#once(line, (attributes) =>
-      name === 'IfcMaterial'
-        ? [textOf(attributes[0])]
-        : attributes.flatMap(referencesOf).flatMap((part) => this.#materialsOf(part, steps - 1)),
-    );
+    const make = (attributes) => {
+      if (name === 'IfcMaterial') return [textOf(attributes[0])];
+      const parts = new Set(attributes.flatMap(referencesOf));
+      return [...new Set([...parts].flatMap((part) => this.#materialsOf(part, steps - 1)))];
+    };
+    return this.#once(line, make, []);
   }
 
   // The properties of a set, as names with the set's before them and values: single ones, and those of lists.
@@ -105,7 +109,7 @@ export class Properties {
     add('system', groups.filter(isSystem).map((line) => this.#nameOf(line)));
     add('group', groups.filter((line) => !isSystem(line)).map((line) => this.#nameOf(line)));
     if (!this.#sets) return found;
-    const own = (this.#sets.get(product) ?? []).flatMap((set) => this.#propertiesOf(set));
+    const own = [...new Set(this.#sets.get(product))].flatMap((set) => this.#propertiesOf(set));
     const names = new Set(own.map(([name]) => name));
     const ofType = type ? referencesOf(this.#model.attributes(type)[5]).flatMap((set) => this.#propertiesOf(set)) : [];
     // A product says otherwise than its type.
