@@ -17,6 +17,7 @@
 #include "report/part.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 #include "terminal.hpp"
@@ -57,6 +58,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
   line.phase("reading " + printable(file));
   io::ReadOptions options;
   options.max_file_bytes = arguments.max_file_bytes;
+  options.unit_in_metres = arguments.unit_in_metres;
   options.stop = stop;
   Result<io::Model> model = io::read(file, options);
   if (stop.stop_requested()) return interrupted();
@@ -64,6 +66,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
     facts.error = model.error().message;
     return facts;
   }
+  facts.unit_in_metres = model->unit_in_metres ? model->unit_in_metres : arguments.unit_in_metres;
   facts.warnings = std::move(model->missing);
   facts.warnings.insert(facts.warnings.end(), model->warnings.begin(), model->warnings.end());
   const std::size_t total = model->objects.size();
@@ -125,8 +128,9 @@ Table table_of(const std::vector<ObjectFacts>& objects, std::size_t width) {
 void print_file(const FileFacts& facts, Sink& out) {
   std::uint64_t triangles = 0;
   for (const ObjectFacts& object : facts.objects) triangles += object.triangles;
-  out.write(fmt::format("{}: {}, {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
-                        counted(triangles, "triangle")));
+  out.write(fmt::format("{}: {}, {}, {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
+                        counted(triangles, "triangle"),
+                        facts.unit_in_metres ? "in " + unit_name(*facts.unit_in_metres) : "in an unknown unit"));
   for (const std::string& warning : facts.warnings) out.write(fmt::format("warning: {}\n", printable(warning)));
   if (facts.objects.empty()) return;
   const auto width = width_of(STDOUT_FILENO);

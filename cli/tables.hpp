@@ -30,6 +30,9 @@ void print_surfaces(std::span<const std::string> labels, std::span<const Part> p
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop);
 
+/// What follows the heading of a column of lengths: " (mm)", or nothing where the unit is not known.
+std::string in_unit(const std::optional<double>& metres);
+
 /// How many pairs have each verdict, in the order of verdicts: "3 inside, 12 penetrating". `apart` says what those are
 /// that are apart. Empty where there are no pairs.
 std::string counts_text(const std::array<std::uint64_t, 6>& counts, std::string_view apart);

@@ -125,6 +125,9 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
   return {};
 }
 
+/// Units of files are products of several numbers, each of them rounded.
+constexpr double kUnitRounding = 1e-12;
+
 Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOptions& options) {
   const std::string label = file.string(), name = file.stem().string();
   const Source source{label, name};
@@ -148,6 +151,8 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
     model->unit_in_metres.reset();
   } else if (options.unit_in_metres && model->unit_in_metres) {
     scale = *model->unit_in_metres / *options.unit_in_metres;
+    // The same unit by other roundings; its meshes stay as they are.
+    if (std::abs(scale - 1) < kUnitRounding) scale = 1;
     model->unit_in_metres = options.unit_in_metres;
   }
   if (scale == 1) return model;

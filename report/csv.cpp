@@ -9,6 +9,7 @@
 #include "report/conventions.hpp"
 #include "report/place.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "report/writers.hpp"
 
 namespace impinge::report {
@@ -169,6 +170,7 @@ constexpr std::array kColumns{
     Column{"z_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::z); },
            [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
     Column{"fails_below", [](const Row& row) { return number(row.pair.fails_below); }},
+    Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
 };
 
 /// Cells with commas between them, and the end of the line.

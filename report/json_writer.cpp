@@ -6,6 +6,8 @@
 
 #include <iterator>
 
+#include "report/units.hpp"
+
 namespace impinge::report {
 namespace {
 
@@ -160,6 +162,10 @@ Json json_facts(const std::optional<Part>& part) {
           {"inner_radius", of_class(PartClass::cracked, facts.radius)}};
 }
 
+Json json_unit(const std::optional<double>& metres) {
+  return metres ? Json{{"name", or_null(short_name(*metres))}, {"metres", *metres}} : Json();
+}
+
 void write_missing(JsonDocument& document, const Assembly& assembly) {
   if (!assembly.missing.empty()) document.member("missing", assembly.missing);
 }
@@ -180,6 +186,7 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
                               bool with_hash, const std::stop_token& stop) {
   JsonDocument document(sink, stop);
   document.member("version", 1);
+  document.member("unit", json_unit(assembly.unit_in_metres));
   document.list("objects", assembly.objects.size(), [&](std::size_t i) { return json_identity(assembly, i); });
   write_missing(document, assembly);
   document.list("pairs", contacts.objects.size(), [&](std::size_t row) {
@@ -209,6 +216,7 @@ Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files) {
     for (const ObjectFacts& facts : file.objects) objects.push_back(json_object(id++, facts));
     return Json{{"file", file.file},
                 {"error", or_null(file.error)},
+                {"unit", json_unit(file.unit_in_metres)},
                 {"objects", std::move(objects)},
                 {"warnings", file.warnings}};
   });

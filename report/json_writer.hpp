@@ -96,6 +96,9 @@ Json json_facts(const std::optional<Part>& part);
 /// Members of a pair: "test", "change", "status", "comment" and "was".
 Json json_triage(const Review& review, std::size_t pair);
 
+/// {"name":"mm","metres":0.001}, with null for the name of one that has none; null where nobody said it.
+Json json_unit(const std::optional<double>& metres);
+
 /// A list of what is missing of the files, where something is.
 void write_missing(JsonDocument& document, const Assembly& assembly);
 
@@ -122,6 +125,7 @@ struct ObjectFacts {
 struct FileFacts {
   std::string file;
   std::string error;  ///< why it was not read; empty if it was
+  std::optional<double> unit_in_metres;
   std::vector<ObjectFacts> objects;
   std::vector<std::string> warnings;
 };

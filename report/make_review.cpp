@@ -10,6 +10,7 @@
 
 #include "report/scene.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -33,23 +34,43 @@ Result<void> configure(ReviewInput& input) {
   Configuration& configuration = input.configuration.emplace(*std::move(read));
   ReportOptions& options = input.options;
   if (options.tolerance && configuration.terms.tolerance) return said_twice(configuration, "tolerance");
-  if (options.clearance > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
+  if (options.clearance.value > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
   if (options.tolerance) configuration.terms.tolerance = options.tolerance;
-  if (options.clearance > 0) configuration.terms.clearance = options.clearance;
-  if (options.clearance > 0 && !has_use_for_clearance(configuration))
+  if (options.clearance.value > 0) configuration.terms.clearance = options.clearance;
+  if (options.clearance.value > 0 && !has_use_for_clearance(configuration))
     configuration.warnings.push_back(fmt::format(
         "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
-        options.clearance, printable(configuration.name)));
+        text_of(options.clearance), printable(configuration.name)));
   if (auto checked = check(configuration); !checked) return checked.error();
   if (auto added = add_files(configuration, options); !added) return added.error();
   if (options.files.empty())
     return Error{Code::bad_option,
                  fmt::format("no file to read is named, neither in {} nor after it", printable(configuration.name))};
+  return {};
+}
+
+Result<void> bring_to_unit(Terms& terms, const std::optional<double>& metres, const std::string& where) {
+  if (terms.tolerance && *terms.tolerance)
+    if (auto brought = bring_to_unit(**terms.tolerance, metres, where + "tolerance"); !brought) return brought;
+  return terms.clearance ? bring_to_unit(*terms.clearance, metres, where + "clearance") : Result<void>();
+}
+
+/// Brings all lengths to the unit of the files.
+Result<void> bring_to_unit(ReviewInput& input, const std::optional<double>& metres) {
+  ReportOptions& options = input.options;
+  if (options.tolerance)
+    if (auto brought = bring_to_unit(*options.tolerance, metres, "--tolerance"); !brought) return brought;
+  if (auto brought = bring_to_unit(options.clearance, metres, "--clearance"); !brought) return brought;
+  if (!input.configuration) return {};
+  Configuration& configuration = *input.configuration;
+  const std::string where = printable(configuration.name) + ": ";
+  if (auto brought = bring_to_unit(configuration.terms, metres, where); !brought) return brought;
+  for (NamedTest& test : configuration.tests)
+    if (auto brought = bring_to_unit(test.terms, metres, where); !brought) return brought;
   // Distances are told where some test asks for them.
   options.clearance = 0;
   for (const NamedTest& test : configuration.tests)
-    if (configuration.mode_of(test) == Mode::clearance)
-      options.clearance = std::max(options.clearance, configuration.clearance_of(test));
+    options.clearance = std::max(options.clearance.value, configuration.clearance_of(test));
   return {};
 }
 
@@ -67,8 +88,8 @@ void warn_of_unmatched(const std::vector<std::string>& keys, Review& review) {
 
 Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   ClashOptions options;
-  options.tolerance = review.options.tolerance;
-  options.clearance = review.options.clearance;
+  options.tolerance = value_of(review.options.tolerance);
+  options.clearance = review.options.clearance.value;
   options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
   options.threads = review.options.threads;
@@ -107,6 +128,7 @@ Result<ReviewInput> read_input(const ReportOptions& options) {
 
 Result<Review> make_review(Assembly assembly, ReviewInput input) {
   const auto start = std::chrono::steady_clock::now();
+  if (auto brought = bring_to_unit(input, assembly.unit_in_metres); !brought) return brought.error();
   Review review;
   review.options = std::move(input.options);
   review.options.files = assembly.files;

@@ -43,7 +43,8 @@ std::uint64_t Report::failing() const { return count_failing(*review_); }
 
 std::vector<std::string> Report::warnings() const {
   std::vector<std::string> all = review_->assembly.missing;
-  for (const std::vector<std::string>* const more : {&review_->assembly.warnings, &review_->warnings})
+  for (const std::vector<std::string>* const more :
+       {&review_->assembly.alignment, &review_->assembly.warnings, &review_->warnings})
     all.insert(all.end(), more->begin(), more->end());
   return all;
 }

@@ -100,6 +100,8 @@ export interface Settings {
 
 export interface Report {
   version: number;
+  /** Of lengths and places, where it is known. */
+  unit?: { name: string | null; metres: number } | null;
   settings: Settings | null;
   objects: Part[];
   pairs: Pair[];

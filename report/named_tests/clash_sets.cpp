@@ -164,7 +164,7 @@ Result<NamedTest> read_clash_set(const JsonNode& node, const Configuration& conf
     test.terms.mode = Mode::penetration;
   }
   if (mode == "intersection" && node.value.contains("tolerance"))
-    test.terms.tolerance = std::optional(node.value["tolerance"].get<double>() + 0.0);  // -0 is 0
+    test.terms.tolerance = std::optional<Length>(node.value["tolerance"].get<double>() + 0.0);  // -0 is 0
   return test;
 }
 

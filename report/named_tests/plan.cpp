@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -41,7 +42,7 @@ class Plan::Maker {
       PlannedTest planned;
       planned.name = test.name.text;
       planned.mode = configuration_.mode_of(test);
-      planned.tolerance = test.terms.tolerance.value_or(all.tolerance.value_or(std::nullopt));
+      planned.tolerance = value_of(test.terms.tolerance.value_or(all.tolerance.value_or(std::nullopt)));
       planned.clearance = configuration_.clearance_of(test);
       if (auto added = add_groups(test, planned); !added) return added.error();
       if (auto added = add_rules(test.terms); !added) return added.error();

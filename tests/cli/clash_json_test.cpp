@@ -37,7 +37,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
   const json answer = json::parse(run.out);
-  EXPECT_EQ(keys(answer), "counts files groups objects pairs resolved settings tests types version");
+  EXPECT_EQ(keys(answer), "counts files groups objects pairs resolved settings tests types unit version");
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
                                          {"clearance", 0.0},

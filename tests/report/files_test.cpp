@@ -213,7 +213,6 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   };
   refused({"--date", "2024-01-01"}, "--date requires --bcf");
   refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf-topics requires --bcf");
-  refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "x", "--html", "out.html"}, "'x'");
   refused({"--unit", "miles", "--bcf", "out.bcf"}, "'miles'");
