@@ -48,7 +48,8 @@ exactly: no tolerance, nothing missed, nothing made up. Triangles that share a
 single point touch.
 )",
     R"(Files: OBJ, OFF, PLY and STL, read in double precision; IFC through web-ifc,
-which needs Node.js; glTF, GLB, 3MF, COLLADA, FBX and others through assimp.
+which needs Node.js; 3MF through lib3mf; glTF, GLB, COLLADA, FBX and others
+through assimp.
 Several files make one scene, in the coordinates that they have; files that say
 their unit are brought to that of --unit, or of the first of them.
 

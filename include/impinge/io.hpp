@@ -16,8 +16,8 @@
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
 
-/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; IFC by web-ifc, which needs Node.js, and glTF,
-/// 3MF, COLLADA, FBX and the rest by assimp, both in a child process with limits on time and memory. Link
+/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; IFC by web-ifc, which needs Node.js, 3MF by
+/// lib3mf, and glTF, COLLADA, FBX and the rest by assimp, all in a child process with limits on time and memory. Link
 /// `impinge::io`.
 namespace impinge::io {
 
@@ -39,6 +39,7 @@ struct Object {
   std::optional<std::uint32_t> group{};  ///< of the model's groups, that it hangs under; nothing: it is at the top
   /// Names and values, of IFC alone: class, GlobalId, Tag, ObjectType, storey and building, those that the file gives.
   std::vector<std::pair<std::string, std::string>> properties{};
+  std::string incomplete{};  ///< part of a sentence, on what the reader left out of the shape; empty: nothing known
 };
 
 /// A node of an animated file.

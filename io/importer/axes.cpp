@@ -42,7 +42,7 @@ std::optional<std::string> swapped_axes(const aiMatrix4x4& m, double scale) {
 }
 
 bool keeps_the_files_root(std::string_view reader) {
-  static constexpr std::array<std::string_view, 6> kReaders{"glTF", "FBX", "3mf", "XFile", "LightWave", "Quick3D"};
+  static constexpr std::array<std::string_view, 5> kReaders{"glTF", "FBX", "XFile", "LightWave", "Quick3D"};
   return std::any_of(kReaders.begin(), kReaders.end(), [&](auto name) { return reader.find(name) != reader.npos; });
 }
 

@@ -17,7 +17,7 @@ bool is_in_metres(const aiScene& scene);
 
 /// Sentences on how the reader's coordinates differ from the file's: turned axes, changed units.
 /// Of assimp 5.2: the COLLADA reader, and those of the older formats with Z up, put a matrix at the root that makes Y
-/// the upward axis; that of COLLADA converts to metres in the same matrix. The glTF, FBX, 3MF, X, LightWave and Quick3D
+/// the upward axis; that of COLLADA converts to metres in the same matrix. The glTF, FBX, X, LightWave and Quick3D
 /// readers leave axes and units as they are: what stands at their root is the file's own.
 std::vector<std::string> axis_warnings(const aiScene& scene);
 

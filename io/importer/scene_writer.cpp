@@ -166,9 +166,12 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   const std::optional<GltfCheck> gltf = check_gltf(file);
   if (gltf && !gltf->problem.empty()) return gltf->problem;
   Assimp::Importer importer;
-  // IFC is read elsewhere, whatever its file is called.
-  const std::unique_ptr<Assimp::BaseImporter> ifc(importer.GetImporter(importer.GetImporterIndex("ifc")));
-  importer.UnregisterLoader(ifc.get());
+  // These are read elsewhere, whatever a file of theirs is called.
+  std::array<std::unique_ptr<Assimp::BaseImporter>, 2> others;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    others[i].reset(importer.GetImporter(importer.GetImporterIndex(i == 0 ? "ifc" : "3mf")));
+    importer.UnregisterLoader(others[i].get());
+  }
   // The author's names, not the ids of COLLADA.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   // Bones are not surfaces.

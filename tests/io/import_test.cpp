@@ -332,7 +332,7 @@ TEST(Import, ColladaSaysThatAxesAndUnitsChanged) {
 TEST(Import, OtherFormatsKeepNames) {
   EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_with_names.fbx"))),
             (std::vector<std::string>{"Cube2", "\u041a\u0443\u0431\u0031", "Cube3", "\u041a\u0443\u0431\u0031 (2)"}));
-  EXPECT_EQ(names_of(model_of(read(kModels / "3MF/box.3mf"))), std::vector<std::string>{"Object_1"});
+  EXPECT_EQ(names_of(model_of(read(kModels / "3MF/box.3mf"))), std::vector<std::string>{"box"});
   EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_nonames.fbx"))),
             (std::vector<std::string>{"cubes_nonames", "cubes_nonames (2)", "cubes_nonames (3)", "cubes_nonames (4)"}));
   // One box of FBX lies under pivots that assimp made up.
@@ -343,6 +343,14 @@ TEST(Import, UnknownFormatsAreErrors) {
   const TemporaryFolder folder;
   EXPECT_THAT(error_of(read(folder.write("letter.doc", "Dear Sir or Madam"))),
               HasSubstr("letter.doc: assimp cannot read the file"));
+  for (const auto& [name, words] : {std::pair("a.STEP", "this is STEP or IGES"),
+                                    {"a.stp", "as 3MF, glTF or STL"},
+                                    {"a.rvt", "a model of Revit"},
+                                    {"a.nwd", "a model of Navisworks"},
+                                    {"a.nwc", "from there as FBX"},
+                                    {"a.dwg", "a drawing of a CAD program"},
+                                    {"a.ifcXML", "IFC as XML"}})
+    EXPECT_THAT(error_of(read(folder.write(name, "ISO-10303-21;"))), HasSubstr(words)) << name;
   EXPECT_THAT(error_of(read(folder.write("no-ending", "Dear Sir or Madam"))), HasSubstr("assimp cannot read the file"));
 }
 
