@@ -68,6 +68,11 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
     });
   if (arguments.regions)
     add("regions", number, [](const Clash& pair, const Standing&) { return grouped(pair.regions.size()); });
+  const auto is_incomplete = [&](const Clash& pair) { return !incomplete_sides(review, pair).empty(); };
+  if (std::ranges::any_of(pairs, is_incomplete))
+    add("shape", text, [is_incomplete](const Clash& pair, const Standing&) {
+      return is_incomplete(pair) ? std::string("incomplete") : kNothing;
+    });
   if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
     add("note", text, [](const Clash& pair, const Standing&) { return note_text(pair.note); });
   return columns;
@@ -176,14 +181,30 @@ std::string note_text(Note note) {
   return kNothing;
 }
 
+namespace {
+
+constexpr std::size_t kMostLines = 10, kLeastName = 12;
+
+std::string cut(const std::string& label, std::optional<std::size_t> width) {
+  return width ? fit(label, std::max(*width / 3, kLeastName)) : label;
+}
+
+}  // namespace
+
+void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::optional<std::size_t> width) {
+  for (std::size_t i = 0; i < std::min(parts.size(), kMostLines); ++i)
+    sink.write(fmt::format("{} is incomplete: {}\n", cut(parts[i].label, width), printable(parts[i].sentence)));
+  if (parts.size() > kMostLines)
+    sink.write(fmt::format("({} more are incomplete; --json lists them.)\n", grouped(parts.size() - kMostLines)));
+}
+
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width) {
-  constexpr std::size_t kMostLines = 10, kLeastName = 12;
   std::size_t others = 0;
   for (const PartClass kind : {PartClass::surface, PartClass::cracked})
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].facts.part_class != kind || ++others > kMostLines) continue;
-      const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
+      const std::string name = cut(labels[i], width);
       sink.write(kind == PartClass::surface
                      ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i]))
                      : fmt::format("{} is cracked: {}\n", name, counted(parts[i].facts.open_edges, "open edge")));
@@ -195,9 +216,14 @@ void print_surfaces(std::span<const std::string> labels, std::span<const Part> p
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
   print_pairs(review, arguments, sink, width, stop);
+  std::vector<Incomplete> incomplete;
+  for (std::size_t i = 0; i < review.parts.size(); ++i)
+    if (const std::string& sentence = review.assembly.objects[i].incomplete; !sentence.empty())
+      incomplete.push_back({review.assembly.labels[i], sentence});
+  print_incomplete(incomplete, sink, width);
   print_surfaces(review.assembly.labels, review.parts, sink, width);
   const auto is_other = [](const Part& part) { return part.facts.part_class != PartClass::solid; };
-  if (std::ranges::any_of(review.parts, is_other)) sink.write("\n");
+  if (!incomplete.empty() || std::ranges::any_of(review.parts, is_other)) sink.write("\n");
   sink.write(summary(review, arguments));
 }
 

@@ -48,6 +48,7 @@ Result<ObjectFacts> facts_of(io::Object object, const std::stop_token& stop) {
   about.name = std::move(object.name);
   about.path = std::move(object.path);
   about.product = std::move(object.product);
+  about.incomplete = std::move(object.incomplete);
   return about;
 }
 
@@ -136,6 +137,10 @@ void print_file(const FileFacts& facts, Sink& out) {
   const auto width = width_of(STDOUT_FILENO);
   print(table_of(facts.objects, width.value_or(kRoomForVertices)), out, width);
 
+  std::vector<Incomplete> incomplete;
+  for (const ObjectFacts& object : facts.objects)
+    if (!object.incomplete.empty()) incomplete.push_back({printable(object.name), object.incomplete});
+  print_incomplete(incomplete, out, width);
   std::vector<std::string> labels;
   std::vector<Part> parts;
   for (const ObjectFacts& object : facts.objects) {

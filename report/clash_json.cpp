@@ -74,6 +74,7 @@ Json json_pair(const Review& review, std::size_t number) {
             {"inner", has_inner ? Json(pair.objects[static_cast<std::size_t>(pair.inner)]) : Json()},
             {"note", pair.note == Note::none ? Json() : Json(sentence(pair.note))},
             {"tolerance", pair.tolerance},
+            {"incomplete", or_null(incomplete_sides(review, pair))},
             {"fails", standing.fails},
             {"fails_below", json_finite(pair.fails_below)},
             {"overlap_depth", json_depth(pair.overlap_depth)}};

@@ -171,6 +171,7 @@ constexpr std::array kColumns{
            [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
     Column{"fails_below", [](const Row& row) { return number(row.pair.fails_below); }},
     Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
+    Column{"incomplete", [](const Row& row) { return incomplete_sides(row.review, row.pair); }},
 };
 
 /// Cells with commas between them, and the end of the line.

@@ -73,6 +73,7 @@ Json json_object(std::size_t id, const ObjectFacts& facts) {
               {"name", facts.name},
               {"path", facts.path},
               {"product", facts.product},
+              {"incomplete", or_null(facts.incomplete)},
               {"triangles", facts.triangles},
               {"vertices", facts.vertices},
               {"degenerate", known(&PartFacts::degenerate)},
@@ -136,7 +137,8 @@ Json json_identity(const Assembly& assembly, std::size_t object) {
           {"path", about.path},
           {"product", about.product},
           {"file", assembly.files[assembly.file_of[object]]},
-          {"triangles", about.mesh.triangle_count()}};
+          {"triangles", about.mesh.triangle_count()},
+          {"incomplete", or_null(about.incomplete)}};
 }
 
 Json json_facts(const std::optional<Part>& part) {

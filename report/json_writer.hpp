@@ -87,7 +87,7 @@ Json json_map(const Affine& map);
 /// {"a_in_b":[lo,hi],"b_in_a":[lo,hi]}, or null where there is none.
 Json json_depth(const std::optional<OverlapDepth>& depth);
 
-/// What an object is called and where it comes from: "id" to "triangles".
+/// What an object is called and where it comes from: "id" to "incomplete".
 Json json_identity(const Assembly& assembly, std::size_t object);
 
 /// The facts of a part: "class" to "inner_radius", all null where there is no part; not "closed" and "open_edges".
@@ -114,7 +114,7 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
 
 /// What `info` found out about one object.
 struct ObjectFacts {
-  std::string name, path, product;
+  std::string name, path, product, incomplete;
   std::uint64_t triangles = 0, vertices = 0;
   std::optional<Part> part;  ///< nothing where the coordinates are outside the exact range
   Point center{};

@@ -19,6 +19,8 @@ export interface Part {
   product: string;
   file: string;
   triangles: number;
+  /** What the reader left out of its shape. */
+  incomplete?: string | null;
   open_edges?: number;
   class?: 'solid' | 'cracked' | 'surface' | null;
   turned?: number;

@@ -57,9 +57,10 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(answer.at("objects").at(4).at("type"), 4);
   ASSERT_EQ(answer.at("objects").size(), 5U);
   for (const json& object : answer.at("objects"))
-    EXPECT_EQ(keys(object),
-              "area class closed file first_open_edge first_self_crossing first_unclear_edge id inner_radius name "
-              "open_edges path pieces placed product self_crossings triangles turned type unclear_edges volume");
+    EXPECT_EQ(
+        keys(object),
+        "area class closed file first_open_edge first_self_crossing first_unclear_edge id incomplete inner_radius name "
+        "open_edges path pieces placed product self_crossings triangles turned type unclear_edges volume");
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
@@ -86,6 +87,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"verdict", "penetrating"},
                          {"inner", nullptr},
                          {"note", nullptr},
+                         {"incomplete", nullptr},
                          {"fails", true}}));
   EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
   EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);

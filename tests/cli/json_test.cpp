@@ -44,7 +44,8 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
                                               {"path", answer.at("objects").at(1).at("path")},
                                               {"product", ""},
                                               {"file", "b.off"},
-                                              {"triangles", 12}}));
+                                              {"triangles", 12},
+                                              {"incomplete", nullptr}}));
   EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
   EXPECT_EQ(answer.at("pairs"),
             (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));

@@ -20,7 +20,7 @@ const std::string kHead =
     "rank,verdict,fails,id,a,b,a_path,b_path,a_product,b_product,a_file,b_file,inner,depth,a_in_b_least,"
     "a_in_b_most,b_in_a_least,b_in_a_most,distance,distance_error,regions,area,length,x,y,z,normal_x,normal_y,"
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
-    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,unit\r\n";
+    "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,unit,incomplete\r\n";
 
 class Csv : public testing::Test {
  protected:
