@@ -94,7 +94,7 @@ export class Details {
       ['B', clash.second],
     ] as const) {
       const lost = this.report.objects[id]?.incomplete;
-      if (lost) nodes.push(el('p', { class: 'note' }, `Shape of ${letter} incomplete: `, remarkOf(lost), '.'));
+      if (lost) nodes.push(el('p', { class: 'note' }, `Shape of ${letter} incomplete: `, nameOf(lost, 300), '.'));
     }
     nodes.push(
       figures([
@@ -257,7 +257,7 @@ export class Details {
         ['Part number', [countOf(part.id)]],
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],
-        ['Shape incomplete', part.incomplete ? [remarkOf(part.incomplete)] : null],
+        ['Shape incomplete', part.incomplete ? [nameOf(part.incomplete, 300)] : null],
         ['Kind', kindOf(part) ? [kindOf(part)] : null],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],

@@ -70,6 +70,7 @@ describe('the list of clashes', () => {
       '6 new, 1 with a new region, 5 persisting, 2 resolved; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
+      'lengths in mm',
     ]) {
       assert.ok(facts.includes(fact), `${fact} in ${facts}`);
     }
@@ -334,6 +335,7 @@ describe('the list of clashes', () => {
       '2 regions of contact',
       'a tolerance of 0.4867',
       'A is a solid, B is a solid',
+      'Shape of B incomplete: its <b>lid</b> is left out.',
       'seen by <b>two</b>',
       'approved',
       'persisting, and worse: it was touching',
