@@ -54,9 +54,16 @@ std::string reader_of(const aiScene& scene) {
   return {name.data, name.length};
 }
 
-bool is_in_metres(const aiScene& scene) {
+std::optional<double> unit_in_metres(const aiScene& scene) {
   const std::string reader = reader_of(scene);
-  return reader.find("glTF") != reader.npos || reader.find("Collada") != reader.npos;
+  if (reader.find("glTF") != reader.npos || reader.find("Collada") != reader.npos) return 1;
+  float centimetres = 0;
+  if (reader.find("FBX") == reader.npos || !scene.mMetaData->Get("UnitScaleFactor", centimetres)) return std::nullopt;
+  // The decimal number that was written, such as 2.54, not the float nearest to it.
+  double written = 0;
+  std::string problem;
+  if (!io::parse_real(sentence(centimetres), written, problem) || !(written > 0)) return std::nullopt;
+  return written / 100;
 }
 
 std::vector<std::string> axis_warnings(const aiScene& scene) {
@@ -71,7 +78,7 @@ std::vector<std::string> axis_warnings(const aiScene& scene) {
   if (axes && *axes != "(x, y, z)")
     warnings.push_back(sentence(who, " turned the axes: the file's (x, y, z) became ", *axes, "."));
   if (std::abs(scale - 1) > kTurnError) {
-    warnings.push_back(sentence(who, " changed the unit", is_in_metres(scene) ? " to metres" : "",
+    warnings.push_back(sentence(who, " changed the unit", unit_in_metres(scene) == 1 ? " to metres" : "",
                                 ": the file's lengths were multiplied by ", scale, "."));
   }
   return warnings;

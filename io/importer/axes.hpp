@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace impinge::importer {
 /// The name of the assimp reader that made a scene, as in "Collada Importer".
 std::string reader_of(const aiScene& scene);
 
-/// Whether the coordinates are metres, because the format's are (glTF) or the reader converts them (COLLADA).
-bool is_in_metres(const aiScene& scene);
+/// How many metres one of the coordinates' units has: 1 where the format has metres (glTF) or the reader converts to
+/// them (COLLADA), what the file says of FBX, and nothing of other formats.
+std::optional<double> unit_in_metres(const aiScene& scene);
 
 /// Sentences on how the reader's coordinates differ from the file's: turned axes, changed units.
 /// Of assimp 5.2: the COLLADA reader, and those of the older formats with Z up, put a matrix at the root that makes Y

@@ -200,7 +200,7 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (gltf && gltf->morphed.count > 0) writer.missing(reshaped_sentence(gltf->morphed, "morph targets", "Apply them"));
   if (gltf && gltf->hidden.count > 0) writer.warning(hidden_sentence(gltf->hidden));
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
-  if (is_in_metres(*scene)) writer.unit(1);
+  if (const std::optional<double> metres = unit_in_metres(*scene)) writer.unit(*metres);
   const Movement movement = read_movement(file, *scene);
   for (const io::ImportedNode& node : movement.nodes) writer.node(node);
   for (const io::Animation& animation : movement.animations) writer.animation(animation);

@@ -329,6 +329,21 @@ TEST(Import, ColladaSaysThatAxesAndUnitsChanged) {
   EXPECT_THAT(duck.warnings[0], HasSubstr("multiplied by 0.01"));
 }
 
+TEST(Import, FbxSaysItsUnit) {
+  EXPECT_EQ(model_of(read(kModels / "FBX/cubes_with_names.fbx")).unit_in_metres, 0.01);
+  EXPECT_EQ(model_of(read(kModels / "FBX/box_orphant_embedded_texture.fbx")).unit_in_metres, 1);
+  const TemporaryFolder folder;
+  const std::string text = bytes_of_file(kModels / "FBX/cubes_with_names.fbx"),
+                    unit = R"("UnitScaleFactor", "double", "Number", "",)";
+  for (const auto& [centimetres, metres] :
+       {std::pair("0.1", std::optional(0.001)), {"2.54", 0.0254}, {"30.48", 0.3048}, {"-1", {}}}) {
+    std::string other = text;
+    const std::size_t at = other.find(unit) + unit.size();
+    other.replace(at, other.find('\n', at) - at, centimetres);
+    EXPECT_EQ(model_of(read(folder.write("case.fbx", other))).unit_in_metres, metres) << centimetres;
+  }
+}
+
 TEST(Import, OtherFormatsKeepNames) {
   EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_with_names.fbx"))),
             (std::vector<std::string>{"Cube2", "\u041a\u0443\u0431\u0031", "Cube3", "\u041a\u0443\u0431\u0031 (2)"}));
