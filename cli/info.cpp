@@ -129,9 +129,8 @@ Table table_of(const std::vector<ObjectFacts>& objects, std::size_t width) {
 void print_file(const FileFacts& facts, Sink& out) {
   std::uint64_t triangles = 0;
   for (const ObjectFacts& object : facts.objects) triangles += object.triangles;
-  out.write(fmt::format("{}: {}, {}, {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
-                        counted(triangles, "triangle"),
-                        facts.unit_in_metres ? "in " + unit_name(*facts.unit_in_metres) : "in an unknown unit"));
+  out.write(fmt::format("{}: {}, {}, in {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
+                        counted(triangles, "triangle"), unit_text(facts.unit_in_metres)));
   for (const std::string& warning : facts.warnings) out.write(fmt::format("warning: {}\n", printable(warning)));
   if (facts.objects.empty()) return;
   const auto width = width_of(STDOUT_FILENO);

@@ -117,6 +117,8 @@ Result<ReviewInput> read_input(const ReportOptions& options) {
     Result<Previous> previous = read_previous(*options.previous, options.max_file_bytes);
     if (!previous) return previous.error();
     input.previous = *std::move(previous);
+    // Places can be compared in one unit alone.
+    if (!input.options.unit_in_metres) input.options.unit_in_metres = input.previous->unit_in_metres;
   }
   if (options.decisions) {
     Result<Decisions> decisions = read_decisions(*options.decisions);
@@ -158,6 +160,11 @@ Result<Review> make_review(Assembly assembly, ReviewInput input) {
   assign_ids(previous, review);
   review.types = types_of(review.assembly);
   compare_with_previous(previous, review);
+  if (previous && previous->unit_in_metres && previous->unit_in_metres != review.assembly.unit_in_metres)
+    review.warnings.push_back(
+        fmt::format("{} is in {}, and this run in {}: regions and files that were renamed are not found again",
+                    printable(*review.options.previous), unit_text(previous->unit_in_metres),
+                    unit_text(review.assembly.unit_in_metres)));
   if (review.options.previous)
     for (std::string& warning : renaming_warnings(review.known_names, *review.options.previous))
       review.warnings.push_back(std::move(warning));

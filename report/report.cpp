@@ -60,6 +60,7 @@ Result<Report> review(const ReportOptions& options) {
 Result<Report> review(Assembly assembly, const ReportOptions& options) {
   ReportOptions of_assembly = options;
   of_assembly.files = assembly.files;
+  if (!assembly.unit_in_metres) assembly.unit_in_metres = options.unit_in_metres;
   Result<ReviewInput> input = read_input(of_assembly);
   if (!input) return input.error();
   return report_of(make_review(std::move(assembly), *std::move(input)));

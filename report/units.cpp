@@ -64,6 +64,8 @@ std::optional<std::string> short_name(double metres) {
 
 std::string unit_name(double metres) { return short_name(metres).value_or(fmt::format("{} m", metres)); }
 
+std::string unit_text(const std::optional<double>& metres) { return metres ? unit_name(*metres) : "an unknown unit"; }
+
 std::string unit_after(const std::optional<double>& metres) { return metres ? " " + unit_name(*metres) : ""; }
 
 std::optional<Length> parse_length(std::string_view text) {

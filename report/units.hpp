@@ -22,6 +22,8 @@ std::optional<std::string> short_name(double metres);
 /// The same, or else the metres: "0.9144 m".
 std::string unit_name(double metres);
 
+/// The same, or "an unknown unit".
+std::string unit_text(const std::optional<double>& metres);
 /// What follows a length: " mm", or nothing where the unit is not known.
 std::string unit_after(const std::optional<double>& metres);
 

@@ -150,7 +150,8 @@ class Report {
 /// where the files' is not known); those of
 /// `find_clashes`.
 Result<Report> review(const ReportOptions& options);
-/// The same of an assembly at hand; files that the configuration names are not read.
+/// The same of an assembly at hand; files that the configuration names are not read. Its unit, if it has none, is that
+/// of the options.
 Result<Report> review(Assembly assembly, const ReportOptions& options);
 
 /// Write a report to a file, which appears whole or not at all; "-" is standard output. Regions and distances

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
+#include <tuple>
 
 #include "bcf_reader.hpp"
 #include "models.hpp"
@@ -208,6 +209,23 @@ TEST_F(Units, StandBehindLengths) {
     EXPECT_NE(ended.err.find("no file says the unit of its coordinates; add --unit"), std::string::npos) << ended.err;
   }
   EXPECT_EQ(impinge(folder, {"clash", "a.off", "--tolerance", "10mm", "--unit", "in"}).code, 0);
+}
+
+TEST_F(Units, OfAnEarlierRunAreKept) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  const auto changes = [&](const std::vector<std::string>& words) {
+    const Ended ended =
+        impinge(folder, joined({"clash", "two.ifc", "--previous", "last.json", "--json", "out.json"}, words));
+    const json found = json::parse(folder.read("out.json"));
+    return std::tuple(found.at("unit").at("name").get<std::string>(),
+                      found.at("pairs").at(0).at("regions").at(0).at("change").get<std::string>(), ended.err);
+  };
+  impinge(folder, {"clash", "two.ifc", "--unit", "ft", "--regions", "--json", "last.json"});
+  EXPECT_EQ(changes({}), std::tuple("ft", "persisting", ""));
+  const auto [unit, change, said] = changes({"--unit", "in"});
+  EXPECT_EQ(unit, "in");
+  EXPECT_EQ(change, "new");
+  EXPECT_NE(said.find("last.json is in ft, and this run in in"), std::string::npos) << said;
 }
 
 /// A cube with its least corner there.
