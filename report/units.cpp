@@ -3,6 +3,7 @@
 #include "report/units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -97,9 +98,8 @@ Result<void> bring_to_unit(Length& length, const std::optional<double>& metres, 
 }
 
 std::vector<std::string> unit_warnings(const std::vector<FileUnit>& files, std::optional<double> metres) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, taken;
   std::vector<bool> doubted(files.size());
-  const bool any_known = std::ranges::any_of(files, &FileUnit::is_known);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].is_known) continue;
     const std::string file = printable(files[i].file);
@@ -111,12 +111,21 @@ std::vector<std::string> unit_warnings(const std::vector<FileUnit>& files, std::
           "is right",
           file, *factor < 1 ? "larger" : "smaller", *factor,
           metres ? " if it is in " + unit_name(*factor * *metres) : " brings it to their size"));
-    else if (any_known && metres)
-      warnings.push_back(
-          fmt::format("{0} does not say its unit and is taken to be in {1}, as the other files are: "
-                      "--scale {0}=S multiplies its coordinates; --scale {0}=1 if it is right",
-                      file, unit_name(*metres)));
+    else
+      taken.push_back(file);
   }
+  if (taken.empty() || !metres || std::ranges::none_of(files, &FileUnit::is_known)) return warnings;
+  constexpr std::size_t kMostNamed = 5;
+  const std::size_t named = std::min(taken.size(), kMostNamed);
+  const std::string more =
+      named < taken.size() ? fmt::format(" and {}", counted(taken.size() - named, "more file")) : "";
+  const bool one = taken.size() == 1;
+  warnings.push_back(fmt::format(
+      "{}{} {} unit and {} taken to be in {}, as the other files are: --scale {}=S multiplies the coordinates of {}, "
+      "and says with S=1 that they are right",
+      fmt::join(taken.begin(), taken.begin() + static_cast<std::ptrdiff_t>(named), ", "), more,
+      one ? "does not say its" : "do not say their", one ? "is" : "are", unit_name(*metres), one ? taken[0] : "FILE",
+      one ? "this file" : "one of them"));
   return warnings;
 }
 

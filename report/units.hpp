@@ -47,8 +47,9 @@ struct FileUnit {
   Bounds box{};
 };
 
-/// A sentence for each file whose unit is not known: whether its coordinates are far larger or smaller than those of
-/// the others, or else what they are taken to be where others say their unit. `metres`: in one of the run's units.
+/// A sentence for each file whose unit is not known and whose coordinates are far larger or smaller than those of the
+/// others; and one for all other such files, on what they are taken to be where others say their unit. `metres`: in one
+/// of the run's units.
 std::vector<std::string> unit_warnings(const std::vector<FileUnit>& files, std::optional<double> metres);
 
 }  // namespace impinge::report

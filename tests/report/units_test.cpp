@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Lengths and places for BIM: in metres with Z up, whatever the files' unit and axes are and the readers make of them.
+
 #include "report/units.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -257,6 +259,15 @@ TEST(UnitWarnings, NameFilesThatFitByAUnitAlone) {
         warnings[0].find(each.scale ? "--scale part.stl" + std::string(each.scale) : "far ") != std::string::npos;
     EXPECT_EQ(is_advised, each.scale != nullptr) << each.box.hi.x << (warnings.empty() ? "" : warnings[0]);
   }
+  const auto taken = [&](std::size_t unknown) {
+    std::vector<report::FileUnit> files{{"house.ifc", true, house}};
+    for (std::size_t i = 0; i < unknown; ++i) files.push_back({std::to_string(i) + ".stl", false, house});
+    return report::unit_warnings(files, 1);
+  };
+  EXPECT_THAT(taken(1),
+              testing::ElementsAre(testing::StartsWith("0.stl does not say its unit and is taken to be in m,")));
+  EXPECT_THAT(taken(8), testing::ElementsAre(testing::StartsWith(
+                            "0.stl, 1.stl, 2.stl, 3.stl, 4.stl and 3 more files do not say their unit and are taken")));
   // Of two files that say nothing one is doubted, and of one alone nothing is said.
   EXPECT_EQ(report::unit_warnings({{"a.stl", false, house}, {"b.stl", false, cube(0, 10000)}}, {}).size(), 1U);
   EXPECT_TRUE(report::unit_warnings({{"a.stl", false, house}}, 0.001).empty());
