@@ -25,11 +25,12 @@ bool is_within(const Bounds& box, const Bounds& other) {
   return true;
 }
 
-/// The factor that makes a file's box that of the others; or, where these have a known unit and it is more than ten
-/// times as large as they are, that brings it to among them.
-std::optional<double> factor_to_fit(const Bounds& box, const Bounds& others, const std::optional<double>& metres) {
+/// The factor that makes a file's box that of the others; or, where some of these say their unit and it is more than
+/// ten times as large as they are, that brings it to among them.
+std::optional<double> factor_to_fit(const Bounds& box, const Bounds& others, const std::optional<double>& metres,
+                                    bool any_known) {
   if (others.is_empty()) return std::nullopt;
-  const bool is_large = metres && diagonal(box) > 10 * diagonal(others);
+  const bool is_large = any_known && diagonal(box) > 10 * diagonal(others);
   for (const double ratio : {1000.0, 25.4, 304.8})
     for (const double factor : {1 / ratio, ratio}) {
       if (metres && !short_name(factor * *metres)) continue;
@@ -100,10 +101,12 @@ Result<void> bring_to_unit(Length& length, const std::optional<double>& metres, 
 std::vector<std::string> unit_warnings(const std::vector<FileUnit>& files, std::optional<double> metres) {
   std::vector<std::string> warnings, taken;
   std::vector<bool> doubted(files.size());
+  const bool any_known = std::ranges::any_of(files, &FileUnit::is_known);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].is_known) continue;
     const std::string file = printable(files[i].file);
-    const std::optional<double> factor = factor_to_fit(files[i].box, box_of_others(files, i, doubted), metres);
+    const std::optional<double> factor =
+        factor_to_fit(files[i].box, box_of_others(files, i, doubted), metres, any_known);
     doubted[i] = factor.has_value();
     if (factor)
       warnings.push_back(fmt::format(
@@ -114,7 +117,7 @@ std::vector<std::string> unit_warnings(const std::vector<FileUnit>& files, std::
     else
       taken.push_back(file);
   }
-  if (taken.empty() || !metres || std::ranges::none_of(files, &FileUnit::is_known)) return warnings;
+  if (taken.empty() || !metres || !any_known) return warnings;
   constexpr std::size_t kMostNamed = 5;
   const std::size_t named = std::min(taken.size(), kMostNamed);
   const std::string more =

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Lengths and places for BIM: in metres with Z up, whatever the files' unit and axes are and the readers make of them.
-
 #include "report/units.hpp"
 
 #include <gmock/gmock.h>
@@ -252,8 +251,8 @@ TEST(UnitWarnings, NameFilesThatFitByAUnitAlone) {
                                                       {cube(20000, 5000), 1, nullptr},  // too far away in any unit
                                                       {cube(5, 0.01), 1, nullptr},      // a bolt in it
                                                       {cube(0, 5), {}, nullptr}}) {
-    const auto warnings =
-        report::unit_warnings({{"house.ifc", true, house}, {"part.stl", false, each.box}}, each.metres);
+    const auto warnings = report::unit_warnings(
+        {{"part.stl", false, each.box}, {"house.ifc", each.metres.has_value(), house}}, each.metres);
     const bool is_advised =
         warnings.size() == 1 &&
         warnings[0].find(each.scale ? "--scale part.stl" + std::string(each.scale) : "far ") != std::string::npos;
@@ -268,6 +267,9 @@ TEST(UnitWarnings, NameFilesThatFitByAUnitAlone) {
               testing::ElementsAre(testing::StartsWith("0.stl does not say its unit and is taken to be in m,")));
   EXPECT_THAT(taken(8), testing::ElementsAre(testing::StartsWith(
                             "0.stl, 1.stl, 2.stl, 3.stl, 4.stl and 3 more files do not say their unit and are taken")));
+  // Nothing says that a small file is right, and the large one beside it wrong.
+  EXPECT_TRUE(
+      report::unit_warnings({{"bolt.stl", false, cube(0, 10)}, {"plant.stl", false, cube(0, 5000)}}, 0.001).empty());
   // Of two files that say nothing one is doubted, and of one alone nothing is said.
   EXPECT_EQ(report::unit_warnings({{"a.stl", false, house}, {"b.stl", false, cube(0, 10000)}}, {}).size(), 1U);
   EXPECT_TRUE(report::unit_warnings({{"a.stl", false, house}}, 0.001).empty());
