@@ -96,6 +96,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   const Decisions decisions = input->decisions;
   const Result<Review> review = read_and_review(*std::move(input), arguments.quiet, stop);
   if (!review) return review.error();
+  static_cast<ReportOptions&>(arguments) = review->options;  // with lengths in the unit of the files
   mention_missing(review->assembly);
   if (!arguments.quiet) {
     mention_warnings(review->assembly);

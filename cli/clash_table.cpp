@@ -9,6 +9,7 @@
 
 #include "report/text.hpp"
 #include "report/tolerance_advice.hpp"
+#include "report/units.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -33,10 +34,11 @@ bool marks_failing(const Review& review, const ClashArguments& arguments) {
 std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std::size_t>& order,
                                      const ClashArguments& arguments) {
   using enum Column::Kind;
+  const std::string unit = in_unit(review.assembly.unit_in_metres);
   const std::vector<Clash>& pairs = review.clashes.pairs;
   std::vector<Column> columns;
-  const auto add = [&](const char* heading, Column::Kind kind, auto cell) {
-    columns.push_back({heading, kind, [&, cell](std::size_t row) {
+  const auto add = [&](std::string heading, Column::Kind kind, auto cell) {
+    columns.push_back({std::move(heading), kind, [&, cell](std::size_t row) {
                          return std::string(cell(pairs[order[row]], review.standings[order[row]]));
                        }});
   };
@@ -58,14 +60,19 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
     });
   if (arguments.previous) add("change", text, change_text);
   if (std::ranges::any_of(pairs, [](const Clash& pair) { return pair.overlap_depth.has_value(); }))
-    add("depth", number,
+    add("depth" + unit, number,
         [](const Clash& pair, const Standing&) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; });
-  if (arguments.clearance > 0)
-    add("distance", number, [](const Clash& pair, const Standing&) {
+  if (arguments.clearance.value > 0)
+    add("distance" + unit, number, [](const Clash& pair, const Standing&) {
       return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
     });
   if (arguments.regions)
     add("regions", number, [](const Clash& pair, const Standing&) { return grouped(pair.regions.size()); });
+  const auto is_incomplete = [&](const Clash& pair) { return !incomplete_sides(review, pair).empty(); };
+  if (std::ranges::any_of(pairs, is_incomplete))
+    add("shape", text, [is_incomplete](const Clash& pair, const Standing&) {
+      return is_incomplete(pair) ? std::string("incomplete") : kNothing;
+    });
   if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
     add("note", text, [](const Clash& pair, const Standing&) { return note_text(pair.note); });
   return columns;
@@ -85,16 +92,17 @@ void print_pairs(const Review& review, const ClashArguments& arguments, Sink& si
   if (!order.empty()) sink.write("\n");
 }
 
-std::string verdicts_text(const std::vector<Clash>& pairs, double clearance) {
+std::string verdicts_text(const std::vector<Clash>& pairs, double clearance, const std::string& unit) {
   std::array<std::uint64_t, 6> counts{};
   for (const Clash& pair : pairs) ++counts[static_cast<std::size_t>(pair.verdict)];
-  std::string text = counts_text(counts, fmt::format("nearer than {}", clearance));
+  std::string text = counts_text(counts, fmt::format("nearer than {}{}", clearance, unit));
   if (!text.empty()) return text;
-  return clearance > 0 ? fmt::format("nothing is nearer than {}", clearance) : "nothing touches";
+  return clearance > 0 ? fmt::format("nothing is nearer than {}{}", clearance, unit) : "nothing touches";
 }
 
-std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<double>& asked) {
-  if (asked) return *asked > 0 ? fmt::format("tolerance {}", *asked) : "no tolerance";
+std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<double>& asked,
+                           const std::string& unit) {
+  if (asked) return *asked > 0 ? fmt::format("tolerance {}{}", *asked, unit) : "no tolerance";
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Clash& pair : pairs) {
     least = std::min(least, pair.tolerance);
@@ -102,18 +110,21 @@ std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<
   }
   if (!(least <= most)) return "tolerance auto";
   const std::string from = fmt::format("{:.2g}", least), to = fmt::format("{:.2g}", most);
-  return from == to ? fmt::format("tolerance {} (auto)", to) : fmt::format("tolerance {} to {} (auto)", from, to);
+  return from == to ? fmt::format("tolerance {}{} (auto)", to, unit)
+                    : fmt::format("tolerance {} to {}{} (auto)", from, to, unit);
 }
 
 std::string summary(const Review& review, const ClashArguments& arguments) {
   const std::vector<Clash>& pairs = review.clashes.pairs;
+  const std::string unit = unit_after(review.assembly.unit_in_metres);
   std::array<std::uint64_t, 3> classes{};
   for (const Part& part : review.parts) ++classes[static_cast<std::size_t>(part.facts.part_class)];
-  std::string text = fmt::format("{}, {}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"),
-                                 counted(classes[0], "solid"), counted(classes[1], "cracked solid"),
-                                 counted(classes[2], "surface"), verdicts_text(pairs, arguments.clearance),
-                                 review.plan.tests().empty() ? tolerance_text(pairs, arguments.tolerance)
-                                                             : counted(review.plan.tests().size(), "test"));
+  std::string text =
+      fmt::format("{}, {}, {}, {}; {}; {}.\n", counted(review.parts.size(), "part"), counted(classes[0], "solid"),
+                  counted(classes[1], "cracked solid"), counted(classes[2], "surface"),
+                  verdicts_text(pairs, arguments.clearance.value, unit),
+                  review.plan.tests().empty() ? tolerance_text(pairs, value_of(arguments.tolerance), unit)
+                                              : counted(review.plan.tests().size(), "test"));
   if (review.parts.size() == 1) text += "There is only one part, and no part is tested against itself.\n";
   if (review.split_products > 0)
     text += fmt::format(
@@ -130,14 +141,18 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
                       : arguments.fail_on.fresh   ? "by the mode of each test, new"
                                                   : "by the mode of each test");
   if (const auto advice = advise_tolerance(review))
-    text += fmt::format("{} of {} failing pairs are shallower than {}; --tolerance {} leaves {}.\n",
-                        grouped(advice->shallower), grouped(failing), advice->tolerance, advice->tolerance,
+    text += fmt::format("{} of {} failing pairs are shallower than {}{}; --tolerance {} leaves {}.\n",
+                        grouped(advice->shallower), grouped(failing), advice->tolerance, unit, advice->tolerance,
                         grouped(failing - advice->shallower));
   return text + fmt::format("{}; read in {}, judged in {}.\n", counted(review.assembly.triangles, "triangle"),
                             duration(review.read_seconds), duration(review.judge_seconds));
 }
 
 }  // namespace
+
+std::string in_unit(const std::optional<double>& metres) {
+  return metres ? fmt::format(" ({})", unit_name(*metres)) : "";
+}
 
 std::string counts_text(const std::array<std::uint64_t, 6>& counts, std::string_view apart) {
   std::string text;
@@ -166,14 +181,30 @@ std::string note_text(Note note) {
   return kNothing;
 }
 
+namespace {
+
+constexpr std::size_t kMostLines = 10, kLeastName = 12;
+
+std::string cut(const std::string& label, std::optional<std::size_t> width) {
+  return width ? fit(label, std::max(*width / 3, kLeastName)) : label;
+}
+
+}  // namespace
+
+void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::optional<std::size_t> width) {
+  for (std::size_t i = 0; i < std::min(parts.size(), kMostLines); ++i)
+    sink.write(fmt::format("{} is incomplete: {}\n", cut(parts[i].label, width), printable(parts[i].sentence)));
+  if (parts.size() > kMostLines)
+    sink.write(fmt::format("({} more are incomplete; --json lists them.)\n", grouped(parts.size() - kMostLines)));
+}
+
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width) {
-  constexpr std::size_t kMostLines = 10, kLeastName = 12;
   std::size_t others = 0;
   for (const PartClass kind : {PartClass::surface, PartClass::cracked})
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].facts.part_class != kind || ++others > kMostLines) continue;
-      const std::string name = width ? fit(labels[i], std::max(*width / 3, kLeastName)) : labels[i];
+      const std::string name = cut(labels[i], width);
       sink.write(kind == PartClass::surface
                      ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i]))
                      : fmt::format("{} is cracked: {}\n", name, counted(parts[i].facts.open_edges, "open edge")));
@@ -185,9 +216,14 @@ void print_surfaces(std::span<const std::string> labels, std::span<const Part> p
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
   print_pairs(review, arguments, sink, width, stop);
+  std::vector<Incomplete> incomplete;
+  for (std::size_t i = 0; i < review.parts.size(); ++i)
+    if (const std::string& sentence = review.assembly.objects[i].incomplete; !sentence.empty())
+      incomplete.push_back({review.assembly.labels[i], sentence});
+  print_incomplete(incomplete, sink, width);
   print_surfaces(review.assembly.labels, review.parts, sink, width);
   const auto is_other = [](const Part& part) { return part.facts.part_class != PartClass::solid; };
-  if (std::ranges::any_of(review.parts, is_other)) sink.write("\n");
+  if (!incomplete.empty() || std::ranges::any_of(review.parts, is_other)) sink.write("\n");
   sink.write(summary(review, arguments));
 }
 

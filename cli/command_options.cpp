@@ -12,6 +12,7 @@
 
 #include "date.hpp"
 #include "numbers.hpp"
+#include "report/units.hpp"
 
 namespace impinge::cli {
 namespace {
@@ -74,10 +75,26 @@ void add_threads(CLI::App& command, int& threads) {
              "work on N threads, 0 for as many as the machine has (default: 0)");
 }
 
-void add_tolerance(CLI::App& command, std::optional<double>& tolerance) {
-  add_number(command, "--tolerance", tolerance, 0.0, kMostLength,
+/// An option that takes a length, or the word for what holds by default.
+template <class To>
+CLI::Option* add_length(CLI::App& command, const std::string& name, To& to, const std::string& about,
+                        const std::string& word = {}) {
+  const auto take = [=, &to](const std::string& text) {
+    if (!word.empty() && text == word) return;
+    const std::optional<Length> length = parse_length(text);
+    if (!length)
+      refuse(
+          fmt::format("{} takes {}a length from 0 up, such as 10 or 10mm, not '{}'; the units are m, cm, mm, in and ft",
+                      name, word.empty() ? "" : word + " or ", text));
+    to = *length;
+  };
+  return command.add_option_function<std::string>(name, take, about);
+}
+
+void add_tolerance(CLI::App& command, std::optional<Length>& tolerance) {
+  add_length(command, "--tolerance", tolerance,
              "parts that reach into each other by no more than D touch; 0: exactly; auto: what rounding leaves of the "
-             "files' coordinates (default: auto)",
+             "files' coordinates; a length may have a unit, as 10mm has (default: auto)",
              "auto")
       ->type_name("auto|0|D");
 }
@@ -146,6 +163,17 @@ void add_scale(CLI::App& command, SceneOptions& to) {
       ->allow_extra_args(false);
 }
 
+void add_unit(CLI::App& command, SceneOptions& to, const std::string& what) {
+  add_choice<double>(command, "--unit", to.unit_in_metres, named_units(), what);
+}
+
+/// Of commands that make one scene of several files.
+void add_scene_unit(CLI::App& command, SceneOptions& to) {
+  add_unit(command, to,
+           "the unit of all lengths and places: files that say their own are brought to it, others are taken to be in "
+           "it (default: that of the first file that says its own)");
+}
+
 void check_scales(const SceneOptions& arguments) {
   for (const auto& [file, _] : arguments.scales)
     if (std::find(arguments.files.begin(), arguments.files.end(), file) == arguments.files.end())
@@ -212,6 +240,7 @@ void add_check(CLI::App& command, CheckArguments& to) {
   add_force(command, to.force);
   command.add_flag("--stats", to.stats, "print what was done at each stage, and the time predicted and measured");
   begin_group(command, "Reading");
+  add_scene_unit(command, to);
   add_scale(command, to);
   add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
@@ -242,12 +271,10 @@ void complete(ClashArguments& to, bool fail_on_given) {
     refuse("with --config, the mode of each test says what fails, and --fail-on takes new alone");
   if (to.fail_on.fresh && !to.previous)
     refuse("--fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON");
-  if (to.fail_on.clearance && to.clearance == 0)
+  if (to.fail_on.clearance && to.clearance.value == 0)
     refuse("--fail-on clearance needs the distance to keep: add --clearance C, with C above 0");
   // The tests of a configuration say themselves what fails; "new" alone is of what fails by default.
   if (to.config || !names_verdicts) to.fail_on.penetration = to.fail_on.inside = !to.config;
-  if (!to.csv && !to.bcf && !to.gltf && to.metres)
-    refuse("--unit is for --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
   if (!to.html && !to.csv && !to.bcf && !to.gltf && to.y_up)
     refuse("--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE; nothing else depends on it");
   if (to.bcf && to.date.empty()) {
@@ -292,9 +319,6 @@ void add_exports(CLI::App& command, ClashArguments& to) {
       ->needs("--bcf");
   add_output(command, "--gltf", to.gltf,
              "write the regions of contact as binary glTF, lines and points for other viewers; includes --regions");
-  add_choice<double>(command, "--unit", to.metres,
-                     {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}},
-                     "the unit of the files' coordinates, for CSV, BCF and glTF, which have metres (default: m)");
   add_up(command, to, "the page, CSV, BCF and glTF");
 }
 
@@ -305,7 +329,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
              "named tests between groups of parts, each with its mode, tolerance, clearance and exceptions, from a "
              "file (docs/triage.md); clash sets of IfcClash are read too");
   add_tolerance(command, to.tolerance);
-  add_number(command, "--clearance", to.clearance, 0.0, kMostLength,
+  add_length(command, "--clearance", to.clearance,
              "list parts that are nearer to each other than C as well, with their distance")
       ->type_name("C");
   add_ignore(command, to);
@@ -343,6 +367,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
   add_page_triangles(command, to)->needs("--html");
   add_exports(command, to);
   begin_group(command, "Reading and work");
+  add_scene_unit(command, to);
   add_scale(command, to);
   add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
@@ -372,6 +397,9 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   add_quiet(command, to.quiet);
   add_force(command, to.force);
   begin_group(command, "Reading and work");
+  add_unit(
+      command, to,
+      "the unit of all lengths and places: the file is brought to it, or taken to be in it (default: the file's own)");
   add_max_file(command, to.max_file_bytes);
   add_threads(command, to.threads);
   command.final_callback([&to] {
@@ -385,6 +413,7 @@ void add_view(CLI::App& command, ViewArguments& to) {
   add_output(command, "--html", to.html, "the page to write (default: the first file's name with .html after it)");
   add_page_triangles(command, to);
   add_up(command, to, "the page");
+  add_scene_unit(command, to);
   add_scale(command, to);
   add_skip_unreadable(command, to.skip_unreadable);
   add_max_file(command, to.max_file_bytes);
@@ -400,6 +429,7 @@ void add_info(CLI::App& command, InfoArguments& to) {
   add_files(command, to.files)->description("meshes");
   begin_group(command, "Options");
   add_json(command, to.json, "list");
+  add_unit(command, to, "tell lengths and places of files that say their own unit in this one");
   add_max_file(command, to.max_file_bytes);
   add_force(command, to.force);
 }

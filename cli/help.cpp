@@ -48,9 +48,10 @@ exactly: no tolerance, nothing missed, nothing made up. Triangles that share a
 single point touch.
 )",
     R"(Files: OBJ, OFF, PLY and STL, read in double precision; IFC through web-ifc,
-which needs Node.js; glTF, GLB, 3MF, COLLADA, FBX and others through assimp.
-Several files make one scene, in the coordinates that they have; units that
-files say are brought to those of the first.
+which needs Node.js; 3MF through lib3mf; glTF, GLB, COLLADA, FBX and others
+through assimp.
+Several files make one scene, in the coordinates that they have; files that say
+their unit are brought to that of --unit, or of the first of them.
 
 Examples:
   impinge check engine.obj fixture.stl
@@ -137,7 +138,7 @@ Examples:
   impinge clash engine.obj fixture.stl --html report.html
       A page for the design review: open it in a browser; it needs nothing else.
   impinge clash bracket.stl plate.stl --bcf new.bcf --csv new.csv --unit mm
-      The same for a BIM tool and a spreadsheet; coordinates are millimetres.
+      The same for a BIM tool and a spreadsheet; these files are in millimetres.
   impinge clash engine.obj fixture.stl --tolerance 0.01 --regions --json r.json
       What is 0.01 deep counts as touching; every region of contact as JSON.
 

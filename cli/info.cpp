@@ -17,6 +17,7 @@
 #include "report/part.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 #include "terminal.hpp"
@@ -47,6 +48,7 @@ Result<ObjectFacts> facts_of(io::Object object, const std::stop_token& stop) {
   about.name = std::move(object.name);
   about.path = std::move(object.path);
   about.product = std::move(object.product);
+  about.incomplete = std::move(object.incomplete);
   return about;
 }
 
@@ -57,6 +59,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
   line.phase("reading " + printable(file));
   io::ReadOptions options;
   options.max_file_bytes = arguments.max_file_bytes;
+  options.unit_in_metres = arguments.unit_in_metres;
   options.stop = stop;
   Result<io::Model> model = io::read(file, options);
   if (stop.stop_requested()) return interrupted();
@@ -64,6 +67,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
     facts.error = model.error().message;
     return facts;
   }
+  facts.unit_in_metres = model->unit_in_metres ? model->unit_in_metres : arguments.unit_in_metres;
   facts.warnings = std::move(model->missing);
   facts.warnings.insert(facts.warnings.end(), model->warnings.begin(), model->warnings.end());
   const std::size_t total = model->objects.size();
@@ -125,13 +129,17 @@ Table table_of(const std::vector<ObjectFacts>& objects, std::size_t width) {
 void print_file(const FileFacts& facts, Sink& out) {
   std::uint64_t triangles = 0;
   for (const ObjectFacts& object : facts.objects) triangles += object.triangles;
-  out.write(fmt::format("{}: {}, {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
-                        counted(triangles, "triangle")));
+  out.write(fmt::format("{}: {}, {}, in {}\n", printable(facts.file), counted(facts.objects.size(), "object"),
+                        counted(triangles, "triangle"), unit_text(facts.unit_in_metres)));
   for (const std::string& warning : facts.warnings) out.write(fmt::format("warning: {}\n", printable(warning)));
   if (facts.objects.empty()) return;
   const auto width = width_of(STDOUT_FILENO);
   print(table_of(facts.objects, width.value_or(kRoomForVertices)), out, width);
 
+  std::vector<Incomplete> incomplete;
+  for (const ObjectFacts& object : facts.objects)
+    if (!object.incomplete.empty()) incomplete.push_back({printable(object.name), object.incomplete});
+  print_incomplete(incomplete, out, width);
   std::vector<std::string> labels;
   std::vector<Part> parts;
   for (const ObjectFacts& object : facts.objects) {

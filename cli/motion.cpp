@@ -14,6 +14,7 @@
 #include "report/motion/motion_report.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "report/writers.hpp"
 #include "scene_command.hpp"
 #include "tables.hpp"
@@ -25,6 +26,7 @@ namespace {
 Result<io::Model> read_model(const MotionArguments& arguments, const std::stop_token& stop) {
   io::ReadOptions options;
   options.max_file_bytes = arguments.max_file_bytes;
+  options.unit_in_metres = arguments.unit_in_metres;
   options.stop = stop;
   Result<io::Model> model = io::read(arguments.files.front(), options);
   if (stop.stop_requested()) return interrupted();
@@ -35,6 +37,7 @@ Result<io::Model> read_model(const MotionArguments& arguments, const std::stop_t
             "{}: nothing moves in it: it has no animation of its nodes that lasts; impinge clash finds what clashes "
             "where its parts stand",
             arguments.files.front())};
+  if (model && !model->unit_in_metres) model->unit_in_metres = arguments.unit_in_metres;
   return model;
 }
 
@@ -100,7 +103,8 @@ Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std
 
 }  // namespace
 
-Result<bool> motion(const MotionArguments& arguments, const std::stop_token& stop) {
+Result<bool> motion(const MotionArguments& given, const std::stop_token& stop) {
+  MotionArguments arguments = given;
   Documents documents(arguments.files, arguments.force);
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
@@ -113,6 +117,9 @@ Result<bool> motion(const MotionArguments& arguments, const std::stop_token& sto
   if (!model) return model.error();
   const Result<const io::Animation*> animation = choose(*model, arguments);
   if (!animation) return animation.error();
+  if (arguments.tolerance)
+    if (auto brought = bring_to_unit(*arguments.tolerance, model->unit_in_metres, "--tolerance"); !brought)
+      return brought.error();
   const Mover mover(*model, **animation);
   MotionReport report{assemble(arguments.files, {*model}), **animation, model->animations.size(), mover, {}, {}};
   Result<LeftOut> left = left_out(*model, **animation, report.assembly);

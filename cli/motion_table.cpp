@@ -39,8 +39,8 @@ void print_motion(const MotionReport& report, Sink& sink, std::optional<std::siz
   });
   using enum Column::Kind;
   Table table{spans.size(), {}};
-  const auto add = [&](const char* heading, Column::Kind kind, auto cell) {
-    table.columns.push_back({heading, kind, [&, cell](std::size_t row) { return cell(spans[order[row]]); }});
+  const auto add = [&](std::string heading, Column::Kind kind, auto cell) {
+    table.columns.push_back({std::move(heading), kind, [&, cell](std::size_t row) { return cell(spans[order[row]]); }});
   };
   // The part that lies in the other stands first.
   const auto label = [&](std::size_t which) {
@@ -55,7 +55,7 @@ void print_motion(const MotionReport& report, Sink& sink, std::optional<std::siz
   add("worst", text, [](const ClashSpan& span) { return std::string(impinge::name(span.worst)); });
   add("at", number, [step](const ClashSpan& span) { return time_text(span.worst_at, step); });
   if (std::ranges::any_of(spans, [](const ClashSpan& span) { return span.overlap_depth.has_value(); }))
-    add("depth", number, [](const ClashSpan& span) {
+    add("depth" + in_unit(report.assembly.unit_in_metres), number, [](const ClashSpan& span) {
       return span.overlap_depth ? fmt::format("{:.4g}", depth_of(span.overlap_depth)) : "-";
     });
   if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))

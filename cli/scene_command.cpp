@@ -44,6 +44,7 @@ void mention_missing(const Assembly& assembly) {
 }
 
 void mention_warnings(const Assembly& assembly) {
+  for (const std::string& sentence : assembly.alignment) complain(sentence);
   if (assembly.warnings.empty()) return;
   complain(fmt::format("{} about these files, listed by impinge info", counted(assembly.warnings.size(), "warning")));
 }

@@ -26,7 +26,7 @@ Work work_of(const Progress& progress);
 /// Says on standard error what of the files no answer is about; also where everything else is quiet, for nothing that
 /// is found may mean nothing then.
 void mention_missing(const Assembly& assembly);
-/// Says on standard error that the files have warnings, if they have.
+/// Says on standard error how the files were aligned, and that they have warnings, if they have.
 void mention_warnings(const Assembly& assembly);
 
 }  // namespace impinge::cli

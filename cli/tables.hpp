@@ -26,9 +26,19 @@ namespace impinge::cli {
 void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
                     std::optional<std::size_t> width);
 
-/// The ranked table, the parts that are no solids, and the summary.
+/// A part whose shape the reader knows to be incomplete, and what is left out of it.
+struct Incomplete {
+  std::string label, sentence;
+};
+/// A line for each of the first few, and how many more there are, as above.
+void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::optional<std::size_t> width);
+
+/// The ranked table, the parts that are incomplete or no solids, and the summary.
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop);
+
+/// What follows the heading of a column of lengths: " (mm)", or nothing where the unit is not known.
+std::string in_unit(const std::optional<double>& metres);
 
 /// How many pairs have each verdict, in the order of verdicts: "3 inside, 12 penetrating". `apart` says what those are
 /// that are apart. Empty where there are no pairs.

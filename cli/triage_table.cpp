@@ -6,6 +6,7 @@
 #include <array>
 
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 #include "terminal.hpp"
@@ -28,6 +29,7 @@ std::string counts_of_test(const Review& review, std::uint32_t test, std::uint64
 
 std::string summary_of_test(const Review& review, std::uint32_t test) {
   const PlannedTest& planned = review.plan.tests()[test];
+  const std::string unit = unit_after(review.assembly.unit_in_metres);
   std::uint64_t failing = 0;
   const std::string counts = counts_of_test(review, test, failing);
   std::string left_out;
@@ -35,10 +37,10 @@ std::string summary_of_test(const Review& review, std::uint32_t test) {
     left_out +=
         fmt::format("{}{} by '{}'", left_out.empty() ? "; left out by design: " : ", ", counted(pairs, "pair"), rule);
   return fmt::format("{}: {}{} of {} {}, tolerance {}: {}; {}{}.\n", printable(planned.name), name(planned.mode),
-                     planned.clearance > 0 ? fmt::format(" {}", planned.clearance) : "",
+                     planned.clearance > 0 ? fmt::format(" {}{}", planned.clearance, unit) : "",
                      counted(planned.parts_a, "part"),
                      planned.b.empty() ? "against each other" : "against " + counted(planned.parts_b, "part"),
-                     planned.tolerance ? fmt::format("{}", *planned.tolerance) : "auto", counts,
+                     planned.tolerance ? fmt::format("{}{}", *planned.tolerance, unit) : "auto", counts,
                      failing == 0   ? "none fails"
                      : failing == 1 ? "1 fails"
                                     : grouped(failing) + " fail",

@@ -61,13 +61,13 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
     precision.add(name, mesh, imported.exact_places ? Affine{} : map);
     if (scene::validate(pose)) {
       model.objects.push_back({name, std::move(object.path), std::move(object.product), mesh, pose, node, false, group,
-                               std::move(object.properties)});
+                               std::move(object.properties), std::move(object.incomplete)});
       continue;
     }
     Result<Mesh> baked = mesh.transformed(map);
     if (!baked) return file_error(source, sentence("object '", name, "': ", baked.error().message));
     model.objects.push_back({name, std::move(object.path), std::move(object.product), std::move(*baked), Pose{}, node,
-                             true, group, std::move(object.properties)});
+                             true, group, std::move(object.properties), std::move(object.incomplete)});
   }
   if (model.objects.empty()) {
     return file_error(source, "the file holds no triangles; export the part as a mesh with faces");

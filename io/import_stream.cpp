@@ -11,7 +11,7 @@
 namespace impinge::io {
 namespace {
 
-constexpr std::string_view kMagic = "impinge4";
+constexpr std::string_view kMagic = "impinge5";
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 /// Numbers of a key.
@@ -50,6 +50,8 @@ class Decoder {
         return object();
       case 'P':
         return property();
+      case 'I':
+        return !out_.objects.empty() && read(out_.objects.back().incomplete);
       case 'L':
         return read(out_.unit_in_metres.emplace());
       case 'D':
@@ -242,6 +244,8 @@ void ImportWriter::animation(const Animation& animation) {
 }
 
 void ImportWriter::property(std::string_view name, std::string_view value) { record('P', name, value); }
+
+void ImportWriter::incomplete(std::string_view text) { record('I', text); }
 
 void ImportWriter::unit(double metres) { record('L', metres); }
 

@@ -18,11 +18,12 @@
 /// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
 /// text is its length (32 bits) and its bytes.
 ///
-///     "impinge4"
+///     "impinge5"
 ///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
 ///     'G' group    name; parent (32)
 ///     'O' object   name, path, product: texts; mesh, node, group (32 each), 16 doubles: the world matrix, row-major
 ///     'P' property of the last 'O': name, value: texts
+///     'I' lost     of the last 'O': text: what of its shape is left out
 ///     'L' unit     double: metres in one of the file's units of length
 ///     'D' places   no field: the world matrices never were 32-bit floats
 ///     'N' node     parent (32), 16 doubles: its matrix to its parent; 3 doubles: scale, 4: rotation, 3: translation
@@ -53,6 +54,7 @@ struct ImportedObject {
   std::uint32_t mesh, node, group;
   std::array<double, 16> world;
   std::vector<std::pair<std::string, std::string>> properties;
+  std::string incomplete;
 };
 struct ImportedNode {
   std::uint32_t parent;
@@ -84,6 +86,7 @@ class ImportWriter {
   void node(const ImportedNode& node);
   void animation(const Animation& animation);
   void property(std::string_view name, std::string_view value);
+  void incomplete(std::string_view text);
   void unit(double metres);
   void exact_places();
   void warning(std::string_view text);

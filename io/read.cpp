@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <unordered_map>
 
 #include "core/guarded.hpp"
@@ -102,6 +104,28 @@ Reader own_reader(const std::filesystem::path& file) {
   return nullptr;
 }
 
+/// What a file is whose format no reader knows, and what to export in its place; empty for any other ending.
+std::string foreign_format(const std::filesystem::path& file) {
+  struct Format {
+    std::initializer_list<std::string_view> endings;
+    std::string_view sentence;
+  };
+  static const Format formats[] = {
+      {{".step", ".stp", ".p21", ".iges", ".igs"},
+       "this is STEP or IGES, curved surfaces without triangles; export it from the CAD program as 3MF, glTF or STL"},
+      {{".rvt", ".rfa", ".rte"}, "this is a model of Revit, which it alone opens; export it there as IFC"},
+      {{".nwc", ".nwd", ".nwf"},
+       "this is a model of Navisworks, which it alone opens; export what it was made of as IFC, or from there as FBX"},
+      {{".dwg", ".dgn"}, "this is a drawing of a CAD program; export its solids there as IFC, FBX or STL"},
+      {{".ifcxml"}, "this is IFC as XML; export it as IFC in its usual form, .ifc"},
+  };
+  const std::string ending = lower_case(file.extension().string());
+  for (const Format& format : formats)
+    if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
+      return std::string(format.sentence);
+  return {};
+}
+
 /// Multiplies every coordinate: vertices by the formula of a pose, so that meshes stay shared and answers do not
 /// depend on who scales; the poses' shifts by one product each.
 Result<void> scale_model(Model& model, double scale, const Source& source) {
@@ -125,6 +149,9 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
   return {};
 }
 
+/// Units of files are products of several numbers, each of them rounded.
+constexpr double kUnitRounding = 1e-12;
+
 Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOptions& options) {
   const std::string label = file.string(), name = file.stem().string();
   const Source source{label, name};
@@ -133,6 +160,7 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
   }
   if (const Result<void> readable = check_file(file, options.max_file_bytes, source); !readable)
     return readable.error();
+  if (const std::string problem = foreign_format(file); !problem.empty()) return file_error(source, problem);
   if (options.stop.stop_requested()) return Error{Code::cancelled, sentence(label, ": reading was cancelled")};
   Result<Model> model = Error{Code::bad_file, {}};
   if (const Reader reader = own_reader(file)) {
@@ -148,6 +176,8 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
     model->unit_in_metres.reset();
   } else if (options.unit_in_metres && model->unit_in_metres) {
     scale = *model->unit_in_metres / *options.unit_in_metres;
+    // The same unit by other roundings; its meshes stay as they are.
+    if (std::abs(scale - 1) < kUnitRounding) scale = 1;
     model->unit_in_metres = options.unit_in_metres;
   }
   if (scale == 1) return model;

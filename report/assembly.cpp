@@ -11,14 +11,15 @@
 
 #include "report/conventions.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
 
-double scale_of(const SceneOptions& options, const std::string& file) {
+std::optional<double> scale_of(const SceneOptions& options, const std::string& file) {
   for (const auto& [name, factor] : options.scales)
     if (name == file) return factor;
-  return 1;
+  return std::nullopt;
 }
 
 /// The same place where Z is up instead of Y, or Y instead of Z: exact, as entries only change places and signs.
@@ -33,17 +34,40 @@ Pose turned(const Pose& pose, bool to_y_up) {
   return result;
 }
 
-/// Turns the models of files whose format says that another axis is up than in the first one's.
-void bring_to_first_axes(const std::vector<std::string>& files, std::vector<io::Model>& models) {
+/// Turns the models of files whose format says that another axis is up than in the first one's, and says so.
+std::vector<std::string> bring_to_first_axes(const std::vector<std::string>& files, std::vector<io::Model>& models) {
+  std::vector<std::string> sentences;
   std::optional<bool> first;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::optional<bool> is_y_up = has_y_up(files[i]);
     if (!first) first = is_y_up;
     if (!is_y_up || is_y_up == first) continue;
     for (io::Object& object : models[i].objects) object.pose = turned(object.pose, *first);
-    models[i].warnings.push_back(fmt::format("{} was turned so that {} is up, as in the files before it.",
-                                             printable(files[i]), *first ? 'Y' : 'Z'));
+    sentences.push_back(fmt::format("{} was turned so that {} is up, as in the files before it", printable(files[i]),
+                                    *first ? 'Y' : 'Z'));
   }
+  return sentences;
+}
+
+Bounds bounds_of(const io::Model& model) {
+  Bounds bounds;
+  for (const io::Object& object : model.objects)
+    for (const Point& vertex : object.mesh.vertices()) bounds.add(world_vertex(object.pose, vertex));
+  return bounds;
+}
+
+/// What is said of units where some file does not tell its own.
+std::vector<std::string> check_units(const SceneOptions& options, const std::vector<io::Model>& models,
+                                     const std::optional<double>& unit) {
+  std::vector<FileUnit> units;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (!models[i].objects.empty())  // or else it was skipped
+      units.push_back({options.files[i], models[i].unit_in_metres || scale_of(options, options.files[i]), {}});
+  if (units.size() < 2 || std::ranges::all_of(units, &FileUnit::is_known)) return {};
+  auto next = units.begin();
+  for (const io::Model& model : models)
+    if (!model.objects.empty()) (next++)->box = bounds_of(model);
+  return unit_warnings(units, unit);
 }
 
 }  // namespace
@@ -51,7 +75,6 @@ void bring_to_first_axes(const std::vector<std::string>& files, std::vector<io::
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models) {
   Assembly assembly;
   assembly.files = files;
-  std::vector<std::optional<double>> units;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const auto groups_before = static_cast<std::uint32_t>(assembly.groups.size());
     for (io::Group& group : models[i].groups) {
@@ -64,12 +87,10 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
       assembly.file_of.push_back(static_cast<std::uint32_t>(i));
       assembly.objects.push_back(std::move(object));
     }
-    if (!models[i].objects.empty()) units.push_back(models[i].unit_in_metres);  // or else it was skipped
+    if (!assembly.unit_in_metres) assembly.unit_in_metres = models[i].unit_in_metres;
     for (std::string& warning : models[i].warnings) assembly.warnings.push_back(std::move(warning));
     for (const std::string& sentence : models[i].missing) assembly.missing.push_back(files[i] + ": " + sentence);
   }
-  if (!units.empty() && std::count(units.begin(), units.end(), units[0]) == std::ssize(units))
-    assembly.unit_in_metres = units[0];
   assembly.labels = labels_of(assembly);
   return assembly;
 }
@@ -77,15 +98,15 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
 Result<Assembly> read_assembly(const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file) {
   std::vector<io::Model> models;
   std::vector<std::string> skipped, missing;
+  std::optional<double> unit = options.unit_in_metres;
   for (const std::string& file : options.files) {
     begin_file(models.size());
     io::ReadOptions read;
     read.max_file_bytes = options.max_file_bytes;
-    read.scale = scale_of(options, file);
+    read.scale = scale_of(options, file).value_or(1);
     read.property_sets = options.property_sets;
+    read.unit_in_metres = unit;
     read.stop = options.stop;
-    for (const io::Model& earlier : models)
-      if (!read.unit_in_metres) read.unit_in_metres = earlier.unit_in_metres;
     Result<io::Model> model = io::read(file, read);
     if (options.stop.stop_requested()) return interrupted();
     if (!model) {
@@ -93,10 +114,14 @@ Result<Assembly> read_assembly(const SceneOptions& options, const std::function<
       skipped.push_back(file), missing.push_back("skipped: " + model.error().message);
       model = io::Model();
     }
+    if (!unit) unit = model->unit_in_metres;
     models.push_back(*std::move(model));
   }
-  bring_to_first_axes(options.files, models);
+  std::vector<std::string> alignment = bring_to_first_axes(options.files, models);
+  for (std::string& warning : check_units(options, models, unit)) alignment.push_back(std::move(warning));
   Assembly assembly = assemble(options.files, std::move(models));
+  assembly.unit_in_metres = unit;
+  assembly.alignment = std::move(alignment);
   assembly.skipped = std::move(skipped);
   assembly.missing.insert(assembly.missing.end(), missing.begin(), missing.end());
   return assembly;

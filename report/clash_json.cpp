@@ -5,14 +5,15 @@
 #include <utility>
 
 #include "report/json_writer.hpp"
+#include "report/units.hpp"
 #include "report/writers.hpp"
 
 namespace impinge::report {
 namespace {
 
 Json json_settings(const ReportOptions& options) {
-  return {{"tolerance", json_tolerance(options.tolerance)},
-          {"clearance", options.clearance},
+  return {{"tolerance", json_tolerance(value_of(options.tolerance))},
+          {"clearance", options.clearance.value},
           {"depth_precision", json_finite(options.depth_precision)},
           {"regions", options.regions},
           {"fail_on", words_of(options.fail_on)},
@@ -77,11 +78,12 @@ Json json_pair(const Review& review, std::size_t number) {
             {"inner", has_inner ? Json(pair.objects[static_cast<std::size_t>(pair.inner)]) : Json()},
             {"note", pair.note == Note::none ? Json() : Json(sentence(pair.note))},
             {"tolerance", pair.tolerance},
+            {"incomplete", or_null(incomplete_sides(review, pair))},
             {"fails", standing.fails},
             {"fails_below", json_finite(pair.fails_below)},
             {"overlap_depth", json_depth(pair.overlap_depth)}};
   json.update(json_triage(review, number));
-  if (options.clearance > 0) json.update(json_distance(pair.nearest));
+  if (options.clearance.value > 0) json.update(json_distance(pair.nearest));
   if (!options.regions) return json;
   Json& regions = json["regions"] = Json::array();
   for (std::size_t i = 0; i < pair.regions.size(); ++i)
@@ -192,6 +194,7 @@ Json json_triage(const Review& review, std::size_t pair) {
 Result<void> write_clash_json(Sink& sink, const Review& review) {
   JsonDocument document(sink, review.options.stop);
   document.member("version", 1);
+  document.member("unit", json_unit(review.assembly.unit_in_metres));
   document.member("settings", json_settings(review.options));
   write_tests(document, review);
   write_types(document, review);
@@ -213,6 +216,7 @@ Result<void> write_clash_json(Sink& sink, const Review& review) {
 Result<void> write_view_json(Sink& sink, const Assembly& assembly) {
   JsonDocument document(sink);
   document.member("version", 1);
+  document.member("unit", json_unit(assembly.unit_in_metres));
   document.member("settings", nullptr);
   document.list("objects", assembly.objects.size(), [&](std::size_t i) {
     Json object = json_identity(assembly, i);

@@ -42,7 +42,7 @@ bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said) {
 }
 
 Conventions conventions_of(const ReportOptions& options, const Assembly& assembly) {
-  const std::optional<double> metres = options.metres ? options.metres : assembly.unit_in_metres;
+  const std::optional<double>& metres = assembly.unit_in_metres;
   return {metres.value_or(1), is_y_up(options.files, options.y_up), metres.has_value()};
 }
 

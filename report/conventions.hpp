@@ -16,7 +16,7 @@ namespace impinge::report {
 struct Conventions {
   double metres = 1;      ///< that one of the files' units has
   bool y_up = false;      ///< or Z
-  bool is_known = false;  ///< the unit: the call says it, or all files do
+  bool is_known = false;  ///< the unit: the call says it, or a file does
 };
 
 /// Whether a file has Y up when it is read, or else Z: by its format's rules, or because assimp's reader turns it so.
@@ -28,7 +28,7 @@ std::optional<bool> has_y_up(const std::string& file);
 /// which turns most of them so. OBJ, OFF, PLY, STL and AMF leave it open; where there is nothing else, it is Z.
 bool is_y_up(const std::vector<std::string>& files, std::optional<bool> said);
 
-/// As the call says, or else as the files do, or else metres; and up as above.
+/// The assembly's unit, or else metres; and up as above.
 Conventions conventions_of(const ReportOptions& options, const Assembly& assembly);
 
 /// In metres with Z up, as BCF has it; and a direction likewise.

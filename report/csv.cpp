@@ -9,6 +9,7 @@
 #include "report/conventions.hpp"
 #include "report/place.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "report/writers.hpp"
 
 namespace impinge::report {
@@ -184,6 +185,8 @@ constexpr std::array kColumns{
     Column{"a_storey", [](const Row& row) { return property(row, 0, "storey"); }},
     Column{"b_storey", [](const Row& row) { return property(row, 1, "storey"); }},
     Column{"assignee", [](const Row& row) { return csv_cell(row.standing.decision.assignee); }},
+    Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
+    Column{"incomplete", [](const Row& row) { return incomplete_sides(row.review, row.pair); }},
 };
 
 /// Cells with commas between them, and the end of the line.

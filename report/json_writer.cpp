@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "report/units.hpp"
+
 namespace impinge::report {
 namespace {
 
@@ -72,6 +74,7 @@ Json json_object(std::size_t id, const ObjectFacts& facts) {
               {"name", facts.name},
               {"path", facts.path},
               {"product", facts.product},
+              {"incomplete", or_null(facts.incomplete)},
               {"triangles", facts.triangles},
               {"vertices", facts.vertices},
               {"degenerate", known(&PartFacts::degenerate)},
@@ -138,6 +141,7 @@ Json json_identity(const Assembly& assembly, std::size_t object) {
           {"product", about.product},
           {"file", assembly.files[assembly.file_of[object]]},
           {"triangles", about.mesh.triangle_count()},
+          {"incomplete", or_null(about.incomplete)},
           {"properties", std::move(properties)}};
 }
 
@@ -164,6 +168,10 @@ Json json_facts(const std::optional<Part>& part) {
           {"inner_radius", of_class(PartClass::cracked, facts.radius)}};
 }
 
+Json json_unit(const std::optional<double>& metres) {
+  return metres ? Json{{"name", or_null(short_name(*metres))}, {"metres", *metres}} : Json();
+}
+
 void write_missing(JsonDocument& document, const Assembly& assembly) {
   if (!assembly.missing.empty()) document.member("missing", assembly.missing);
 }
@@ -184,6 +192,7 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
                               bool with_hash, const std::stop_token& stop) {
   JsonDocument document(sink, stop);
   document.member("version", 1);
+  document.member("unit", json_unit(assembly.unit_in_metres));
   document.list("objects", assembly.objects.size(), [&](std::size_t i) { return json_identity(assembly, i); });
   write_missing(document, assembly);
   document.list("pairs", contacts.objects.size(), [&](std::size_t row) {
@@ -213,6 +222,7 @@ Result<void> write_info_json(Sink& sink, const std::vector<FileFacts>& files) {
     for (const ObjectFacts& facts : file.objects) objects.push_back(json_object(id++, facts));
     return Json{{"file", file.file},
                 {"error", or_null(file.error)},
+                {"unit", json_unit(file.unit_in_metres)},
                 {"objects", std::move(objects)},
                 {"warnings", file.warnings}};
   });

@@ -96,6 +96,9 @@ Json json_facts(const std::optional<Part>& part);
 /// Members of a pair: "test", "change", "status", "comment", "assignee" and "was".
 Json json_triage(const Review& review, std::size_t pair);
 
+/// {"name":"mm","metres":0.001}, with null for the name of one that has none; null where nobody said it.
+Json json_unit(const std::optional<double>& metres);
+
 /// A list of what is missing of the files, where something is.
 void write_missing(JsonDocument& document, const Assembly& assembly);
 
@@ -111,7 +114,7 @@ Result<void> write_check_json(Sink& sink, const Assembly& assembly, const Contac
 
 /// What `info` found out about one object.
 struct ObjectFacts {
-  std::string name, path, product;
+  std::string name, path, product, incomplete;
   std::uint64_t triangles = 0, vertices = 0;
   std::optional<Part> part;  ///< nothing where the coordinates are outside the exact range
   Point center{};
@@ -122,6 +125,7 @@ struct ObjectFacts {
 struct FileFacts {
   std::string file;
   std::string error;  ///< why it was not read; empty if it was
+  std::optional<double> unit_in_metres;
   std::vector<ObjectFacts> objects;
   std::vector<std::string> warnings;
 };

@@ -10,6 +10,7 @@
 
 #include "report/scene.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -33,13 +34,13 @@ Result<void> configure(ReviewInput& input) {
   Configuration& configuration = input.configuration.emplace(*std::move(read));
   ReportOptions& options = input.options;
   if (options.tolerance && configuration.terms.tolerance) return said_twice(configuration, "tolerance");
-  if (options.clearance > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
+  if (options.clearance.value > 0 && configuration.terms.clearance) return said_twice(configuration, "clearance");
   if (options.tolerance) configuration.terms.tolerance = options.tolerance;
-  if (options.clearance > 0) configuration.terms.clearance = options.clearance;
-  if (options.clearance > 0 && !has_use_for_clearance(configuration))
+  if (options.clearance.value > 0) configuration.terms.clearance = options.clearance;
+  if (options.clearance.value > 0 && !has_use_for_clearance(configuration))
     configuration.warnings.push_back(fmt::format(
         "--clearance {} changes nothing: no test in {} has the mode clearance without a \"clearance\" of its own",
-        options.clearance, printable(configuration.name)));
+        text_of(options.clearance), printable(configuration.name)));
   if (auto checked = check(configuration); !checked) return checked.error();
   const Result<bool> property_sets = needs_property_sets(configuration);
   if (!property_sets.has_value()) return property_sets.error();
@@ -48,11 +49,31 @@ Result<void> configure(ReviewInput& input) {
   if (options.files.empty())
     return Error{Code::bad_option,
                  fmt::format("no file to read is named, neither in {} nor after it", printable(configuration.name))};
+  return {};
+}
+
+Result<void> bring_to_unit(Terms& terms, const std::optional<double>& metres, const std::string& where) {
+  if (terms.tolerance && *terms.tolerance)
+    if (auto brought = bring_to_unit(**terms.tolerance, metres, where + "tolerance"); !brought) return brought;
+  return terms.clearance ? bring_to_unit(*terms.clearance, metres, where + "clearance") : Result<void>();
+}
+
+/// Brings all lengths to the unit of the files.
+Result<void> bring_to_unit(ReviewInput& input, const std::optional<double>& metres) {
+  ReportOptions& options = input.options;
+  if (options.tolerance)
+    if (auto brought = bring_to_unit(*options.tolerance, metres, "--tolerance"); !brought) return brought;
+  if (auto brought = bring_to_unit(options.clearance, metres, "--clearance"); !brought) return brought;
+  if (!input.configuration) return {};
+  Configuration& configuration = *input.configuration;
+  const std::string where = printable(configuration.name) + ": ";
+  if (auto brought = bring_to_unit(configuration.terms, metres, where); !brought) return brought;
+  for (NamedTest& test : configuration.tests)
+    if (auto brought = bring_to_unit(test.terms, metres, where); !brought) return brought;
   // Distances are told where some test asks for them.
   options.clearance = 0;
   for (const NamedTest& test : configuration.tests)
-    if (configuration.mode_of(test) == Mode::clearance)
-      options.clearance = std::max(options.clearance, configuration.clearance_of(test));
+    options.clearance = std::max(options.clearance.value, configuration.clearance_of(test));
   return {};
 }
 
@@ -88,8 +109,8 @@ Result<FilePair> files_between(const Review& review) {
 
 Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   ClashOptions options;
-  options.tolerance = review.options.tolerance;
-  options.clearance = review.options.clearance;
+  options.tolerance = value_of(review.options.tolerance);
+  options.clearance = review.options.clearance.value;
   options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
   options.threads = review.options.threads;
@@ -127,6 +148,8 @@ Result<ReviewInput> read_input(const ReportOptions& options) {
     Result<Previous> previous = read_previous(*options.previous, options.max_file_bytes);
     if (!previous) return previous.error();
     input.previous = *std::move(previous);
+    // Places can be compared in one unit alone.
+    if (!input.options.unit_in_metres) input.options.unit_in_metres = input.previous->unit_in_metres;
   }
   if (options.decisions) {
     Result<Decisions> decisions = read_decisions(*options.decisions);
@@ -138,6 +161,7 @@ Result<ReviewInput> read_input(const ReportOptions& options) {
 
 Result<Review> make_review(Assembly assembly, ReviewInput input) {
   const auto start = std::chrono::steady_clock::now();
+  if (auto brought = bring_to_unit(input, assembly.unit_in_metres); !brought) return brought.error();
   Review review;
   review.options = std::move(input.options);
   review.options.files = assembly.files;
@@ -167,6 +191,11 @@ Result<Review> make_review(Assembly assembly, ReviewInput input) {
   assign_ids(previous, review);
   review.types = types_of(review.assembly);
   compare_with_previous(previous, review);
+  if (previous && previous->unit_in_metres && previous->unit_in_metres != review.assembly.unit_in_metres)
+    review.warnings.push_back(
+        fmt::format("{} is in {}, and this run in {}: regions and files that were renamed are not found again",
+                    printable(*review.options.previous), unit_text(previous->unit_in_metres),
+                    unit_text(review.assembly.unit_in_metres)));
   if (review.options.previous)
     for (std::string& warning : renaming_warnings(review.known_names, *review.options.previous))
       review.warnings.push_back(std::move(warning));

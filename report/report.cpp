@@ -43,7 +43,8 @@ std::uint64_t Report::failing() const { return count_failing(*review_); }
 
 std::vector<std::string> Report::warnings() const {
   std::vector<std::string> all = review_->assembly.missing;
-  for (const std::vector<std::string>* const more : {&review_->assembly.warnings, &review_->warnings})
+  for (const std::vector<std::string>* const more :
+       {&review_->assembly.alignment, &review_->assembly.warnings, &review_->warnings})
     all.insert(all.end(), more->begin(), more->end());
   return all;
 }
@@ -59,6 +60,7 @@ Result<Report> review(const ReportOptions& options) {
 Result<Report> review(Assembly assembly, const ReportOptions& options) {
   ReportOptions of_assembly = options;
   of_assembly.files = assembly.files;
+  if (!assembly.unit_in_metres) assembly.unit_in_metres = options.unit_in_metres;
   Result<ReviewInput> input = read_input(of_assembly);
   if (!input) return input.error();
   return report_of(make_review(std::move(assembly), *std::move(input)));

@@ -65,6 +65,14 @@ double area_of(const Clash& pair) {
   return area;
 }
 
+std::string incomplete_sides(const Review& review, const Clash& pair) {
+  const auto is_incomplete = [&](std::size_t side) {
+    return !review.assembly.objects[pair.objects[side]].incomplete.empty();
+  };
+  if (!is_incomplete(0)) return is_incomplete(1) ? "b" : "";
+  return is_incomplete(1) ? "a b" : "a";
+}
+
 bool names(const FailOn& fail_on, Verdict verdict) {
   if (verdict == Verdict::apart) return fail_on.clearance;
   if (verdict == Verdict::inside) return fail_on.contact || fail_on.inside;

@@ -64,6 +64,10 @@ inline double depth_of(const Clash& pair) { return depth_of(pair.overlap_depth);
 /// That of all regions; 0 where none were looked for.
 double area_of(const Clash& pair);
 
+/// Which of the two parts, "a", "b" or "a b", the reader knows to be incomplete, so that the verdict rests on a part of
+/// their shape; empty for neither.
+std::string incomplete_sides(const Review& review, const Clash& pair);
+
 /// Whether `--fail-on` names this verdict.
 bool names(const FailOn& fail_on, Verdict verdict);
 /// How many of the pairs fail.

@@ -16,8 +16,8 @@
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
 
-/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; IFC by web-ifc, which needs Node.js, and glTF,
-/// 3MF, COLLADA, FBX and the rest by assimp, both in a child process with limits on time and memory. Link
+/// Mesh files: OBJ, OFF, PLY and STL by readers of our own, in double; IFC by web-ifc, which needs Node.js, 3MF by
+/// lib3mf, and glTF, COLLADA, FBX and the rest by assimp, all in a child process with limits on time and memory. Link
 /// `impinge::io`.
 namespace impinge::io {
 
@@ -41,6 +41,7 @@ struct Object {
   /// space, storey, building, site, type, and one for each material, layer, system and group. With
   /// `ReadOptions::property_sets` also "Pset_WallCommon.FireRating" and so on; what a product lacks, its type has.
   std::vector<std::pair<std::string, std::string>> properties{};
+  std::string incomplete{};  ///< part of a sentence, on what the reader left out of the shape; empty: nothing known
 };
 
 /// A node of an animated file.

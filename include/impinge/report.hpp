@@ -22,16 +22,29 @@
 /// BCF, glTF and a page to look at). Link `impinge::report`.
 namespace impinge::report {
 
+/// So many of the run's units of length, or of those of a unit of its own.
+struct Length {
+  double value = 0;
+  std::optional<double> unit_in_metres{};  ///< nothing: the run's unit
+  Length() = default;
+  Length(double of_run) : value(of_run) {}  // NOLINT(google-explicit-constructor): most lengths are plain numbers
+  Length(double count, double metres) : value(count), unit_in_metres(metres) {}
+  bool operator==(const Length&) const = default;
+};
+
 /// How files become one scene.
 struct SceneOptions {
   std::vector<std::string> files;
   std::vector<std::pair<std::string, std::string>> ignored;  ///< names or patterns: such pairs are not tested
   std::vector<std::pair<std::string, double>> scales;        ///< of files; each at most once
-  bool skip_unreadable = false;                              ///< go on without files that cannot be read
-  bool property_sets = false;                                ///< as `io::ReadOptions::property_sets`
-  std::uint64_t max_file_bytes = 2'000'000'000;              ///< larger files are refused unread
-  int threads = 0;                                           ///< at most so many; 0: all there are
-  Progress* progress = nullptr;                              ///< counts steps of judging, or the frames of a motion
+  /// Of so many metres, to which the files whose own is known are brought; nothing: that of the first of them. Files
+  /// whose unit is not known are taken to be in it.
+  std::optional<double> unit_in_metres{};
+  bool property_sets = false;                    ///< as `io::ReadOptions::property_sets`
+  bool skip_unreadable = false;                  ///< go on without files that cannot be read
+  std::uint64_t max_file_bytes = 2'000'000'000;  ///< larger files are refused unread
+  int threads = 0;                               ///< at most so many; 0: all there are
+  Progress* progress = nullptr;                  ///< counts steps of judging, or the frames of a motion
   std::stop_token stop{};
 };
 
@@ -58,8 +71,8 @@ enum class GroupBy : std::uint8_t { none, part, type, test };
 
 /// What a review looks for, and how its documents are written.
 struct ReportOptions : SceneOptions, PageOptions {
-  std::optional<double> tolerance;  ///< as `ClashOptions::tolerance`
-  double clearance = 0;             ///< as `ClashOptions::clearance`
+  std::optional<Length> tolerance;  ///< as `ClashOptions::tolerance`
+  Length clearance;                 ///< as `ClashOptions::clearance`
   double depth_precision = 0.05;    ///< as `ClashOptions::depth_precision`
   bool regions = false;             ///< find regions of contact
   std::string backend = "simd";     ///< as `ClashOptions::backend`
@@ -71,7 +84,6 @@ struct ReportOptions : SceneOptions, PageOptions {
   std::optional<std::string> previous;   ///< the JSON of an earlier report, to compare with
   std::optional<std::string> decisions;  ///< a file of what people decided about pairs (docs/triage.md)
   GroupBy group_by = GroupBy::none;
-  std::optional<double> metres;               ///< that one of the files' units has; nothing: nobody said
   std::string date = "1970-01-01T00:00:00Z";  ///< of the BCF's topics, in UTC
   std::string author = "impinge";             ///< of the BCF's topics and comments
   BcfVersion bcf_version = BcfVersion::v2_1;
@@ -82,7 +94,7 @@ struct ReportOptions : SceneOptions, PageOptions {
 struct MotionOptions : SceneOptions, PageOptions {
   std::uint32_t frames = 120;                           ///< steps of equal length, at least 1
   std::optional<std::string> animation;                 ///< its name or number; nothing: the first
-  std::optional<double> tolerance;                      ///< as `ClashOptions::tolerance`
+  std::optional<Length> tolerance;                      ///< as `ClashOptions::tolerance`
   double depth_precision = 0.05;                        ///< as `ClashOptions::depth_precision`
   FailOn fail_on{.penetration = true, .inside = true};  ///< which verdicts are a clash; `clearance` is none of them
 };
@@ -95,16 +107,18 @@ struct Assembly {
   std::vector<std::uint32_t> file_of;  ///< for each object
   std::vector<std::string> labels;     ///< for each object, what a person is shown; printable
   std::vector<std::string> warnings;
+  /// Sentences on how the files were brought to one unit and one upward axis, and what speaks against it.
+  std::vector<std::string> alignment;
   std::vector<std::string> missing;  ///< of the files, with their names: no answer is about it
   std::vector<std::string> skipped;  ///< files that could not be read, by `SceneOptions::skip_unreadable`
   std::uint64_t triangles = 0;
-  std::optional<double> unit_in_metres{};  ///< metres in one of the units of all files, where each says so
+  std::optional<double> unit_in_metres{};  ///< metres in one of the coordinates' units; nothing: nobody said it
 };
 
 /// The objects of several files, as they were read.
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models);
 
-/// Reads `options.files`, whose units are brought to the first that is known; `begin_file` is called with the number of
+/// Reads `options.files`, whose units are brought to that of the options; `begin_file` is called with the number of
 /// each before it is read. Errors: those of `io::read`; with `skip_unreadable` only if no file can be read.
 Result<Assembly> read_assembly(
     const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file = [](std::size_t) {});
@@ -140,10 +154,12 @@ class Report {
 };
 
 /// Reads the files that the options and their configuration name, and finds what clashes. Errors: those of reading
-/// them; `bad_file` and `bad_option` (a configuration or an earlier report that cannot be used); those of
+/// them; `bad_file` and `bad_option` (a configuration or an earlier report that cannot be used, or a length in a unit
+/// where the files' is not known); those of
 /// `find_clashes`.
 Result<Report> review(const ReportOptions& options);
-/// The same of an assembly at hand; files that the configuration names are not read.
+/// The same of an assembly at hand; files that the configuration names are not read. Its unit, if it has none, is that
+/// of the options.
 Result<Report> review(Assembly assembly, const ReportOptions& options);
 
 /// Write a report to a file, which appears whole or not at all; "-" is standard output. Regions and distances
@@ -180,7 +196,8 @@ struct Timeline {
 /// When parts that move clash: looks at every frame for pairs that do, and halves the time between two frames of which
 /// one clashes and one does not, down to a millionth of a frame's step. A clash that begins and ends between two frames
 /// is not seen. The animation is one of the model's. Errors: `bad_file` (coordinates that are not finite, or a part
-/// that is flat at rest, with its name); `bad_option` (a pair to ignore that is none); those of `find_clashes`.
+/// that is flat at rest, with its name); `bad_option` (a pair to ignore that is none, or a tolerance in a unit where
+/// the model's is not known); those of `find_clashes`.
 Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation,
                                const MotionOptions& options = {});
 

@@ -42,7 +42,7 @@ std::optional<std::string> swapped_axes(const aiMatrix4x4& m, double scale) {
 }
 
 bool keeps_the_files_root(std::string_view reader) {
-  static constexpr std::array<std::string_view, 6> kReaders{"glTF", "FBX", "3mf", "XFile", "LightWave", "Quick3D"};
+  static constexpr std::array<std::string_view, 5> kReaders{"glTF", "FBX", "XFile", "LightWave", "Quick3D"};
   return std::any_of(kReaders.begin(), kReaders.end(), [&](auto name) { return reader.find(name) != reader.npos; });
 }
 
@@ -54,9 +54,16 @@ std::string reader_of(const aiScene& scene) {
   return {name.data, name.length};
 }
 
-bool is_in_metres(const aiScene& scene) {
+std::optional<double> unit_in_metres(const aiScene& scene) {
   const std::string reader = reader_of(scene);
-  return reader.find("glTF") != reader.npos || reader.find("Collada") != reader.npos;
+  if (reader.find("glTF") != reader.npos || reader.find("Collada") != reader.npos) return 1;
+  float centimetres = 0;
+  if (reader.find("FBX") == reader.npos || !scene.mMetaData->Get("UnitScaleFactor", centimetres)) return std::nullopt;
+  // The decimal number that was written, such as 2.54, not the float nearest to it.
+  double written = 0;
+  std::string problem;
+  if (!io::parse_real(sentence(centimetres), written, problem) || !(written > 0)) return std::nullopt;
+  return written / 100;
 }
 
 std::vector<std::string> axis_warnings(const aiScene& scene) {
@@ -71,7 +78,7 @@ std::vector<std::string> axis_warnings(const aiScene& scene) {
   if (axes && *axes != "(x, y, z)")
     warnings.push_back(sentence(who, " turned the axes: the file's (x, y, z) became ", *axes, "."));
   if (std::abs(scale - 1) > kTurnError) {
-    warnings.push_back(sentence(who, " changed the unit", is_in_metres(scene) ? " to metres" : "",
+    warnings.push_back(sentence(who, " changed the unit", unit_in_metres(scene) == 1 ? " to metres" : "",
                                 ": the file's lengths were multiplied by ", scale, "."));
   }
   return warnings;

@@ -3,9 +3,9 @@
 
 /// impinge-import FILE MEMORY_BYTES CPU_SECONDS
 ///
-/// Reads a mesh file by assimp and writes it to standard output as io/import_stream.hpp describes. A process of its
-/// own, because assimp crashes, hangs and takes all memory on some broken files. For IFC it becomes another program,
-/// with the same limits.
+/// Reads a mesh file by assimp, or 3MF by lib3mf, and writes it to standard output as io/import_stream.hpp describes. A
+/// process of its own, because these crash, hang and take all memory on some broken files. For IFC it becomes another
+/// program, with the same limits.
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -21,6 +21,7 @@
 #include "io/import_stream.hpp"
 #include "io/importer/ifc.hpp"
 #include "io/importer/scene_writer.hpp"
+#include "io/importer/threemf.hpp"
 #include "io/text.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -53,7 +54,7 @@ void set_limits(decltype(RLIMIT_CPU) memory, std::int64_t memory_bytes, std::int
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer of an orphan
 }
 
-/// The stream's own descriptor; whatever assimp prints goes nowhere.
+/// The stream's own descriptor; whatever a library prints goes nowhere.
 int take_standard_output() {
   const int stream = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -74,18 +75,20 @@ int run(const char* file, std::int64_t memory_bytes, std::int64_t cpu_seconds) {
   const int stream = take_standard_output();
   if (stream < 0) return 1;
   io::ImportWriter writer(stream);
+  const bool by_lib3mf = is_3mf(file);
+  const std::string library = by_lib3mf ? "lib3mf" : "assimp";
   try {
-    const std::string problem = write_scene(file, writer);
+    const std::string problem = by_lib3mf ? write_3mf(file, writer) : write_scene(file, writer);
     if (problem.empty()) return writer.end() ? 0 : 1;
     const bool is_memory = problem.find("bad_alloc") != problem.npos;
     if (!is_memory) {
-      writer.error(io::sentence("assimp cannot read the file (", io::trimmed(problem),
+      writer.error(io::sentence(library, " cannot read the file (", io::trimmed(problem),
                                 "); mend it, or export to another format"));
       return 0;
     }
   } catch (const std::bad_alloc&) {
   } catch (const std::exception& error) {
-    writer.error(io::sentence("assimp cannot read the file (", error.what(), ")"));
+    writer.error(io::sentence(library, " cannot read the file (", error.what(), ")"));
     return 0;
   }
   writer.error(io::sentence("it needs more than the memory limit of ", memory_bytes,

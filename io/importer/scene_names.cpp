@@ -34,7 +34,6 @@ std::string_view text_of(const aiString& text) { return {text.data, text.length}
 SceneNames::SceneNames(const aiScene& scene) : scene_(scene) {
   const std::string reader = reader_of(scene);
   is_gltf_ = reader.find("glTF") != reader.npos;
-  is_3mf_ = reader.find("3mf") != reader.npos;
 }
 
 std::string SceneNames::given_name(const aiNode& node) const {
@@ -44,7 +43,6 @@ std::string SceneNames::given_name(const aiNode& node) const {
     const bool is_made_up = is_gltf_placeholder(name) || (is_root && name == "ROOT");
     return is_made_up ? std::string() : std::string(name);
   }
-  if (is_3mf_ && is_root && name == "3MF") return {};
   if (is_root && name == "RootNode") return {};                                            // FBX and others
   if (name.starts_with('$') || (name.starts_with('<') && name.ends_with('>'))) return {};  // COLLADA, 3DS, DXF, ..
   if (name.find(kPivot) != name.npos) return {};

@@ -30,7 +30,7 @@ class SceneNames {
   [[nodiscard]] std::string mesh_name(const aiNode& node) const;
 
   const aiScene& scene_;
-  bool is_gltf_ = false, is_3mf_ = false;
+  bool is_gltf_ = false;
 };
 
 }  // namespace impinge::importer

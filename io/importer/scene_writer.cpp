@@ -166,9 +166,12 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   const std::optional<GltfCheck> gltf = check_gltf(file);
   if (gltf && !gltf->problem.empty()) return gltf->problem;
   Assimp::Importer importer;
-  // IFC is read elsewhere, whatever its file is called.
-  const std::unique_ptr<Assimp::BaseImporter> ifc(importer.GetImporter(importer.GetImporterIndex("ifc")));
-  importer.UnregisterLoader(ifc.get());
+  // These are read elsewhere, whatever a file of theirs is called.
+  std::array<std::unique_ptr<Assimp::BaseImporter>, 2> others;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    others[i].reset(importer.GetImporter(importer.GetImporterIndex(i == 0 ? "ifc" : "3mf")));
+    importer.UnregisterLoader(others[i].get());
+  }
   // The author's names, not the ids of COLLADA.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   // Bones are not surfaces.
@@ -197,7 +200,7 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (gltf && gltf->morphed.count > 0) writer.missing(reshaped_sentence(gltf->morphed, "morph targets", "Apply them"));
   if (gltf && gltf->hidden.count > 0) writer.warning(hidden_sentence(gltf->hidden));
   for (const std::string& warning : axis_warnings(*scene)) writer.warning(warning);
-  if (is_in_metres(*scene)) writer.unit(1);
+  if (const std::optional<double> metres = unit_in_metres(*scene)) writer.unit(*metres);
   const Movement movement = read_movement(file, *scene);
   for (const io::ImportedNode& node : movement.nodes) writer.node(node);
   for (const io::Animation& animation : movement.animations) writer.animation(animation);

@@ -21,6 +21,8 @@ export interface Part {
   triangles: number;
   /** What the file says of it; of IFC "class", "GlobalId", "Tag", "ObjectType", "storey" and "building". */
   properties?: Record<string, string>;
+  /** What the reader left out of its shape. */
+  incomplete?: string | null;
   open_edges?: number;
   class?: 'solid' | 'cracked' | 'surface' | null;
   turned?: number;
@@ -100,6 +102,8 @@ export interface Settings {
 
 export interface Report {
   version: number;
+  /** Of lengths and places, where it is known. */
+  unit?: { name: string | null; metres: number } | null;
   settings: Settings | null;
   objects: Part[];
   pairs: Pair[];

@@ -96,6 +96,13 @@ export class Details {
     const about = clash.pair ?? clash.resolved!;
     if (clash.pair?.id) nodes.push(this.decision(clash, clash.pair));
     if (clash.pair?.note) nodes.push(el('p', { class: 'note' }, `Note: ${clash.pair.note}.`));
+    for (const [letter, id] of [
+      ['A', clash.first],
+      ['B', clash.second],
+    ] as const) {
+      const lost = this.report.objects[id]?.incomplete;
+      if (lost) nodes.push(el('p', { class: 'note' }, `Shape of ${letter} incomplete: `, nameOf(lost, 300), '.'));
+    }
     nodes.push(
       figures([
         ['Change', changeText(clash)],
@@ -312,6 +319,7 @@ export class Details {
         ['Part number', [countOf(part.id)]],
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],
         ['Triangles', [countOf(part.triangles)]],
+        ['Shape incomplete', part.incomplete ? [nameOf(part.incomplete, 300)] : null],
         ['Kind', kindOf(part) ? [kindOf(part)] : null],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],

@@ -150,6 +150,8 @@ export function showSummary(
     toleranceFact(report),
   ];
   if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
+  const { unit } = report;
+  if (unit) facts.push([`lengths in ${unit.name ?? `${unit.metres} m`}`]);
   facts.push(failsFact(report));
   const rules = report.settings?.ignore?.length ?? 0;
   if (rules) facts.push(countedOf(rules, 'rule leaves pairs out', 'rules leave pairs out'));

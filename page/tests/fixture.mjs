@@ -152,6 +152,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
     [x - s, y + s, z],
     [x - s, y - s, z],
   ];
+  objects[3].incomplete = 'its <b>lid</b> is left out';
   const pairs = [];
   const put = (a, b, verdict, { depth, distance, areas = [], ...more } = {}) => {
     const centre = middle(a, b);
@@ -197,6 +198,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
   put(0, 10, 'touching', { areas: [5] });
   const report = {
     version: 1,
+    unit: { name: 'mm', metres: 0.001 },
     settings: kSettings,
     objects,
     pairs,

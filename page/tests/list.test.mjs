@@ -70,6 +70,7 @@ describe('the list of clashes', () => {
       '6 new, 1 with a new region, 5 persisting, 2 resolved; 1 worse than before',
       'deepest overlap 1.25',
       'clearance 0.5',
+      'lengths in mm',
     ]) {
       assert.ok(facts.includes(fact), `${fact} in ${facts}`);
     }
@@ -441,6 +442,7 @@ describe('the list of clashes', () => {
       'IfcPlate · Level 2',
       'GlobalId of A0guid$0',
       'Tag of BT-3',
+      'Shape of B incomplete: its <b>lid</b> is left out.',
       'persisting, and worse: it was touching',
       '0000-0',
     ]) {

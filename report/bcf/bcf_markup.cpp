@@ -123,6 +123,11 @@ std::string description(const Topic& topic) {
     text += fmt::format("Fails below a tolerance of {:.6g}\n", topic.metres(clash.fails_below));
   if (clash.nearest) text += fmt::format("Distance: {:.6g}\n", topic.metres(clash.nearest->distance));
   text += regions(topic);
+  for (const int side : {0, 1})
+    if (const std::string& left_out =
+            topic.review.assembly.objects[clash.objects[static_cast<std::size_t>(side)]].incomplete;
+        !left_out.empty())
+      text += fmt::format("{} is incomplete: {}\n", side == 0 ? "A" : "B", printable(left_out));
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
   text += "Lengths and places are in metres with Z up, as in the viewpoint.";
   if (!topic.conventions.is_known) text += " Nobody said the unit of the files: it is taken for the metre (--unit).";

@@ -27,9 +27,10 @@ using nlohmann::json;
 
 /// Members with other keys, such as the lines of regions and what people added, are not kept in memory.
 bool is_compared(const std::string& key) {
-  static const std::unordered_set<std::string> keys{
-      "version", "files", "file", "name",    "known_as", "objects", "path", "placed",  "key",      "pairs",
-      "id",      "a",     "b",    "verdict", "test",     "nearest", "box",  "regions", "centroid", "resolved"};
+  static const std::unordered_set<std::string> keys{"version",  "files",    "file", "name",    "known_as", "objects",
+                                                    "path",     "placed",   "key",  "pairs",   "id",       "a",
+                                                    "b",        "verdict",  "test", "nearest", "box",      "regions",
+                                                    "centroid", "resolved", "unit", "metres"};
   return keys.contains(key);
 }
 
@@ -153,6 +154,10 @@ Previous read_report(const Value& report) {
   if (report["version"].number() != 1)
     fail("/version", "this is a document of another version of impinge, which wrote version 1");
   Previous previous;
+  if (const Value unit = report["unit"]) {
+    previous.unit_in_metres = unit["metres"].number();
+    if (!(*previous.unit_in_metres > 0)) fail("/unit/metres", "a number above 0 should stand here");
+  }
   const Parts parts = read_parts(report["objects"]);
   std::unordered_set<std::string> ids;
   for (const Value& pair : report["pairs"].items()) {

@@ -34,6 +34,7 @@ struct Previous {
     std::string name;      ///< as `names_of_files` of that run
     std::string known_as;  ///< the name that it had before it was renamed, or the same
   };
+  std::optional<double> unit_in_metres;
   std::vector<OldFile> files;
   std::vector<OldPart> parts;
   std::vector<Pair> pairs;

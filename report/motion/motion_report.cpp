@@ -8,6 +8,7 @@
 
 #include "report/json_writer.hpp"
 #include "report/review.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -49,8 +50,9 @@ void write_animation(JsonDocument& document, const MotionReport& report) {
 Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionOptions& options) {
   JsonDocument document(sink);
   document.member("version", 1);
+  document.member("unit", json_unit(report.assembly.unit_in_metres));
   write_animation(document, report);
-  document.member("settings", Json{{"tolerance", json_tolerance(options.tolerance)},
+  document.member("settings", Json{{"tolerance", json_tolerance(value_of(options.tolerance))},
                                    {"depth_precision", json_finite(options.depth_precision)},
                                    {"fail_on", words_of(options.fail_on)}});
   document.list("objects", report.assembly.objects.size(), [&](std::size_t i) {

@@ -10,6 +10,7 @@
 #include "report/motion/mover.hpp"
 #include "report/review.hpp"
 #include "report/scene.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -74,7 +75,7 @@ class Search {
 
   [[nodiscard]] ClashOptions clash_options() const {
     ClashOptions options;
-    options.tolerance = options_.tolerance;
+    options.tolerance = value_of(options_.tolerance);
     options.depth_precision = options_.depth_precision;
     options.threads = options_.threads;
     options.stop = options_.stop;
@@ -91,9 +92,9 @@ class Search {
     };
     if (!is_first) {
       // The automatic tolerance is that of each pair; the reach only has to be as large as a tolerance that was given.
-      options.clearance = options_.tolerance.value_or(0);
+      options.clearance = options_.tolerance.value_or(0).value;
       options.terms = [&](std::uint32_t a, std::uint32_t b, std::vector<ClashTerms>& terms) {
-        if (!stand_still(a, b)) terms.push_back({.tolerance = options_.tolerance});
+        if (!stand_still(a, b)) terms.push_back({.tolerance = value_of(options_.tolerance)});
       };
     }
     Result<Clashes> clashes = scene_->clashes(options);
@@ -206,9 +207,13 @@ class Search {
 
 Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation, const MotionOptions& options) {
   if (options.progress != nullptr) options.progress->done = 0, options.progress->total = options.frames + 1;
+  MotionOptions of_model = options;
+  if (of_model.tolerance)
+    if (auto brought = bring_to_unit(*of_model.tolerance, model.unit_in_metres, "the tolerance"); !brought)
+      return brought.error();
   const Mover mover(model, animation);
   Assembly assembly = assemble({options.files.empty() ? "" : options.files.front()}, {model});
-  return Search(mover, assembly, options).run();
+  return Search(mover, assembly, of_model).run();
 }
 
 }  // namespace impinge::report

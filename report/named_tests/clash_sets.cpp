@@ -98,7 +98,7 @@ NamedTest read_clash_set(const JsonNode& node, std::vector<IgnoredSelector>& to_
     test.terms.mode = Mode::penetration;
   }
   if (mode == "intersection" && node.value.contains("tolerance"))
-    test.terms.tolerance = std::optional(node.value["tolerance"].get<double>() + 0.0);  // -0 is 0
+    test.terms.tolerance = std::optional<Length>(node.value["tolerance"].get<double>() + 0.0);  // -0 is 0
   return test;
 }
 

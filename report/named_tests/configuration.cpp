@@ -12,6 +12,7 @@
 #include "report/json_file.hpp"
 #include "report/schemas.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -81,13 +82,35 @@ Mode read_mode(const JsonNode& node) {
                                          : Mode::penetration;
 }
 
+/// A number, or a text with a unit; nothing of other texts.
+std::optional<Length> read_length(const json& value) {
+  if (!value.is_string()) return value.get<double>() + 0.0;
+  const std::optional<Length> length = parse_length(value.get<std::string>());
+  return length && length->unit_in_metres ? length : std::nullopt;
+}
+
+/// Whether the texts that stand for lengths are some, which their schema leaves open. Errors: `bad_file`.
+Result<void> check_lengths(const JsonNode& node, const json& schema, const Configuration& configuration) {
+  for (const char* const key : {"tolerance", "clearance"}) {
+    const auto length = node.find(key);
+    if (!length || !length->value.is_string() || (key == std::string_view("tolerance") && length->value == "auto"))
+      continue;
+    if (const auto read = read_length(length->value); read && (read->value > 0 || key == std::string_view("tolerance")))
+      continue;
+    return configuration.error_at(length->place.to_string(),
+                                  fmt::format("{}, not {}", schema["$defs"][key]["errorMessage"].get<std::string>(),
+                                              fit(printable(length->value.dump().substr(0, 320)), 80)));
+  }
+  return {};
+}
+
 /// What a test and the whole configuration have in common.
 Terms read_terms(const JsonNode& node) {
   Terms terms;
   if (const auto mode = node.find("mode")) terms.mode = read_mode(*mode);
   if (const auto tolerance = node.find("tolerance"))
-    terms.tolerance = tolerance->value.is_string() ? std::optional<double>() : tolerance->value.get<double>() + 0.0;
-  if (const auto clearance = node.find("clearance")) terms.clearance = clearance->value.get<double>();
+    terms.tolerance = tolerance->value == "auto" ? std::nullopt : read_length(tolerance->value);
+  if (const auto clearance = node.find("clearance")) terms.clearance = read_length(clearance->value);
   if (const auto ignore = node.find("ignore")) terms.ignore = read_ignore(*ignore);
   if (const auto may_touch = node.find("may_touch")) terms.may_touch = read_may_touch(*may_touch);
   return terms;
@@ -121,6 +144,9 @@ Result<void> read_object(const JsonNode& node, Configuration& to) {
   if (const auto groups = node.find("groups"))
     for (const auto& [name, group] : groups->value.items())
       to.groups.emplace(name, read_group({group, groups->place / name}));
+  if (auto checked = check_lengths(node, schema, to); !checked) return checked;
+  for (const JsonNode& test : node["tests"].each([](const JsonNode& each) { return each; }))
+    if (auto checked = check_lengths(test, schema, to); !checked) return checked;
   to.terms = read_terms(node);
   to.tests = node["tests"].each(read_test);
   return {};

@@ -70,8 +70,8 @@ struct MayTouch {
 /// What may be said of one test, or of all.
 struct Terms {
   std::optional<Mode> mode;
-  std::optional<std::optional<double>> tolerance;  ///< inside: nothing is "auto"
-  std::optional<double> clearance;
+  std::optional<std::optional<Length>> tolerance;  ///< inside: nothing is "auto"
+  std::optional<Length> clearance;
   IgnoreRules ignore;
   std::optional<MayTouch> may_touch;
 };
@@ -101,9 +101,9 @@ struct Configuration {
   [[nodiscard]] Mode mode_of(const NamedTest& test) const {
     return test.terms.mode.value_or(terms.mode.value_or(Mode::penetration));
   }
-  /// 0 unless the test's mode keeps a clearance.
+  /// In the unit that was said; 0 unless the test's mode keeps a clearance.
   [[nodiscard]] double clearance_of(const NamedTest& test) const {
-    return mode_of(test) == Mode::clearance ? test.terms.clearance.value_or(terms.clearance.value_or(0)) : 0;
+    return mode_of(test) == Mode::clearance ? test.terms.clearance.value_or(terms.clearance.value_or(0)).value : 0;
   }
   /// `bad_file`, with the line and the place.
   [[nodiscard]] Error error_at(const std::string& place, std::string_view what) const;

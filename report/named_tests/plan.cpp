@@ -10,6 +10,7 @@
 
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -43,7 +44,7 @@ class Plan::Maker {
       PlannedTest planned;
       planned.name = test.name.text;
       planned.mode = configuration_.mode_of(test);
-      planned.tolerance = test.terms.tolerance.value_or(all.tolerance.value_or(std::nullopt));
+      planned.tolerance = value_of(test.terms.tolerance.value_or(all.tolerance.value_or(std::nullopt)));
       planned.clearance = configuration_.clearance_of(test);
       if (auto added = add_groups(test, planned); !added) return added.error();
       if (auto added = add_rules(test.terms); !added) return added.error();

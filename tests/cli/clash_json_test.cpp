@@ -37,7 +37,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
   const json answer = json::parse(run.out);
-  EXPECT_EQ(keys(answer), "counts decisions files groups objects pairs resolved settings tests types version");
+  EXPECT_EQ(keys(answer), "counts decisions files groups objects pairs resolved settings tests types unit version");
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("settings"), (json{{"tolerance", "auto"},
                                          {"clearance", 0.0},
@@ -58,10 +58,11 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(answer.at("objects").at(4).at("type"), 4);
   ASSERT_EQ(answer.at("objects").size(), 5U);
   for (const json& object : answer.at("objects"))
-    EXPECT_EQ(keys(object),
-              "area class closed file first_open_edge first_self_crossing first_unclear_edge id inner_radius key "
-              "known_as name open_edges path "
-              "pieces placed product properties self_crossings triangles turned type unclear_edges volume");
+    EXPECT_EQ(
+        keys(object),
+        "area class closed file first_open_edge first_self_crossing first_unclear_edge id incomplete inner_radius key "
+        "known_as name open_edges path "
+        "pieces placed product properties self_crossings triangles turned type unclear_edges volume");
   // Triangles are counted as `check` counts them.
   const json checked =
       json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
@@ -89,6 +90,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"verdict", "penetrating"},
                          {"inner", nullptr},
                          {"note", nullptr},
+                         {"incomplete", nullptr},
                          {"fails", true}}));
   EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
   EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);

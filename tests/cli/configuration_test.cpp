@@ -94,8 +94,9 @@ TEST(Configuration, SaysWhatIsWrongAndWhere) {
             "except, file, group, name, path, product, property, select");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","mode":"touch"}]})"),
             "c.json:1: /tests/0/mode: a mode is penetration, contact or clearance, not \"touch\"");
-  EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","tolerance":"1"}]})"),
-            "c.json:1: /tests/0/tolerance: a tolerance is \"auto\" or a length from 0 up, not \"1\"");
+  EXPECT_EQ(
+      mistake(R"({"tests":[{"name":"n","a":"x","tolerance":"1"}]})"),
+      "c.json:1: /tests/0/tolerance: a tolerance is \"auto\" or a length from 0 up, such as 10 or \"10mm\", not \"1\"");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x"},{"name":"n","a":"y"}]})"),
             "c.json:1: /tests/1/name: two tests are named 'n'");
   EXPECT_EQ(mistake(R"({"tests":[{"name":"n","a":"x","mode":"clearance"}]})"),
@@ -133,8 +134,15 @@ TEST(Configuration, SaysWhichRuleOfTheSchemaIsBroken) {
            {R"("groups":{"x":["a",{"path":[]}]})", "/groups/x/1/path: " + words + "an empty list"},
            {R"("groups":{"x":{"name":{"a":1}}})", "/groups/x/name: " + words + "an object"},
            {R"("groups":{"x":{"file":["a",""]}})", "/groups/x/file/1: this is a text that is not empty, not \"\""},
-           {R"("tolerance":-0.5)", "/tolerance: a tolerance is \"auto\" or a length from 0 up, not -0.5"},
-           {R"("clearance":0)", "/clearance: a clearance is a length above 0, not 0"},
+           {R"("tolerance":-0.5)",
+            "/tolerance: a tolerance is \"auto\" or a length from 0 up, such as 10 or \"10mm\", not -0.5"},
+           {R"("tolerance":"-1mm")",
+            "/tolerance: a tolerance is \"auto\" or a length from 0 up, such as 10 or \"10mm\", not \"-1mm\""},
+           {R"("clearance":0)", "/clearance: a clearance is a length above 0, such as 10 or \"10mm\", not 0"},
+           {R"("clearance":"0 mm")",
+            "/clearance: a clearance is a length above 0, such as 10 or \"10mm\", not \"0 mm\""},
+           {R"("clearance":"auto")",
+            "/clearance: a clearance is a length above 0, such as 10 or \"10mm\", not \"auto\""},
            {R"("groups":{"x":{"property":{}}})",
             "/groups/x/property: properties are an object such as {\"storey\": \"Level 2*\"}, not {}"},
            {R"("ignore":{"by_design":["bolts"]})",

@@ -31,7 +31,7 @@ TEST(Help, ExamplesRun) {
   folder.write("fixture.stl", stl(cube(2, 0, 0)));
   folder.write("robot.ply", ply(cube(0, 0, 0)));
   folder.write("cell.off", off(cube(9, 0, 0)));
-  folder.write("bracket.stl", stl(cube(0, 0, 0)));
+  folder.write("bracket.stl", stl(cube(40, 0, 0)));
   folder.write("plate.stl", stl(cube(0, 0, 0)));
   folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
   impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});

@@ -35,11 +35,11 @@ TEST(Info, ListsObjectsTrianglesAndOpenEdges) {
   const Ended run = impinge(folder, {"info", "closed.off", "open.off"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out,
-            "closed.off: 1 object, 12 triangles\n"
+            "closed.off: 1 object, 12 triangles, in an unknown unit\n"
             "object  triangles  vertices  degenerate  open edges  class             centre  radius\n"
             "closed         12         8           0      closed  solid  5.000 6.000 7.000   1.732\n"
             "\n"
-            "open.off: 1 object, 12 triangles\n"
+            "open.off: 1 object, 12 triangles, in an unknown unit\n"
             "object  triangles  vertices  degenerate  open edges  class               centre  radius\n"
             "open           12         8           1           3  surface  1.000 1.000 1.000   1.732\n"
             "open is a surface: 3 open edges, first at " +

@@ -32,7 +32,7 @@ class JsonDocument : public testing::Test {
 
 TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   const json answer = json::parse(check({"--json", "-"}).out);
-  EXPECT_EQ(keys(answer), "hash objects pairs stats truncated version");
+  EXPECT_EQ(keys(answer), "hash objects pairs stats truncated unit version");
   EXPECT_EQ(answer.at("version"), 1);
   EXPECT_EQ(answer.at("truncated"), false);
   const std::string hash = answer.at("hash");
@@ -45,6 +45,7 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
                                               {"product", ""},
                                               {"file", "b.off"},
                                               {"triangles", 12},
+                                              {"incomplete", nullptr},
                                               {"properties", json::object()}}));
   EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
   EXPECT_EQ(answer.at("pairs"),

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/import_stream.hpp"
+#include "meshes.hpp"
 #include "program.hpp"
 
 namespace impinge::test {
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kLost = "3 of 15 triangles are missing";
+const std::string kLost = "3 of 15 triangles are missing", kLid = "its lid is left out";
 
 /// A file of one triangle, by an importer that says that something of it is lost.
 class Missing : public testing::Test {
@@ -33,6 +34,7 @@ class Missing : public testing::Test {
     const std::vector<std::uint32_t> triangle{0, 1, 2};
     writer.mesh(xyz, triangle);
     writer.object("bolt", "bolt", "", 0, io::kNoNode, io::kNoNode, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+    writer.incomplete(kLid);
     ASSERT_TRUE(writer.end());
     ::close(descriptor);
     folder.write("importer", "#!/bin/sh\nexec cat '" + stream.string() + "'\n");
@@ -53,6 +55,27 @@ TEST_F(Missing, IsSaidWithEveryAnswer) {
   }
   const Ended info = impinge(folder, {"info", "a.dae"}, launch);
   EXPECT_NE(info.out.find("warning: " + kLost), std::string::npos) << info.out;
+}
+
+TEST_F(Missing, MarksPartsAndWhatRestsOnThem) {
+  folder.write("b.off", off(cube(-1, -1, -1)));
+  const Ended clash = impinge(
+      folder,
+      {"clash", "a.dae", "b.off", "--scale", "b.off=1", "--json", "out.json", "--csv", "out.csv", "--html", "out.html"},
+      launch);
+  const json answer = json::parse(folder.read("out.json"));
+  EXPECT_EQ(answer.at("objects").at(0).at("incomplete"), kLid);
+  EXPECT_TRUE(answer.at("objects").at(1).at("incomplete").is_null());
+  ASSERT_EQ(answer.at("pairs").size(), 1U);
+  EXPECT_EQ(answer.at("pairs").at(0).at("incomplete"), "a");
+  EXPECT_TRUE(folder.read("out.csv").ends_with(",a\r\n")) << folder.read("out.csv");
+  EXPECT_NE(clash.out.find("  incomplete"), std::string::npos) << clash.out;
+  EXPECT_NE(clash.out.find("bolt is incomplete: " + kLid + "\n"), std::string::npos) << clash.out;
+  const Ended info = impinge(folder, {"info", "a.dae", "b.off", "--json", "out.json"}, launch);
+  EXPECT_NE(info.out.find("bolt is incomplete: " + kLid + "\n"), std::string::npos) << info.out;
+  const json files = json::parse(folder.read("out.json")).at("files");
+  EXPECT_EQ(files.at(0).at("objects").at(0).at("incomplete"), kLid);
+  EXPECT_TRUE(files.at(1).at("objects").at(0).at("incomplete").is_null());
 }
 
 TEST_F(Missing, IsOnThePage) {

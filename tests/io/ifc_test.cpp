@@ -530,16 +530,20 @@ TEST(Ifc, WhatIsNotDrawnIsNamed) {
   step.product("circular", a, step.shape(step.shown(box)));
   step.product("broken", at, step.shape(step.shown(step.extruded(step.line("IFCCIRCLEPROFILEDEF(.AREA.,$,$,$)"), 1))));
   step.product("hollow", at, step.shape(step.shown("#9002")));
+  const std::string bad = step.extruded(step.line("IFCCIRCLEPROFILEDEF(.AREA.,$,$,$)"), 1);
+  step.product("partly", at, step.shape(step.shown(box + "," + bad)));
   step.product("after", at, step.shape(step.shown(box)));
   std::string text = step.text();
   text.replace(text.find("ENDSEC;\nEND-"), 0, "#9001=IFCLOCALPLACEMENT(" + a + "," + step.origin + ");\n");
   const Model model = read_text(text, "case.ifc");
-  EXPECT_EQ(names_of(model), (std::vector<std::string>{"beam", "after"}));
+  EXPECT_EQ(names_of(model), (std::vector<std::string>{"beam", "partly", "after"}));
+  for (const Object& object : model.objects)
+    EXPECT_EQ(object.incomplete.empty(), object.name != "partly") << object.name << object.incomplete;
   const auto about = [&](const std::string& name) {
     return std::count_if(model.missing.begin(), model.missing.end(),
                          [&](const std::string& sentence) { return sentence.find("'" + name + "'") != sentence.npos; });
   };
-  for (const char* name : {"shapeless", "circular", "broken", "hollow"}) EXPECT_GE(about(name), 1) << name;
+  for (const char* name : {"shapeless", "circular", "broken", "hollow", "partly"}) EXPECT_GE(about(name), 1) << name;
   for (const char* name : {"frame", "beam", "after"}) EXPECT_EQ(about(name), 0) << name;
   EXPECT_THAT(model.missing, Contains(HasSubstr("Products without a shape, 1: 'shapeless' (IfcPump 0")));
   EXPECT_THAT(model.missing, Contains(HasSubstr("placement depends on itself")));

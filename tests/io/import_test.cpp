@@ -329,10 +329,25 @@ TEST(Import, ColladaSaysThatAxesAndUnitsChanged) {
   EXPECT_THAT(duck.warnings[0], HasSubstr("multiplied by 0.01"));
 }
 
+TEST(Import, FbxSaysItsUnit) {
+  EXPECT_EQ(model_of(read(kModels / "FBX/cubes_with_names.fbx")).unit_in_metres, 0.01);
+  EXPECT_EQ(model_of(read(kModels / "FBX/box_orphant_embedded_texture.fbx")).unit_in_metres, 1);
+  const TemporaryFolder folder;
+  const std::string text = bytes_of_file(kModels / "FBX/cubes_with_names.fbx"),
+                    unit = R"("UnitScaleFactor", "double", "Number", "",)";
+  for (const auto& [centimetres, metres] :
+       {std::pair("0.1", std::optional(0.001)), {"2.54", 0.0254}, {"30.48", 0.3048}, {"-1", {}}}) {
+    std::string other = text;
+    const std::size_t at = other.find(unit) + unit.size();
+    other.replace(at, other.find('\n', at) - at, centimetres);
+    EXPECT_EQ(model_of(read(folder.write("case.fbx", other))).unit_in_metres, metres) << centimetres;
+  }
+}
+
 TEST(Import, OtherFormatsKeepNames) {
   EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_with_names.fbx"))),
             (std::vector<std::string>{"Cube2", "\u041a\u0443\u0431\u0031", "Cube3", "\u041a\u0443\u0431\u0031 (2)"}));
-  EXPECT_EQ(names_of(model_of(read(kModels / "3MF/box.3mf"))), std::vector<std::string>{"Object_1"});
+  EXPECT_EQ(names_of(model_of(read(kModels / "3MF/box.3mf"))), std::vector<std::string>{"box"});
   EXPECT_EQ(names_of(model_of(read(kModels / "FBX/cubes_nonames.fbx"))),
             (std::vector<std::string>{"cubes_nonames", "cubes_nonames (2)", "cubes_nonames (3)", "cubes_nonames (4)"}));
   // One box of FBX lies under pivots that assimp made up.
@@ -343,6 +358,14 @@ TEST(Import, UnknownFormatsAreErrors) {
   const TemporaryFolder folder;
   EXPECT_THAT(error_of(read(folder.write("letter.doc", "Dear Sir or Madam"))),
               HasSubstr("letter.doc: assimp cannot read the file"));
+  for (const auto& [name, words] : {std::pair("a.STEP", "this is STEP or IGES"),
+                                    {"a.stp", "as 3MF, glTF or STL"},
+                                    {"a.rvt", "a model of Revit"},
+                                    {"a.nwd", "a model of Navisworks"},
+                                    {"a.nwc", "from there as FBX"},
+                                    {"a.dwg", "a drawing of a CAD program"},
+                                    {"a.ifcXML", "IFC as XML"}})
+    EXPECT_THAT(error_of(read(folder.write(name, "ISO-10303-21;"))), HasSubstr(words)) << name;
   EXPECT_THAT(error_of(read(folder.write("no-ending", "Dear Sir or Madam"))), HasSubstr("assimp cannot read the file"));
 }
 

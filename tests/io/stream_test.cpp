@@ -53,6 +53,7 @@ std::string small_stream() {
     writer.group("", 0);
     writer.object("bolt", "engine/bolt", "IfcBolt_bolt", 0, 1, 1, kIdentity);
     writer.property("class", "IfcBolt");
+    writer.incomplete("a thread");
     writer.object("", "", "", 0, kNoNode, kNoNode, kIdentity);
     writer.unit(0.3048);
     writer.exact_places();
@@ -74,7 +75,9 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   EXPECT_EQ(imported->objects[0].product, "IfcBolt_bolt");
   EXPECT_EQ(imported->objects[0].world, kIdentity);
   EXPECT_EQ(imported->objects[0].properties, (std::vector<std::pair<std::string, std::string>>{{"class", "IfcBolt"}}));
+  EXPECT_EQ(imported->objects[0].incomplete, "a thread");
   EXPECT_TRUE(imported->objects[1].properties.empty());
+  EXPECT_TRUE(imported->objects[1].incomplete.empty());
   EXPECT_EQ(imported->unit_in_metres, 0.3048);
   EXPECT_TRUE(imported->exact_places);
   EXPECT_EQ(imported->objects[0].node, 1u);

@@ -217,7 +217,6 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   refused({"--author", "Ann"}, "--author requires --bcf");
   refused({"--author", " ", "--bcf", "out.bcf"}, "an author has a name");
   refused({"--bcf-version", "2.0", "--bcf", "out.bcf"}, "--bcf-version takes 2.1|3.0, not '2.0'");
-  refused({"--unit", "mm", "--json", "out.json"}, "--unit is for --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");
   refused({"--up", "x", "--html", "out.html"}, "'x'");
   refused({"--unit", "miles", "--bcf", "out.bcf"}, "'miles'");

@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Lengths and places for BIM: in metres with Z up, whatever the files' unit and axes are and the readers make of them.
+#include "report/units.hpp"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
+#include <tuple>
 
 #include "bcf_reader.hpp"
 #include "models.hpp"
@@ -152,6 +157,124 @@ TEST_F(Units, OfOtherFilesAreAsTheCallSays) {
   EXPECT_FALSE(is_guessed());
   ASSERT_NO_FATAL_FAILURE(run({"a.off", "b.off", "--unit", "ft", "--up", "y"}));
   expect_two_walls({5500 * 0.3048, -1500 * 0.3048, 3500 * 0.3048}, 304.8);
+}
+
+TEST_F(Units, OfAllFilesAreBroughtToThatOfTheCall) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  folder.write("cube.off", off(box({5, 3, 1}, {7, 5, 3})));
+  for (const auto& [unit, metres] : {std::pair{"m", 1.0}, {"cm", 0.01}, {"ft", 0.3048}}) {
+    ASSERT_NO_FATAL_FAILURE(run({"two.ifc", "--unit", unit}));
+    expect_two_walls({5.5, 3.5, 1.5}, 1);
+    EXPECT_NEAR(number(row.at("y")), 3.5 / metres, 1e-5 / metres) << unit;
+    EXPECT_EQ(json::parse(folder.read("out.json")).at("unit"), json({{"name", unit}, {"metres", metres}}));
+    EXPECT_EQ(row.at("unit"), unit);
+  }
+  // What does not say its unit is taken to be in it: the second wall once more.
+  const Ended ended = impinge(folder, {"clash", "cube.off", "two.ifc", "--unit", "m", "--json", "out.json"});
+  EXPECT_EQ(json::parse(folder.read("out.json")).at("counts").at("duplicate"), 1) << ended.out;
+  EXPECT_NE(ended.out.find("depth (m)"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.err.find("cube.off does not say its unit and is taken to be in m"), std::string::npos) << ended.err;
+  EXPECT_EQ(
+      impinge(folder, {"clash", "cube.off", "two.ifc", "--unit", "m", "--scale", "cube.off=1"}).err.find("cube.off"),
+      std::string::npos);
+}
+
+TEST_F(Units, StandBehindLengths) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  folder.write("two.json", R"({"tolerance":"2cm","tests":[{"name":"all","a":"*"},
+                               {"name":"near","a":"*","mode":"clearance","clearance":"0.5 m","tolerance":"0.5ft"}]})");
+  const auto report = [&](const std::vector<std::string>& words) {
+    const Ended ended = impinge(folder, joined({"clash", "two.ifc", "--json", "out.json", "--quiet"}, words));
+    EXPECT_EQ(ended.code, 1) << ended.err;
+    return json::parse(folder.read("out.json"));
+  };
+  const auto expect_applied = [&](const std::vector<std::string>& words, double tolerance) {
+    const json found = report(words);
+    EXPECT_DOUBLE_EQ(found.at("settings").at("tolerance").get<double>(), tolerance);
+    EXPECT_DOUBLE_EQ(found.at("pairs").at(0).at("tolerance").get<double>(), tolerance);
+  };
+  // The file is in millimetres.
+  expect_applied({"--tolerance", "0.05m"}, 50);
+  expect_applied({"--tolerance", "2 in"}, 50.8);
+  expect_applied({"--tolerance", "50"}, 50);
+  expect_applied({"--tolerance", "0.1", "--unit", "ft"}, 0.1);
+  expect_applied({"--tolerance", "6in", "--unit", "ft"}, 0.5);
+  EXPECT_DOUBLE_EQ(report({"--clearance", "1ft"}).at("settings").at("clearance").get<double>(), 304.8);
+  const json tests = report({"--config", "two.json"}).at("tests");
+  EXPECT_DOUBLE_EQ(tests.at(0).at("tolerance").get<double>(), 20);
+  EXPECT_DOUBLE_EQ(tests.at(1).at("tolerance").get<double>(), 152.4);
+  EXPECT_DOUBLE_EQ(tests.at(1).at("clearance").get<double>(), 500);
+  folder.write("a.off", off(box({4, 2, 0}, {6, 4, 2})));
+  for (const auto& [word, length] :
+       {std::pair{"--tolerance", "10mm"}, {"--clearance", "1 in"}, {"--config", "two.json"}}) {
+    const Ended ended = impinge(folder, {"clash", "a.off", word, length});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("no file says the unit of its coordinates; add --unit"), std::string::npos) << ended.err;
+  }
+  EXPECT_EQ(impinge(folder, {"clash", "a.off", "--tolerance", "10mm", "--unit", "in"}).code, 0);
+}
+
+TEST_F(Units, OfAnEarlierRunAreKept) {
+  folder.write("two.ifc", ifc_of_two_walls());
+  const auto changes = [&](const std::vector<std::string>& words) {
+    const Ended ended =
+        impinge(folder, joined({"clash", "two.ifc", "--previous", "last.json", "--json", "out.json"}, words));
+    const json found = json::parse(folder.read("out.json"));
+    return std::tuple(found.at("unit").at("name").get<std::string>(),
+                      found.at("pairs").at(0).at("regions").at(0).at("change").get<std::string>(), ended.err);
+  };
+  impinge(folder, {"clash", "two.ifc", "--unit", "ft", "--regions", "--json", "last.json"});
+  EXPECT_EQ(changes({}), std::tuple("ft", "persisting", ""));
+  const auto [unit, change, said] = changes({"--unit", "in"});
+  EXPECT_EQ(unit, "in");
+  EXPECT_EQ(change, "new");
+  EXPECT_NE(said.find("last.json is in ft, and this run in in"), std::string::npos) << said;
+}
+
+/// A cube with its least corner there.
+report::Bounds cube(double at, double edge) { return {{at, at, at}, {at + edge, at + edge, at + edge}}; }
+
+TEST(UnitWarnings, NameFilesThatFitByAUnitAlone) {
+  const report::Bounds house = cube(0, 10);
+  struct Case {
+    report::Bounds box;
+    std::optional<double> metres;
+    const char* scale;  // that is advised; nothing: none
+  };
+  for (const Case& each : std::initializer_list<Case>{{cube(2000, 5000), 1, "=0.001 if it is in mm"},
+                                                      {cube(0, 10500), {}, "=0.001 brings it to their size"},
+                                                      {cube(0, 0.01), 0.001, "=1000 if it is in m"},
+                                                      {cube(0, 10 / 25.4), 0.001, "=25.4 if it is in in"},
+                                                      {cube(0, 10 / 304.8), 0.001, "=304.8 if it is in ft"},
+                                                      {cube(0, 254), 0.0254, "=0.0393701 if it is in mm"},
+                                                      {cube(0, 3048), 0.3048, "=0.00328084 if it is in mm"},
+                                                      {cube(-40, 90), 1, nullptr},      // the ground around it
+                                                      {cube(2000, 5000), {}, nullptr},  // a part, if at all
+                                                      {cube(20000, 5000), 1, nullptr},  // too far away in any unit
+                                                      {cube(5, 0.01), 1, nullptr},      // a bolt in it
+                                                      {cube(0, 5), {}, nullptr}}) {
+    const auto warnings = report::unit_warnings(
+        {{"part.stl", false, each.box}, {"house.ifc", each.metres.has_value(), house}}, each.metres);
+    const bool is_advised =
+        warnings.size() == 1 &&
+        warnings[0].find(each.scale ? "--scale part.stl" + std::string(each.scale) : "far ") != std::string::npos;
+    EXPECT_EQ(is_advised, each.scale != nullptr) << each.box.hi.x << (warnings.empty() ? "" : warnings[0]);
+  }
+  const auto taken = [&](std::size_t unknown) {
+    std::vector<report::FileUnit> files{{"house.ifc", true, house}};
+    for (std::size_t i = 0; i < unknown; ++i) files.push_back({std::to_string(i) + ".stl", false, house});
+    return report::unit_warnings(files, 1);
+  };
+  EXPECT_THAT(taken(1),
+              testing::ElementsAre(testing::StartsWith("0.stl does not say its unit and is taken to be in m,")));
+  EXPECT_THAT(taken(8), testing::ElementsAre(testing::StartsWith(
+                            "0.stl, 1.stl, 2.stl, 3.stl, 4.stl and 3 more files do not say their unit and are taken")));
+  // Nothing says that a small file is right, and the large one beside it wrong.
+  EXPECT_TRUE(
+      report::unit_warnings({{"bolt.stl", false, cube(0, 10)}, {"plant.stl", false, cube(0, 5000)}}, 0.001).empty());
+  // Of two files that say nothing one is doubted, and of one alone nothing is said.
+  EXPECT_EQ(report::unit_warnings({{"a.stl", false, house}, {"b.stl", false, cube(0, 10000)}}, {}).size(), 1U);
+  EXPECT_TRUE(report::unit_warnings({{"a.stl", false, house}}, 0.001).empty());
 }
 
 TEST_F(Units, ThatNobodySaidAreNotClaimed) {

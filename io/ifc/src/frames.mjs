@@ -48,7 +48,7 @@ function record(letter, ...fields) {
   if (waitingBytes >= kMostWaiting) flush();
 }
 
-export const begin = () => record('impinge4');
+export const begin = () => record('impinge5');
 export function end() {
   record('Z');
   flush();
@@ -65,6 +65,7 @@ export const unit = (metres) => record('L', doubles([metres]));
 export const exactPlaces = () => record('D');
 export const group = (name, parent) => record('G', text(name), u32(parent ?? kNone));
 export const property = (name, value) => record('P', text(name), text(value));
+export const incomplete = (words) => record('I', text(words));
 
 export function mesh(xyz, triangles) {
   const corners = Buffer.from(Uint32Array.from(triangles).buffer);

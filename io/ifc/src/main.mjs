@@ -102,12 +102,12 @@ class Importer {
     }
   }
 
-  // Notes what web-ifc said while the bodies were made, then or for an earlier product that shows them too.
-  #noteIncomplete(bodies, label) {
+  // What web-ifc said while the bodies were made, then or for an earlier product that shows them too.
+  #complaintAbout(bodies) {
     const said = this.#model.takeSaid().find((line) => /error|warn/i.test(line));
     if (said) for (const { geometry } of bodies) this.#incomplete.set(geometry, said);
     const words = said ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
-    if (words) this.#remarks.add('with an incomplete shape', `${label} (${words.replace(/^(\[[^\]]*\])+ */, '')})`);
+    return words?.replace(/^(\[[^\]]*\])+ */, '');
   }
 
   #keyOf(name, title, guid) {
@@ -138,18 +138,28 @@ class Importer {
     }
     const bodies = await this.#bodiesOf(line, label);
     if (!bodies) return;
-    this.#noteIncomplete(bodies, label);
+    const lost = [];
+    const complaint = this.#complaintAbout(bodies);
+    if (complaint) {
+      this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
+      lost.push(complaint);
+    }
     const drawn = bodies.filter(({ matrix }) => matrix.every(Number.isFinite));
-    if (drawn.length < bodies.length) this.#remarks.add('with bodies in no finite place, which are left out', label);
+    if (drawn.length < bodies.length) {
+      this.#remarks.add('with bodies in no finite place, which are left out', label);
+      lost.push('a body is in no finite place');
+    }
     if (drawn.length === 0) {
       if (bodies.length === 0) this.#remarks.add('without a body that web-ifc can draw', label);
       return;
     }
-    const mesh = this.#meshFor(drawn, label);
-    if (mesh.number !== undefined) this.#writeObject({ line, name, title, guid, attributes, ...mesh });
+    const mesh = this.#meshFor(drawn, label, lost);
+    if (mesh.number === undefined) return;
+    this.#writeObject({ line, name, title, guid, attributes, ...mesh });
+    if (lost.length > 0) frames.incomplete(lost.join('; '));
   }
 
-  #meshFor(bodies, label) {
+  #meshFor(bodies, label, lost) {
     const shape = shapeOf(bodies, this.#model);
     if (!this.#meshes.has(shape.key)) {
       const { xyz, triangles, problems } = shape.make();
@@ -158,7 +168,10 @@ class Importer {
       this.#meshes.set(shape.key, { number, problems });
     }
     const { number, problems } = this.#meshes.get(shape.key);
-    for (const problem of new Set(problems)) this.#remarks.add(`with ${problem}, which is left out`, label);
+    for (const problem of new Set(problems)) {
+      this.#remarks.add(`with ${problem}, which is left out`, label);
+      lost.push(`${problem} is left out`);
+    }
     return { number, world: shape.world };
   }
 
