@@ -38,6 +38,7 @@ std::vector<std::string> known_keys(const Assembly& assembly, const std::vector<
                                     const std::vector<Identity>& identities, const Previous* previous,
                                     std::size_t& made_anew) {
   std::vector<std::string> known;
+  known.reserve(identities.size());
   for (const Identity& identity : identities) known.push_back(identity.key);
   if (previous == nullptr) return known;
   std::unordered_map<std::string, const OldPart*> earlier;
