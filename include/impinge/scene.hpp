@@ -82,6 +82,8 @@ class Scene {
   Result<void> unignore(ObjectId a, ObjectId b);
 
   [[nodiscard]] std::size_t size() const noexcept;
+  /// Of the object that answers call by this index. Errors: `unknown_id`.
+  Result<ObjectId> id(std::uint32_t index) const;
   /// Errors: `unknown_id`.
   Result<Pose> pose(ObjectId id) const;
 

@@ -111,10 +111,12 @@ std::string version_document(BcfVersion version) {
 }
 
 std::string extensions_document(const Review& review, const std::vector<std::size_t>& topics) {
-  std::set<std::string> statuses, labels;
+  std::set<std::string> statuses, labels, users{printable(review.options.author)};
   for (const std::size_t pair : topics) {
     statuses.insert(status_of(review, pair));
     for (std::string& label : labels_of(review, pair)) labels.insert(std::move(label));
+    if (const std::string& assignee = review.standings[pair].decision.assignee; !assignee.empty())
+      users.insert(printable(assignee));
   }
   pugi::xml_document document;
   pugi::xml_node root = begin_document(document, "Extensions");
@@ -126,7 +128,7 @@ std::string extensions_document(const Review& review, const std::vector<std::siz
   add("TopicStatuses", "TopicStatus", statuses);
   add("Priorities", "Priority", kPriorities);
   add("TopicLabels", "TopicLabel", labels);
-  add("Users", "User", std::array{printable(review.options.author)});
+  add("Users", "User", users);
   for (const char* empty : {"SnippetTypes", "Stages"}) root.append_child(empty);
   return text_of(document);
 }

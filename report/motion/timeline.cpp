@@ -21,13 +21,13 @@ using Frame = std::map<Objects, Clash>;  ///< the pairs that clash at one time
 /// A scene of parts that move, and what is known of them from one time to the next.
 class MovingScene {
  public:
-  /// The scene's objects are these parts, in their order, none of them ever removed.
+  /// The scene's objects are these parts, in their order.
   MovingScene(Scene scene, std::vector<Posed> posed) : scene_(std::move(scene)), posed_(std::move(posed)) {}
 
   /// Tells the scene of those that are elsewhere, or in another shape, than before. Errors: as `Scene::set_pose`.
   Result<void> move_to(std::vector<Posed> posed) {
     for (std::uint32_t i = 0; i < posed.size(); ++i) {
-      const ObjectId id{.index = i};  // the first at its index
+      const ObjectId id = scene_.id(i).value();
       const Posed &now = posed[i], &before = posed_[i];
       if (&now.mesh.state() != &before.mesh.state()) {
         if (auto set = scene_.set_mesh(id, now.mesh, now.pose); !set) return set;

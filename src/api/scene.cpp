@@ -151,6 +151,13 @@ Result<void> Scene::unignore(ObjectId a, ObjectId b) {
 
 std::size_t Scene::size() const noexcept { return state_->slots.size() - state_->free_slots.size(); }
 
+Result<ObjectId> Scene::id(std::uint32_t index) const {
+  const State& s = *state_;
+  if (index >= s.slots.size() || !s.slots[index].mesh)
+    return Error{Code::unknown_id, "there is no object " + std::to_string(index) + " in this scene"};
+  return ObjectId{index, s.slots[index].generation};
+}
+
 Result<Pose> Scene::pose(ObjectId id) const {
   if (auto known = state_->check(id); !known) return known.error();
   return state_->objects[id.index].pose;

@@ -44,6 +44,8 @@ TEST(Scene, KnowsStaleAndForeignIds) {
   EXPECT_EQ(scene.size(), 1u);
   const ObjectId third = scene.add(cube(), at(1, 1)).value();
   EXPECT_EQ(third.index, first.index);  // used anew
+  EXPECT_EQ(scene.id(0).value(), third);
+  EXPECT_EQ(scene.id(2).error().code, Code::unknown_id);
   EXPECT_NE(third, first);
   const ObjectId never{77, 0}, later{third.index, third.generation + 1};
   Scene other;
