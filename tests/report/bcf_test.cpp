@@ -254,6 +254,7 @@ TEST_F(Bcf, DecisionsComeBackFromOtherTools) {
       const bool is_edited = pair.at("verdict") == "penetrating";
       EXPECT_EQ(pair.at("status"), is_edited ? json("In review") : json()) << version;
       EXPECT_EQ(pair.at("comment"), is_edited ? json("moved\nto axis B\nagreed & done") : json()) << version;
+      EXPECT_EQ(pair.at("assignee"), is_edited ? json("Ann") : json()) << version;
     }
   }
 }
