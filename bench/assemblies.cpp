@@ -21,8 +21,8 @@ Repeats query(const io::Model& model, int repeats) {
   Repeats result;
   for (int i = 0; i < repeats; ++i) {
     const Scene scene = fresh_scene(model);
-    result.first.push_back(must(scene.collide(fast())).statistics);
-    const Contacts contacts = must(scene.collide(fast()));
+    result.first.push_back(must(scene.collide(timed())).statistics);
+    const Contacts contacts = must(scene.collide(timed()));
     result.again.push_back(contacts.statistics);
     result.rows = contacts.objects.size();
     result.contacts = contacts.triangles.size();

@@ -66,7 +66,7 @@ Spread ratio(const std::vector<double>& theirs, const std::vector<double>& ours)
 
 void measure(int bodies, std::size_t frames, Table& table) {
   const Crowd crowd(bodies);
-  OurCrowd quick(crowd.scene(), fast()), plain(crowd.scene(), paper_way());
+  OurCrowd quick(crowd.scene(), timed()), plain(crowd.scene(), paper_way());
   FclCrowd fcl(crowd.scene());
   Frames of_quick, of_plain, of_fcl, not_counted;
   std::uint64_t contacts = 0, candidates = 0;

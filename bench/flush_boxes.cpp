@@ -13,7 +13,7 @@ namespace {
 
 void measure(const char* name, const scenes::PlacedScene& placed, int repeats, Table& counts, Table& times) {
   const Scene scene = fresh_scene(placed);
-  const Options one_thread{.threads = 1};
+  const Options one_thread{.threads = 1, .statistics = true};
   std::vector<Statistics> queries;
   std::size_t rows = 0, contacts = 0;
   for (int i = 0; i < repeats; ++i) {

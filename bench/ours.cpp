@@ -24,7 +24,8 @@ std::string_view fast_backend() {
 }
 
 Options fast(int threads) { return {.threads = threads, .backend = fast_backend()}; }
-Options paper_way(int threads) { return {.threads = threads, .backend = "paper"}; }
+Options timed() { return {.threads = 1, .backend = fast_backend(), .statistics = true}; }
+Options paper_way(int threads) { return {.threads = threads, .backend = "paper", .statistics = true}; }
 
 std::vector<TrianglePair> exact_answer(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
   Contacts plain = must(collide(a, pose_a, b, pose_b, paper_way()));

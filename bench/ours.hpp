@@ -19,7 +19,9 @@ namespace impinge::bench {
 std::string_view fast_backend();
 
 Options fast(int threads = 1);
-/// The plain twin.
+/// On one thread, with the times of its stages.
+Options timed();
+/// The plain twin, with its times.
 Options paper_way(int threads = 1);
 
 /// Every pair of triangles, by the backend `paper`. Ends the program if the fast one answers anything else.

@@ -60,7 +60,7 @@ class PairTables {
   /// Means a query of what impinge counted, and the share of its time in each stage.
   void add_stages(std::vector<std::string> cells, const Mesh& mesh, const std::vector<scenes::PosePair>& poses) {
     Statistics sum;
-    for (const auto& [a, b] : poses) bench::add(sum, must(collide(mesh, a, mesh, b, fast())).statistics);
+    for (const auto& [a, b] : poses) bench::add(sum, must(collide(mesh, a, mesh, b, timed())).statistics);
     for (const std::uint64_t number :
          {sum.box_tests, sum.leaf_pairs, sum.element_tests, sum.triangle_pairs, sum.exact_calls})
       cells.push_back(digits(static_cast<double>(number) / static_cast<double>(poses.size())));

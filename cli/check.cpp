@@ -44,6 +44,7 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.backend = arguments.backend;
   options.device = arguments.device;
   options.device_share = arguments.device_share;
+  options.statistics = true;
   options.predict_cost = arguments.stats;
   options.progress = &progress;
   options.stop = stop;

@@ -69,7 +69,8 @@ struct Options {
   /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.
   double device_share = -1;
   Partition partition = Partition::automatic;
-  bool predict_cost = false;  ///< calibrate once, and fill the predicted time
+  bool statistics = false;    ///< read the clock for the times in `Statistics`; its counts are always there
+  bool predict_cost = false;  ///< calibrate once, and fill the predicted time; includes `statistics`
   Progress* progress = nullptr;
   std::stop_token stop{};
 };

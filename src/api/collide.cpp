@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/collide.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -35,6 +36,22 @@ void pair_up(std::uint32_t a, std::uint32_t b, bool keep, Workspace::State& memo
   if (keep || broad::may_touch(view, a, b)) memory.pairs.push_back({a, b});
 }
 
+/// Whether the answer is no more than that nothing touches.
+bool is_apart(const Options& options, const Workspace::State& memory) {
+  const auto in_domain = [](const scene::PlacedObject& object) { return object.in_domain; };
+  return memory.pairs.empty() && (options.backend == "auto" || options.backend == "simd") && !options.statistics &&
+         !options.predict_cost && options.progress == nullptr && !options.stop.stop_requested() &&
+         std::all_of(memory.placed.begin(), memory.placed.end(), in_domain);
+}
+
+/// No contacts, in the memory of an earlier answer.
+Contacts nothing(Workspace::State& memory) {
+  Contacts none = std::move(memory.spare);
+  none.objects.clear(), none.offsets.assign(1, 0), none.triangles.clear(), none.kinds.clear();
+  none.truncated = false, none.hash = 0, none.statistics = {}, none.warnings.clear();
+  return none;
+}
+
 }  // namespace
 
 Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
@@ -46,6 +63,7 @@ Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
     if (auto placed = place_all(mesh_a, {&pose_a, 1}, "", *memory); !placed) return placed.error();
     if (auto placed = place_all(mesh_b, {&pose_b, 1}, "", *memory); !placed) return placed.error();
     pair_up(0, 1, false, *memory);
+    if (is_apart(options, *memory)) return nothing(*memory);
     return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
   });
 }

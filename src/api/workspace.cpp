@@ -30,7 +30,7 @@ Worker<Stages>& Crew<Stages>::take(const Options& options) {
   if (!idle_.empty()) {
     Worker<Stages>& worker = *idle_.back();
     idle_.pop_back();
-    worker.clock = {};
+    worker.clock = StageClock(is_timed);
     return worker;
   }
   const std::size_t next = at_work_.size();
@@ -47,7 +47,7 @@ Worker<Stages>& Crew<Stages>::take(const Options& options) {
   worker.stack.clear();
   worker.collector.restart(options.kinds, options.limit);
   worker.statistics = {};
-  worker.clock = {};
+  worker.clock = StageClock(is_timed);
   at_work_.push_back(&worker);
   return worker;
 }

@@ -148,7 +148,7 @@ void calibrate_broad_phase(bool is_papers_way, const Mesh& mesh, schedule::CostC
 }
 
 schedule::CostConstants calibrate(std::string_view backend, const TreeConfig& tree) {
-  const Options one_thread{.threads = 1, .backend = backend};
+  const Options one_thread{.threads = 1, .backend = backend, .statistics = true};
   const auto ask = [&](const Mesh& a, const Mesh& b, const Point& t) {
     return collide(a, {}, b, {.t = {t.x, t.y, t.z}}, one_thread).value().statistics;
   };
@@ -195,7 +195,7 @@ class Asking {
     for (const Pose& pose : poses) placed.push_back(scene::place(mesh_.state().data, pose, 0));
     const MeshState* const meshes[2] = {&mesh_.state(), &mesh_.state()};
     const broad::ObjectPairs pairs(times, {0, 1});
-    const Options options{.threads = 1};
+    const Options options{.threads = 1, .statistics = true};
     std::vector<DevicePiece> pieces;
     for (std::uint32_t i = 0; i < times; ++i) pieces.push_back({i});
     const Query query{{placed, nullptr}, meshes, nullptr, &pairs, true, options};

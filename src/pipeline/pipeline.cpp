@@ -51,13 +51,16 @@ class Pipeline {
         options_(query.options),
         crew_(crew),
         memory_(memory),
-        first_only_(options_.find == Options::Find::first) {}
+        first_only_(options_.find == Options::Find::first) {
+    // A device and the CPU share work by how fast either is.
+    crew_.is_timed = options_.statistics || options_.predict_cost || memory_.asks_device || crew_.device != nullptr;
+  }
   ~Pipeline() { crew_.release(); }
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
   Result<Contacts> run() {
-    StageClock total, stage = total;
+    StageClock total(crew_.is_timed || options_.backend == "auto"), stage(crew_.is_timed);
     Statistics statistics;
     if (query_.pairs == nullptr)
       find_pairs(statistics);
@@ -73,6 +76,7 @@ class Pipeline {
     memory_.device_found.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
       if (options_.backend == "auto") memory_.asks_device = DeviceDriver::may_help(query_, pairs());
+      crew_.is_timed |= memory_.asks_device;
       if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
@@ -372,7 +376,7 @@ class Pipeline {
   void finish_batches() {
     run_each(on_threads(options_.threads), crew_.at_work().size(), [&](std::size_t i) {
       Worker<Stages>& worker = *crew_.at_work()[i];
-      worker.clock = {};
+      worker.clock = StageClock(crew_.is_timed);
       worker.stages.finish(worker.clock, worker.statistics);
       collect_finished(worker);
     });

@@ -6,17 +6,24 @@
 
 namespace impinge {
 
-/// Adds the time since it was last asked to a counter.
+/// Adds the time since it was last asked to a counter; one that does not run adds nothing.
 class StageClock {
  public:
+  explicit StageClock(bool runs = true) : runs_(runs), last_(now()) {}
+
   void charge(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
+    if (!runs_) return;
+    const auto time = now();
+    seconds += std::chrono::duration<double>(time - last_).count();
+    last_ = time;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] Clock::time_point now() const { return runs_ ? Clock::now() : Clock::time_point(); }
+
+  bool runs_;
+  Clock::time_point last_;
 };
 
 }  // namespace impinge

@@ -26,7 +26,7 @@ class TouchSearch {
   FastStages stages_;
   std::vector<FastStages::Step> stack_;
   std::vector<exact::Contact> contacts_;
-  StageClock clock_;
+  StageClock clock_{false};
   Statistics statistics_;
 };
 

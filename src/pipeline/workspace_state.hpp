@@ -42,6 +42,7 @@ class Crew {
   void release();
 
   std::shared_ptr<gpu::ReadyDevice> device;  ///< for the plain stages of the query at hand; null: none
+  bool is_timed = false;                     ///< whether workers' clocks run in the query at hand
 
  private:
   std::mutex mutex_;
