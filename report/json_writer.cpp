@@ -134,7 +134,15 @@ Json json_depth(const std::optional<OverlapDepth>& depth) {
 Json json_identity(const Assembly& assembly, std::size_t object) {
   const io::Object& about = assembly.objects[object];
   Json properties = Json::object();
-  for (const auto& [name, value] : about.properties) properties[name] = value;
+  for (const auto& [name, value] : about.properties) {
+    Json& known = properties[name];
+    if (known.is_null()) {
+      known = value;
+      continue;
+    }
+    if (!known.is_array()) known = Json{std::move(known)};
+    known.push_back(value);
+  }
   return {{"id", object},
           {"name", about.name},
           {"path", about.path},

@@ -37,9 +37,12 @@ export type SortKey = 'rank' | 'depth' | 'distance' | 'area' | 'name';
 export type Trait = 'class' | 'storey' | 'file';
 export type GroupKey = 'none' | 'part' | 'types' | 'test' | 'place' | Trait;
 
-/** Empty where the file does not say it. */
+/** All values that the file gives of a property; none where it does not say it. */
+export const propertyOf = (part: Place, name: string): string[] => [part.properties?.[name] ?? []].flat();
+
+/** The first value, or empty where the file does not say it. */
 export const traitOf = (part: Place, trait: Trait): string =>
-  trait === 'file' ? part.file : (part.properties?.[trait] ?? '');
+  trait === 'file' ? part.file : (propertyOf(part, trait)[0] ?? '');
 
 export const traitName = (value: string, trait: Trait): string =>
   trait === 'file' ? fileName(value) : value || `without ${trait}`;
@@ -53,9 +56,12 @@ export const traitsOf = ({ parts }: Clash, trait: Trait): [string, string] => {
 export const traitTitle = ([p, q]: [string, string], trait: Trait): string =>
   p === q ? `both ${traitName(p, trait)}` : `${traitName(p, trait)} × ${traitName(q, trait)}`;
 
-/** The values that a trait takes in the report, in the order of the alphabet. */
+/** Each once, in the order of the alphabet. */
+export const sorted = (texts: string[]): string[] => [...new Set(texts)].sort(compareTexts);
+
+/** The values that a trait takes in the report. */
 export const traitValues = (parts: Place[], trait: Trait): string[] =>
-  [...new Set(parts.map((part) => traitOf(part, trait)))].sort(compareTexts);
+  sorted(parts.map((part) => traitOf(part, trait)));
 
 export interface Filter {
   verdicts: Set<Verdict>;
@@ -106,7 +112,7 @@ export function depthOf(pair: Pair): number {
 
 /** All that a part is found by. */
 export const searchText = (part: Place): string =>
-  [part.path, part.name, ...Object.values(part.properties ?? {})].join('\n').toLowerCase();
+  [part.path, part.name, ...Object.values(part.properties ?? {}).flat()].join('\n').toLowerCase();
 
 /** A clash of two parts of which no more is known than their names. */
 const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
@@ -234,7 +240,7 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (filter.status && clash.pair?.status !== filter.status) return false;
   if (filter.assignee && clash.pair?.assignee !== filter.assignee) return false;
   for (const trait of ['class', 'storey'] as const)
-    if (filter[trait] && !traitsOf(clash, trait).includes(filter[trait])) return false;
+    if (filter[trait] && !clash.parts.some((part) => propertyOf(part, trait).includes(filter[trait]))) return false;
   const { traits } = filter;
   if (traits && traitsOf(clash, traits.trait).join('\n') !== traits.values.join('\n')) return false;
   if (filter.change === kWorse) return isWorse(clash.pair);

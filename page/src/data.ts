@@ -19,8 +19,8 @@ export interface Part {
   product: string;
   file: string;
   triangles: number;
-  /** What the file says of it; of IFC "class", "GlobalId", "Tag", "ObjectType", "storey" and "building". */
-  properties?: Record<string, string>;
+  /** What the file says of it: of IFC "class", "GlobalId", "storey", "material" and so on; a list of several values. */
+  properties?: Record<string, string | string[]>;
   /** What the reader left out of its shape. */
   incomplete?: string | null;
   open_edges?: number;

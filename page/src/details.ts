@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the chosen clash or part.
-import { type Clash, isWorse, newRegionsOf, verbOf } from './clashes';
+import { type Clash, isWorse, newRegionsOf, propertyOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import type { Decision, Decisions } from './decisions';
 import { byId, button, chooser, countOf, el, letterOf, nameOf, numberOf } from './dom';
@@ -38,6 +38,9 @@ const interval = ([low, high]: Interval): Value =>
   low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)];
 
 const measured = (value: number | null | undefined): Value | null => (value == null ? null : [numberOf(value)]);
+
+const texts = (values: string[]): Value | null =>
+  values.length ? values.flatMap((value, i) => [i ? ', ' : '', nameOf(value, 2000)]) : null;
 
 function figures(rows: [string, Value | null][]): HTMLElement {
   const list = el('dl');
@@ -174,7 +177,7 @@ export class Details {
       {},
       nameOf(part.path === part.name ? fileName(part.file) : `${fileName(part.file)} / ${part.path}`, 300),
     );
-    const about = [part.properties?.class, part.properties?.storey].filter(Boolean).join(' · ');
+    const about = ['class', 'storey'].flatMap((name) => propertyOf(part, name)).join(' · ');
     return el(
       'div',
       { class: 'part-link' },
@@ -233,10 +236,7 @@ export class Details {
       ['Inner radius of B', measured(parts[1].inner_radius)],
       ['Part numbers', [countOf(clash.first), ' and ', countOf(clash.second)]],
       ...['GlobalId', 'Tag'].flatMap((name) =>
-        parts.map(({ properties }, side): [string, Value | null] => [
-          `${name} of ${'AB'[side]}`,
-          properties?.[name] ? [nameOf(properties[name])] : null,
-        ]),
+        parts.map((part, side): [string, Value | null] => [`${name} of ${'AB'[side]}`, texts(propertyOf(part, name))]),
       ),
       ['Id', pair.id ? [nameOf(pair.id)] : null],
     ]);
@@ -312,9 +312,9 @@ export class Details {
       figures([
         ['File', [nameOf(part.file, 2000)]],
         ['Path', [nameOf(part.path, 2000)]],
-        ...Object.entries(part.properties ?? {}).map(([name, value]): [string, Value] => [
+        ...Object.keys(part.properties ?? {}).map((name): [string, Value | null] => [
           kPropertyNames[name] ?? nameText(name, 40),
-          [nameOf(value, 2000)],
+          texts(propertyOf(part, name)),
         ]),
         ['Part number', [countOf(part.id)]],
         ['Clashes', this.report.settings || clashes ? [countOf(clashes)] : null],

@@ -13,6 +13,8 @@ import {
   isWorse,
   kChanges,
   kWorse,
+  propertyOf,
+  sorted,
   type SortKey,
   type Trait,
   traitTitle,
@@ -43,7 +45,7 @@ const kChosen = ['test', 'status', 'assignee', 'change', 'class', 'storey'] as c
 /** The values that something takes in the report: changes as they are counted, the others sorted. */
 function valuesOf(report: Report, key: (typeof kChosen)[number]): Choice[] {
   if (key === 'class' || key === 'storey')
-    return traitValues(report.objects, key).filter(Boolean).map((value) => [value, nameText(value, 60)]);
+    return sorted(report.objects.flatMap((part) => propertyOf(part, key))).map((value) => [value, nameText(value, 60)]);
   if (key === 'change') {
     const changes = new Set(report.pairs.map(changeOf));
     const choices: Choice[] = kChanges

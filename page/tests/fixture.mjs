@@ -130,6 +130,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
             GlobalId: `0guid$${id}`,
             Tag: `T-${id}`,
             storey: id % 2 ? 'Level 2' : 'Level 10',
+            material: id % 5 ? 'steel' : ['brick', 'mortar'],
           },
   }));
   const places = named.map((_, i) => [

@@ -287,12 +287,14 @@ describe('the list of clashes', () => {
   });
 
   test('is filtered by what the files say of the parts', async () => {
-    const says = (key, value) => (pair) => [pair.a, pair.b].some((id) => report.objects[id].properties[key] === value);
+    const says = (key, value) => (pair) =>
+      [pair.a, pair.b].some((id) => [report.objects[id].properties[key]].flat().includes(value));
     for (const [key, value] of [
       ['GlobalId', '0guid$3'],
       ['Tag', 'T-4'],
       ['class', 'IfcPlate'],
       ['storey', 'Level 10'],
+      ['material', 'mortar'],
     ]) {
       await page.fill('#clash-search', value.toLowerCase());
       await lists(says(key, value), `search for ${value}`);
@@ -450,6 +452,8 @@ describe('the list of clashes', () => {
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
     assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123$/);
+    await page.locator('#details-body .part-link button').first().click();
+    assert.match(await page.textContent('#details-body'), /materialbrick, mortar/);
     await choose(rankOf(report.pairs[1]));
     assert.match(await page.textContent('#details-body'), /Note: they overlap by no more than the tolerance\./);
     await page.keyboard.press('Escape');

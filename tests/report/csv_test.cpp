@@ -119,8 +119,8 @@ TEST_F(Csv, AndTheJsonSayWhatAnIfcFileSaysOfItsParts) {
   const std::vector<Row> rows = rows_of(folder.read("t.csv"));
   ASSERT_EQ(rows.size(), 1U);
   const json walls = json::parse(R"([
-      {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house","site":"site"},
-      {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house","site":"site"},
+      {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house","site":"site","material":["brick","mortar"]},
+      {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house","site":"site","material":"steel"},
       {}])");
   const json objects = json::parse(folder.read("t.json")).at("objects");
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(objects.at(i).at("properties"), walls.at(i));
