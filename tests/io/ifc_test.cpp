@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 
+#include "scenes/step.hpp"
 #include "support.hpp"
 
 namespace impinge::io {
@@ -20,98 +21,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kMetre = "IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.)";
-const std::string kMillimetre = "IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.)";
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  const std::string digits = text;
-  return digits.find_first_of(".e") == digits.npos ? digits + "." : digits;
-}
-
-/// Lines of a STEP file, each with a number.
-class Step {
- public:
-  explicit Step(std::string schema = "IFC4", const std::string& unit = kMetre) : schema_(std::move(schema)) {
-    origin = axes({0, 0, 0});
-    context = line("IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5," + origin + ",$)");
-    const std::string units = line("IFCUNITASSIGNMENT((" + line(unit) + "))");
-    project = line("IFCPROJECT('" + guid() + "',$,'p',$,$,$,$,(" + context + ")," + units + ")");
-    const std::string site = spatial("IFCSITE", "Site", "$,$,$,$,$"),
-                      building = spatial("IFCBUILDING", "House", "$,$,$");
-    storey = spatial("IFCBUILDINGSTOREY", "Level 1", "0.");
-    for (const auto& [whole, part] : {std::pair(project, site), {site, building}, {building, storey}})
-      line("IFCRELAGGREGATES('" + guid() + "',$,$,$," + whole + ",(" + part + "))");
-  }
-
-  /// Returns "#12".
-  std::string line(const std::string& text) {
-    const std::string name = "#" + std::to_string(++last_);
-    lines_ += name + "=" + text + ";\n";
-    return name;
-  }
-  std::string guid() {
-    char text[23];
-    std::snprintf(text, sizeof text, "0%021d", ++guids_);
-    return text;
-  }
-  std::string point(const Point& p) {
-    return line("IFCCARTESIANPOINT((" + number(p.x) + "," + number(p.y) + "," + number(p.z) + "))");
-  }
-  std::string point(double x, double y) { return line("IFCCARTESIANPOINT((" + number(x) + "," + number(y) + "))"); }
-  std::string direction(const Point& p) {
-    return line("IFCDIRECTION((" + number(p.x) + "," + number(p.y) + "," + number(p.z) + "))");
-  }
-  std::string axes(const Point& at) { return line("IFCAXIS2PLACEMENT3D(" + point(at) + ",$,$)"); }
-  std::string axes(const Point& at, const Point& z, const Point& x) {
-    return line("IFCAXIS2PLACEMENT3D(" + point(at) + "," + direction(z) + "," + direction(x) + ")");
-  }
-  std::string flat_axes() { return line("IFCAXIS2PLACEMENT2D(" + point(0, 0) + ",$)"); }
-  std::string placement(const std::string& parent, const std::string& axes) {
-    return line("IFCLOCALPLACEMENT(" + parent + "," + axes + ")");
-  }
-  std::string rectangle(double x, double y) {
-    return line("IFCRECTANGLEPROFILEDEF(.AREA.,$," + flat_axes() + "," + number(x) + "," + number(y) + ")");
-  }
-  std::string extruded(const std::string& profile, double depth) {
-    return line("IFCEXTRUDEDAREASOLID(" + profile + "," + origin + "," + direction({0, 0, 1}) + "," + number(depth) +
-                ")");
-  }
-  std::string shown(const std::string& item, const std::string& kind = "Body") {
-    return line("IFCSHAPEREPRESENTATION(" + context + ",'" + kind + "','SweptSolid',(" + item + "))");
-  }
-  std::string shape(const std::string& representations) {
-    return line("IFCPRODUCTDEFINITIONSHAPE($,$,(" + representations + "))");
-  }
-  /// A product of the storey; `shape` and `place` may be "$".
-  std::string product(const std::string& name, const std::string& place, const std::string& shape,
-                      const std::string& kind = "IFCBUILDINGELEMENTPROXY", const std::string& more = ",'T1',$") {
-    const std::string made = line(kind + "('" + guid() + "',$," + (name == "$" ? name : "'" + name + "'") + ",$,$," +
-                                  place + "," + shape + more + ")");
-    line("IFCRELCONTAINEDINSPATIALSTRUCTURE('" + guid() + "',$,$,$,(" + made + ")," + storey + ")");
-    return made;
-  }
-  /// A product whose body is this item, at the origin.
-  std::string solid(const std::string& name, const std::string& item) {
-    return product(name, placement("$", origin), shape(shown(item)));
-  }
-  [[nodiscard]] std::string text() const {
-    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(("
-           "'" +
-           schema_ + "'));\nENDSEC;\nDATA;\n" + lines_ + "ENDSEC;\nEND-ISO-10303-21;\n";
-  }
-
-  std::string origin, context, project, storey;
-
- private:
-  std::string spatial(const std::string& kind, const std::string& name, const std::string& more) {
-    return line(kind + "('" + guid() + "',$,'" + name + "',$,$,$,$,$,.ELEMENT.," + more + ")");
-  }
-
-  std::string schema_, lines_;
-  int last_ = 0, guids_ = 0;
-};
+using scenes::kMetre;
+using scenes::kMillimetre;
+using scenes::Step;
 
 Points world_points(const Object& object) {
   Points points;
@@ -172,25 +84,17 @@ void expect_box(const Object& object, const Box& expected, double error) {
 Model read_ifc(const Step& step) { return read_text(step.text(), "case.ifc"); }
 
 TEST(Ifc, BoxesOfEverySchemaAndUnit) {
-  const std::string foot =
-      "IFCCONVERSIONBASEDUNIT($,.LENGTHUNIT.,'FOOT',#2);\n#2=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(0.3048),#3);\n"
-      "#3=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.)";
-  const std::string inch =
-      "IFCCONVERSIONBASEDUNIT($,.LENGTHUNIT.,'INCH',#2);\n#2=IFCMEASUREWITHUNIT(IFCRATIOMEASURE(25.4),#3);\n"
-      "#3=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.)";
   struct Unit {
-    std::string line;
+    scenes::StepUnit unit;
     double metres;
   };
-  // The numbers 2 and 3 of the conversions stand between those of the fixed lines, which begin later.
   for (const char* schema : {"IFC2X3", "IFC4", "IFC4X3", "IFC4X3_ADD2"}) {
-    for (const Unit& unit : {Unit{kMetre, 1}, {kMillimetre, 0.001}, {foot, 0.3048}, {inch, 0.0254}}) {
-      SCOPED_TRACE(std::string(schema) + " " + unit.line);
-      std::string line = unit.line;
-      for (const char digit : {'2', '3'})
-        for (std::size_t at; (at = line.find(std::string("#") + digit)) != line.npos;)
-          line.replace(at, 2, std::string("#90000") + digit);
-      Step step(schema, line);
+    for (const Unit& unit : {Unit{kMetre, 1},
+                             {kMillimetre, 0.001},
+                             {scenes::kFoot, 0.3048},
+                             {{kMillimetre.si, "IFCRATIOMEASURE(25.4)"}, 0.0254}}) {
+      SCOPED_TRACE(schema + std::string(" ") + unit.unit.si + unit.unit.measure);
+      Step step(schema, unit.unit);
       step.product("box", step.placement("$", step.axes({100, 200, 300})),
                    step.shape(step.shown(step.extruded(step.rectangle(40, 20), 50))));
       const Model model = read_ifc(step);

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+
+/// impinge-federation STOREYS ROOMS FOLDER
+///
+/// Writes the IFC files of federation.hpp, with so many rooms in each storey, into a folder that is there.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "scenes/federation.hpp"
+
+int main(int argc, char** argv) {
+  const int storeys = argc == 4 ? std::atoi(argv[1]) : 0, rooms = argc == 4 ? std::atoi(argv[2]) : 0;
+  if (storeys <= 0 || rooms <= 0) {
+    std::fprintf(stderr, "usage: %s STOREYS ROOMS FOLDER\n", argv[0]);
+    return 2;
+  }
+  const auto made = impinge::scenes::federation({.storeys = storeys, .rooms = rooms});
+  for (const auto& [name, text] : made.files) {
+    std::ofstream file(argv[3] + ("/" + name), std::ios::binary);
+    file << text;
+    if (!file.flush()) {
+      std::fprintf(stderr, "%s: %s cannot be written\n", argv[0], name.c_str());
+      return 1;
+    }
+  }
+}
