@@ -74,7 +74,7 @@ TEST(Place, MeshWithoutTrianglesIsNowhere) {
 
 TEST(Place, KeyIsOfTheNumbersAlone) {
   const Mesh cube = test::mesh_of(scenes::cube()), again = test::mesh_of(scenes::cube(), 2);
-  const auto key = [](const Mesh& mesh, const Pose& pose) { return scene::place(test::numbers_of(mesh), pose, 0).key; };
+  const auto key = [](const Mesh& mesh, const Pose& pose) { return scene::key(test::numbers_of(mesh), pose); };
   Pose minus_zero;
   minus_zero.t = {-0.0, 0, -0.0};
   minus_zero.R[1] = -0.0;
