@@ -29,7 +29,7 @@ std::string unit_after(const std::optional<double>& metres);
 
 /// A length from 0 up, "10", "10mm" or "10 mm"; nothing for any other text.
 std::optional<Length> parse_length(std::string_view text);
-/// As it is written: "10mm".
+/// "10mm", or "10" in the run's unit: what `parse_length` takes.
 std::string text_of(const Length& length);
 
 /// Brings the length to the run's unit. Errors: `bad_option` (it has a unit of its own, and the run's is not known).

@@ -17,7 +17,8 @@ struct TrianglePair {
   friend bool operator==(const TrianglePair&, const TrianglePair&) = default;
 };
 
-/// What a query did and what it cost. Stage times add up the threads' own times.
+/// What a query did and what it cost. Times are 0 unless `Options::statistics` asks for them or a device takes part;
+/// those of stages add up the threads' own.
 /// The cost function is the paper's equation 1 with terms for its broad phase and its grid, and one for exact
 /// arithmetic, which came after it: T = N_b C_b + N_m C_m + N_s C_s + N_o C_o + N_v C_v + N_p C_p + N_u C_u + N_t C_t +
 /// N_l C_l + N_e C_e.

@@ -55,8 +55,9 @@ struct ObjectDistance {
 };
 
 /// Placed meshes that are asked about again and again. Keeps which objects are near each other between frames.
-/// A copy shares the meshes, knows the same ids, and what is near what. A scene that was moved from may only be
-/// destroyed or assigned to. Const calls are safe from many threads at once; the others need the scene to themselves.
+/// A copy shares the meshes with the original, has the same ids, and is as up to date. A scene that was moved from may
+/// only be destroyed or assigned to. Const calls are safe from many threads at once; the others need the scene to
+/// themselves.
 class Scene {
  public:
   Scene();
@@ -105,9 +106,9 @@ class Scene {
   Result<bool> touches_any(const ConfigurationOptions& options = {}) const;
 
   /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any
-  /// other object of the scene. What stands still is not tested against its like, and the scene stays as it is.
-  /// `poses` has ids.size() poses for each configuration in turn. Errors: `unknown_id`, `bad_option`, `bad_pose` and
-  /// `out_of_range` (which name the id or the configuration), `cancelled`.
+  /// other object of the scene. Objects that are not named are not tested against each other. The scene does not
+  /// change. `poses` has ids.size() poses for each configuration in turn. Errors: `unknown_id`, `bad_option`,
+  /// `bad_pose` and `out_of_range` (which name the id or the configuration), `cancelled`.
   Result<Configurations> collide_configurations(std::span<const ObjectId> ids, std::span<const Pose> poses,
                                                 const ConfigurationOptions& options = {}) const;
   /// Some configuration that touches, or nothing: of a path, those at its ends and in its middle are tried first, then

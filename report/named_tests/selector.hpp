@@ -21,7 +21,8 @@ struct TextMatch {
   bool is_regex = false;
 };
 
-/// A step of a list: names, classes and global ids add objects or take them away, values filter what is there.
+/// One word of a selector, applied to the objects that those before it selected: a name, class or GlobalId adds objects
+/// or takes them away, a value keeps the objects that have it.
 struct Facet {
   enum class Kind : std::uint8_t { name, ifc_class, global_id, value };
   enum class Comparison : std::uint8_t { equal, contains, more, less, at_least, at_most };

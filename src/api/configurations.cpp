@@ -106,25 +106,32 @@ std::vector<std::size_t> coarse_to_fine(std::size_t n) {
   return order;
 }
 
-/// The nearest objects of which one is chosen. What is certainly farther along x than the nearest so far is not looked
-/// at: objects are taken in the order of their boxes.
-template <class Chosen>
-Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
-                                                      const Chosen& is_chosen) {
-  if (auto valid = validate(s, options.threads); !valid) return valid.error();
-  if (auto valid = validate_limits(options); !valid) return valid.error();
+void offer(const Scene::State& s, std::uint32_t a, std::uint32_t b, NearestObjectsSearch& search) {
+  if (s.are_tested(a, b)) search.offer(a, s.objects[a], b, s.objects[b]);
+}
+
+/// Offers all pairs but those that are certainly farther apart along x than the nearest so far.
+void offer_all(const Scene::State& s, const std::stop_token& stop, NearestObjectsSearch& search) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < s.objects.size(); ++i)
     if (s.objects[i].mesh != nullptr) order.push_back(i);
   const auto low = [&](std::uint32_t i) { return s.objects[i].box.lo.x; };
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) { return low(i) < low(k); });
-  NearestObjectsSearch search(options.stop_above, options.enough_below);
-  for (std::size_t i = 0; i < order.size() && !options.stop.stop_requested(); ++i) {
-    const scene::PlacedObject& one = s.objects[order[i]];
-    for (std::size_t k = i + 1; k < order.size() && low(order[k]) - one.box.hi.x <= search.nearest_most(); ++k)
-      if ((is_chosen(order[i]) || is_chosen(order[k])) && s.are_tested(order[i], order[k]))
-        search.offer(order[i], one, order[k], s.objects[order[k]]);
+  for (std::size_t i = 0; i < order.size() && !stop.stop_requested(); ++i) {
+    const double high = s.objects[order[i]].box.hi.x;
+    for (std::size_t k = i + 1; k < order.size() && low(order[k]) - high <= search.nearest_most(); ++k)
+      offer(s, order[i], order[k], search);
   }
+}
+
+/// The nearest of the pairs that `offer_some` offers.
+template <class OfferSome>
+Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
+                                                      const OfferSome& offer_some) {
+  if (auto valid = validate(s, options.threads); !valid) return valid.error();
+  if (auto valid = validate_limits(options); !valid) return valid.error();
+  NearestObjectsSearch search(options.stop_above, options.enough_below);
+  offer_some(search);
   measure::PairMemory memory;
   const auto found =
       search.find([&](std::uint32_t i) { return s.placed(i); }, {on_threads(options.threads), options.stop, &memory});
@@ -183,9 +190,8 @@ Result<bool> Scene::touches_any(const ConfigurationOptions& options) const {
     const std::size_t chunks = (pairs.size() + kAtOnce - 1) / kAtOnce;
     run_each(chunks > 1 ? on_threads(options.threads) : ForEach(), chunks, [&](std::size_t chunk) {
       TouchSearch search(options.stop);
-      const auto placed = [&](std::uint32_t i) { return PlacedMesh{s.objects[i], *s.meshes[i]}; };
       for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, pairs.size()) && !found; ++i)
-        if (search.find(placed(pairs[i].a), placed(pairs[i].b))) found = true;
+        if (search.find(s.placed(pairs[i].a), s.placed(pairs[i].b))) found = true;
     });
     if (options.stop.stop_requested() && !found) return cancelled();
     return found.load();
@@ -210,12 +216,18 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
 Result<std::optional<ObjectDistance>> Scene::distance_with(ObjectId id, const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::optional<ObjectDistance>> {
     if (auto known = state_->check(id); !known) return known.error();
-    return nearest_objects(*state_, options, [&](std::uint32_t object) { return object == id.index; });
+    return nearest_objects(*state_, options, [&](NearestObjectsSearch& search) {
+      for (std::uint32_t i = 0; i < state_->objects.size(); ++i)
+        if (i != id.index) offer(*state_, id.index, i, search);
+    });
   });
 }
 
 Result<std::optional<ObjectDistance>> Scene::distance(const MeasureOptions& options) const {
-  return guarded([&] { return nearest_objects(*state_, options, [](std::uint32_t) { return true; }); });
+  return guarded([&] {
+    return nearest_objects(*state_, options,
+                           [&](NearestObjectsSearch& search) { offer_all(*state_, options.stop, search); });
+  });
 }
 
 }  // namespace impinge

@@ -20,7 +20,8 @@ namespace {
 /// The index of a mesh that is no object of the scene.
 constexpr std::uint32_t kGuest = 0xFFFFFFFF;
 
-/// Only what is near the one is looked at, numbered in the scene's order.
+/// The contacts of one placed mesh with the scene's objects. The pipeline gets only those near it, renumbered in the
+/// scene's order.
 Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, std::uint32_t index,
                              const Options& options, Workspace* workspace) {
   if (auto valid = scene.check_domain(); !valid) return valid.error();
@@ -58,11 +59,10 @@ Scene::Scene() : state_(std::make_unique<State>()) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
-Scene::Scene(const Scene& other) : state_(std::make_unique<State>(*other.state_)) {}
-Scene& Scene::operator=(const Scene& other) {
-  if (this != &other) state_ = std::make_unique<State>(*other.state_);
-  return *this;
+Scene::Scene(const Scene& other) : state_(std::make_unique<State>(*other.state_)) {
+  state_->reserve(state_->slots.size());  // copied lists have no more room than they need
 }
+Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
 
 Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
   return guarded([&]() -> Result<ObjectId> {
@@ -186,8 +186,7 @@ Result<Contacts> Scene::collide_with(ObjectId id, const Options& options, Worksp
   return guarded([&]() -> Result<Contacts> {
     if (auto valid = validate(options); !valid) return valid.error();
     if (auto known = state_->check(id); !known) return known.error();
-    const PlacedMesh one{state_->objects[id.index], *state_->meshes[id.index]};
-    return collide_one(*state_, one, id.index, options, workspace);
+    return collide_one(*state_, state_->placed(id.index), id.index, options, workspace);
   });
 }
 

@@ -33,9 +33,10 @@ std::uint32_t second_of(std::uint64_t pair) { return static_cast<std::uint32_t>(
 }  // namespace
 
 void NearPairs::reserve(std::size_t n) {
+  changed_.reserve(n);  // a copy's is shorter
   if (n <= boxes_.size()) return;
   assert(n < kObjectBit);
-  changed_.reserve(n), has_changed_.resize(n), is_here_.resize(n);
+  has_changed_.resize(n), is_here_.resize(n);
   groups_.resize(n), starts_.resize(n), spheres_.resize(n), fat_boxes_.resize(n);
   boxes_.resize(n);  // last: its size is what the others have at least
 }

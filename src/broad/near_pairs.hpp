@@ -43,8 +43,8 @@ class NearPairs {
   void find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
             const FindConfig& config = {}) const;
 
-  /// For each of these, all objects whose fat boxes overlap its box in `boxes`: what is asked for in the upper half,
-  /// the object in the lower. It must be current.
+  /// Looks boxes[i], for each i of `asked`, up among the objects' fat boxes. `search.found` then holds a number for
+  /// each overlap: i in the upper half, the object in the lower. It must be current.
   void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const {
     search.found.clear();
     tree_.find(asked, boxes, search);

@@ -8,6 +8,7 @@
 
 #include "core/point_table.hpp"
 #include "core/shapes.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::clash {
 
@@ -58,12 +59,15 @@ class PointGrid {
         }
   }
 
-  /// Calls visit(one, other) for the cells that so many steps along the axes lead from one to the other.
+  /// Calls visit(one, other) for each two cells that are one of the steps apart, in cells along the axes. Throws
+  /// `Stopped`.
   template <class Visit>
-  void for_each_pair(const std::vector<Vec3>& steps, const Visit& visit) const {
-    for (std::uint32_t i = 0; i < cells_.size(); ++i)
+  void for_each_pair(const std::vector<Vec3>& steps, const std::stop_token& stop, const Visit& visit) const {
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+      throw_if_stopped(stop);
       for (const Vec3& step : steps)
         if (const auto other = indices_.find(indices_.points()[i] + step)) visit(cells_[i], cells_[*other]);
+    }
   }
 
  private:

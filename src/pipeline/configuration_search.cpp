@@ -57,9 +57,7 @@ TouchingConfigurations::TouchingConfigurations(const Movers& movers, const broad
 }
 
 PlacedMesh TouchingConfigurations::second(const Candidate& pair) const {
-  const Scene::State& scene = movers_.scene();
-  if (pair.other_moves) return placed_.mesh(pair.other);
-  return {scene.objects[pair.other], *scene.meshes[pair.other]};
+  return pair.other_moves ? placed_.mesh(pair.other) : movers_.scene().placed(pair.other);
 }
 
 TouchingConfigurations::Found TouchingConfigurations::touch(const Candidate& pair,

@@ -35,7 +35,7 @@ struct Scene::State {
   std::vector<scene::PlacedObject> objects;
   std::vector<const MeshState*> meshes;
 
-  std::uint32_t first_generation;  ///< of this scene's objects, so that another's ids are not taken for them
+  std::uint32_t first_generation;  ///< of each index; differs from scene to scene, so that a foreign id is unknown
   std::vector<std::uint32_t> free_slots;
   scene::IgnoredPairs ignored;
   broad::NearPairs near_pairs;
@@ -47,12 +47,15 @@ struct Scene::State {
                                        " with this id in this scene; it was removed, or belongs to another scene"};
   }
 
+  /// Room for so many objects, which nothing but a larger scene needs memory for.
+  void reserve(std::size_t room) {
+    objects.reserve(room), meshes.reserve(room), slots.reserve(room), free_slots.reserve(room);
+    near_pairs.reserve(room);
+  }
   /// Makes a free slot. Room for every list comes first, so that they stay of one length if memory runs out.
   void grow() {
     const std::size_t n = slots.size() + 1;
-    const std::size_t room = std::bit_ceil(n);
-    objects.reserve(room), meshes.reserve(room), slots.reserve(room), free_slots.reserve(room);
-    near_pairs.reserve(room);
+    reserve(std::bit_ceil(n));
     objects.emplace_back(), meshes.push_back(nullptr), slots.push_back({{}, first_generation});
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
@@ -75,7 +78,7 @@ struct Scene::State {
   [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }
 };
 
-/// What is near what in a scene now: what it keeps, or a copy brought up to date.
+/// A scene's near pairs, or, where they are not current, a copy that is.
 class CurrentPairs {
  public:
   CurrentPairs(const broad::NearPairs& kept, int threads) : kept_(kept) {

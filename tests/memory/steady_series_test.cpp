@@ -111,6 +111,22 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
   }
 }
 
+/// What may not fail for want of memory has its room in a copy too.
+TEST(SteadySeries, OfACopysObjectsAllocatesNothing) {
+  Scene scene;
+  const Mesh cube = test::mesh_of(scenes::cube());
+  std::vector<ObjectId> ids;
+  for (int i = 0; i < 100; ++i) ids.push_back(scene.add(cube, {.t = {2.0 * i, 0, 0}}).value());
+  ASSERT_TRUE(scene.update());
+  Scene copy = scene;
+  const std::uint64_t before = allocations;
+  for (const ObjectId id : ids) {
+    ASSERT_TRUE(copy.set_pose(id, {.t = {0, 5, 0}}));
+    ASSERT_TRUE(copy.remove(id));
+  }
+  EXPECT_EQ(allocations - before, 0u);
+}
+
 /// With a workspace of one's own, and with the thread's.
 TEST(SteadySeries, OfDistancesAllocatesNothing) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), ball = test::mesh_of(scenes::uv_sphere(24, 24));

@@ -416,6 +416,13 @@ TEST(Scene, SaysWhichConfigurationIsWrong) {
   EXPECT_TRUE(scene.collide_configurations(ids, {})->touches.empty());
   EXPECT_TRUE(scene.collide_configurations({}, {})->touches.empty());
   EXPECT_FALSE(scene.first_touching(ids, {})->has_value());
+  // The one configuration that touches is found wherever it is.
+  for (std::size_t n : {1, 2, 3, 8, 64, 65, 200})
+    for (std::size_t i = 0; i < n; i += n / 8 + 1) {
+      std::vector<Pose> path(2 * n, at(3));
+      for (std::size_t k = 0; k < n; ++k) path[2 * k + 1] = at(k == i ? 4 : 9);
+      EXPECT_EQ(scene.first_touching(ids, path).value(), i) << n;
+    }
   poses[2 * 177 + 1].t[1] = std::numeric_limits<double>::quiet_NaN();
   poses[2 * 130].t[0] = 0x1p301;
   const auto found = scene.collide_configurations(ids, poses);

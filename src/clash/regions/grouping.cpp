@@ -116,8 +116,7 @@ void join_near_corners(const SharedParts& parts, std::size_t contacts, double to
       if (const auto before = seen.size(); seen.add(corner.point) == before)
         groups.join(grid.first_number(grid.add(corner.point, i)), i);
   }
-  grid.for_each_pair(steps_to_neighbours(), [&](const PointGrid::Cell& cell, const PointGrid::Cell& other) {
-    throw_if_stopped(stop);
+  grid.for_each_pair(steps_to_neighbours(), stop, [&](const PointGrid::Cell& cell, const PointGrid::Cell& other) {
     const std::uint32_t one = grid.first_number(cell), two = grid.first_number(other);
     if (groups.find(one) != groups.find(two) && are_near(grid, cell, other, tolerance)) groups.join(one, two);
   });
