@@ -67,6 +67,7 @@ class Mesh {
   [[nodiscard]] std::size_t triangle_count() const noexcept;
   [[nodiscard]] std::span<const Point> vertices() const noexcept;
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const noexcept;
+  [[nodiscard]] Precision precision() const noexcept;
   /// Bounding sphere in the mesh's own frame: the smallest one, up to rounding. {0, 0, 0} and 0 without vertices in
   /// use.
   [[nodiscard]] Point sphere_center() const noexcept;

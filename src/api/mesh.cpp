@@ -137,6 +137,7 @@ Result<void> Mesh::build_tree(int threads) const {
 
 std::size_t Mesh::memory_bytes() const { return sizeof(MeshState) + state_->tree.bytes() + state_->wide_tree.bytes(); }
 
+Precision Mesh::precision() const noexcept { return state_->data.precision; }
 std::size_t Mesh::vertex_count() const noexcept { return state_->data.vertices.size(); }
 std::size_t Mesh::triangle_count() const noexcept { return state_->data.triangles.size(); }
 std::span<const Point> Mesh::vertices() const noexcept { return state_->data.vertices; }

@@ -127,6 +127,8 @@ TEST(Mesh, OfFloatsIsThatOfTheSameDoubles) {
   const std::vector<double> doubles(floats.begin(), floats.end());
   const Mesh of_floats = Mesh::create(std::span<const float>(floats), soup.triangles).value();
   const Mesh of_doubles = create(doubles, soup.triangles).value();
+  EXPECT_EQ(of_floats.precision(), Precision::single);
+  EXPECT_EQ(of_doubles.precision(), Precision::whole);
   Pose pose = scenes::random_motion(seeded.random, 0.3);
   const Contacts expected = collide(of_doubles, {}, of_doubles, pose).value();
   EXPECT_FALSE(expected.triangles.empty());
