@@ -63,6 +63,7 @@ const std::map<std::string, std::vector<std::string>> kBuiltOnTop{
     {"io", {"io/", "impinge/", "core/guarded.hpp", "scene/validate_pose.hpp"}},
     {"report", {"report/", "impinge/"}},
     {"cli", {"cli/", "report/", "impinge/"}},
+    {"python", {"python/", "impinge/"}},
 };
 
 struct Include {

@@ -60,7 +60,7 @@ TEST(Names, AreReadFromASource) {
 
 TEST(Names, OfClassesAreGivenOnce) {
   std::map<std::string, fs::path> places;
-  for (const char* folder : {"include", "src", "io", "report", "cli"}) {
+  for (const char* folder : {"include", "src", "io", "report", "cli", "python"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kSource / folder)) {
       if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
       std::ifstream stream(entry.path());

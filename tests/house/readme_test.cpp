@@ -129,7 +129,7 @@ TEST(Contract, ClausesAreNumberedInOrderAndEachCitationLeadsToOne) {
   const std::set<std::string> kinds{".hpp", ".cpp", ".h", ".glsl", ".comp", ".sh", ".py", ".md"};
   int cited = 0;
   for (const char* folder :
-       {".", "include", "src", "io", "report", "cli", "page", "tests", "bench", "docs", "examples"}) {
+       {".", "include", "src", "io", "report", "cli", "page", "python", "tests", "bench", "docs", "examples"}) {
     const bool is_root = *folder == '.';
     for (auto it = std::filesystem::recursive_directory_iterator(kSource / folder); it != end(it); ++it) {
       if (is_root) it.disable_recursion_pending();

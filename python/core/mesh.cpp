@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+// Meshes, and queries on two of them.
+#include "impinge/mesh.hpp"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "impinge/collide.hpp"
+#include "impinge/measures.hpp"
+#include "impinge/regions.hpp"
+#include "python/core/array.hpp"
+#include "python/core/bind.hpp"
+#include "python/core/query.hpp"
+
+namespace impinge::python {
+
+QueryOptions::QueryOptions(bool first_, std::uint64_t limit_, std::uint8_t kinds_, int threads_, std::string backend_,
+                           std::string device_)
+    : first(first_),
+      limit(limit_),
+      kinds(kinds_),
+      threads(threads_),
+      backend(std::move(backend_)),
+      device(std::move(device_)) {}
+
+Options QueryOptions::with(std::stop_token stop) const {
+  return {.find = first ? Options::Find::first : Options::Find::all,
+          .limit = limit,
+          .kinds = kinds,
+          .threads = threads,
+          .backend = backend,
+          .device = device,
+          .stop = std::move(stop)};
+}
+
+py::tuple contacts_tuple(Contacts&& contacts) {
+  const auto rows = static_cast<py::ssize_t>(contacts.objects.size());
+  const auto count = static_cast<py::ssize_t>(contacts.kinds.size());
+  return py::make_tuple(array_of(std::move(contacts.objects), "i", 4, {rows, 2}),
+                        array_of(std::move(contacts.offsets), "q", 8, {rows + 1}),
+                        array_of(std::move(contacts.triangles), "i", 4, {count, 2}),
+                        array_of(std::move(contacts.kinds), "B", 1, {count}), contacts.truncated, contacts.hash,
+                        contacts.warnings);
+}
+
+py::object nearest_tuple(const Nearest& nearest) {
+  if (std::isinf(nearest.distance)) return py::none();
+  return py::make_tuple(nearest.distance, nearest.error,
+                        array_of(std::vector<Point>{nearest.a, nearest.b}, "d", 8, {2, 3}),
+                        py::make_tuple(nearest.triangle_a, nearest.triangle_b));
+}
+
+namespace {
+
+std::size_t size_of(const Mesh& a, const Mesh& b) { return a.triangle_count() + b.triangle_count(); }
+
+Mesh make_mesh(py::handle vertices, py::handle triangles, std::uint32_t leaf_size, bool vertices_are_single,
+               bool single) {
+  const View xyz(vertices), indices(triangles);
+  const TreeConfig tree{leaf_size};
+  const auto index = indices.as<std::uint32_t>();
+  const auto make = [&](auto coordinates) {
+    const py::gil_scoped_release released;
+    if constexpr (std::is_same_v<decltype(coordinates), std::span<const float>>) {
+      return Mesh::create(coordinates, index, tree);
+    } else {
+      return Mesh::create(coordinates, index, tree, single ? Precision::single : Precision::whole);
+    }
+  };
+  return vertices_are_single ? unwrap(make(xyz.as<float>())) : unwrap(make(xyz.as<double>()));
+}
+
+/// The mesh's own numbers, which nobody may change.
+template <class T>
+Array numbers_of(const Mesh& mesh, std::span<const T> values, const char* format, py::ssize_t itemsize) {
+  return {std::make_shared<Mesh>(mesh),
+          const_cast<T*>(values.data()),
+          format,
+          itemsize,
+          {static_cast<py::ssize_t>(values.size()), 3},
+          true};
+}
+
+Affine affine_of(const View& matrix) {
+  const Pose rows = poses_of(matrix, "matrix").at(0);
+  return {rows.R, rows.t};
+}
+
+py::tuple collide_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, const QueryOptions& options,
+                       const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  return contacts_tuple(unwrap(
+      run(stop, size_of(a, b), [&](std::stop_token token) { return collide(a, at, b, bt, options.with(token)); })));
+}
+
+bool touches_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads, const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  return !unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
+            return collide(a, at, b, bt, {.find = Options::Find::first, .threads = threads, .stop = token});
+          })).kinds.empty();
+}
+
+py::tuple collide_at_poses(const Mesh& a, py::handle poses_a, const Mesh& b, py::handle poses_b,
+                           const QueryOptions& options, const Stop* stop) {
+  const std::vector<Pose> at = poses_of(View(poses_a), "poses_a"), bt = poses_of(View(poses_b), "poses_b");
+  return contacts_tuple(unwrap(run(stop, size_of(a, b) * std::max(at.size(), bt.size()), [&](std::stop_token token) {
+    return collide_poses(a, at, b, bt, options.with(token));
+  })));
+}
+
+py::object distance_of_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double stop_above,
+                            int threads, const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  return nearest_tuple(unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
+    return distance(a, at, b, bt, {.threads = threads, .stop = token, .stop_above = stop_above});
+  })));
+}
+
+bool pair_closer_than(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double limit, int threads,
+                      const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  return unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
+    return closer_than(a, at, b, bt, limit, {.threads = threads, .stop = token});
+  }));
+}
+
+Array locate_points(py::handle points, const Mesh& mesh, py::handle pose, const Stop* stop) {
+  const View view(points);
+  const auto numbers = view.as<double>();
+  const std::size_t count = numbers.size() / 3;
+  const Pose at = pose_of(pose, "pose");
+  auto found =
+      unwrap(run(stop, mesh.triangle_count() * count, [&](std::stop_token token) -> Result<std::vector<Location>> {
+        std::vector<Location> all(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (token.stop_requested()) return Error{Code::cancelled, "the stop token ended the query"};
+          const auto where = locate({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}, mesh, at);
+          if (!where) return Error{where.error().code, "point " + std::to_string(i) + ": " + where.error().message};
+          all[i] = *where;
+        }
+        return all;
+      }));
+  return array_of(std::move(found), "B", 1, {static_cast<py::ssize_t>(count)});
+}
+
+py::tuple depth_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double precision,
+                           int threads, const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  const OverlapDepth depth = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
+    return overlap_depth(a, at, b, bt, precision, {.threads = threads, .stop = token});
+  }));
+  return py::make_tuple(depth.a_in_b.lo, depth.a_in_b.hi, depth.b_in_a.lo, depth.b_in_a.hi);
+}
+
+py::tuple volume_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads,
+                            const Stop* stop) {
+  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
+  const OverlapVolume volume = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
+    return overlap_volume(a, at, b, bt, {.threads = threads, .stop = token});
+  }));
+  return py::make_tuple(volume.volume, volume.error);
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& module) {
+  py::class_<QueryOptions>(module, "Options")
+      .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string>());
+  py::class_<Mesh>(module, "Mesh")
+      .def(py::init(&make_mesh))
+      .def("vertices", [](const Mesh& mesh) { return numbers_of(mesh, mesh.vertices(), "d", 8); })
+      .def("triangles", [](const Mesh& mesh) { return numbers_of(mesh, mesh.triangles(), "i", 4); })
+      .def("is_single", [](const Mesh& mesh) { return mesh.precision() == Precision::single; })
+      .def("key", [](const Mesh& mesh) { return reinterpret_cast<std::uintptr_t>(mesh.vertices().data()); })
+      .def("triangle_count", &Mesh::triangle_count)
+      .def("transformed",
+           [](const Mesh& mesh, py::handle matrix) {
+             const Affine map = affine_of(View(matrix));
+             return unwrap([&] {
+               const py::gil_scoped_release released;
+               return mesh.transformed(map);
+             }());
+           })
+      .def("build_tree",
+           [](const Mesh& mesh, int threads) {
+             unwrap([&] {
+               const py::gil_scoped_release released;
+               return mesh.build_tree(threads);
+             }());
+           })
+      .def("memory_bytes", &Mesh::memory_bytes);
+  module.def("collide", &collide_pair);
+  module.def("touches", &touches_pair);
+  module.def("collide_poses", &collide_at_poses);
+  module.def("distance", &distance_of_pair);
+  module.def("closer_than", &pair_closer_than);
+  module.def("locate", &locate_points);
+  module.def("overlap_depth", &depth_of_overlap);
+  module.def("overlap_volume", &volume_of_overlap);
+}
+
+}  // namespace impinge::python

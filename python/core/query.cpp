@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "python/core/query.hpp"
+
+#include <string>
+
+namespace impinge::python {
+
+void raise(const Error& error) {
+  const py::object type =
+      py::module_::import("impinge._errors").attr("BY_CODE")[py::int_(static_cast<int>(error.code))];
+  PyErr_SetString(type.ptr(), error.message.c_str());
+  throw py::error_already_set();
+}
+
+std::vector<Pose> poses_of(const View& matrices, const char* what) {
+  const std::span<const double> numbers = matrices.as<double>();
+  std::vector<Pose> poses(numbers.size() / 16);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const double* const m = numbers.data() + 16 * k;
+    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1) {
+      const std::string which = poses.size() == 1 ? "" : '[' + std::to_string(k) + ']';
+      raise({Code::bad_pose,
+             what + which + " has a last row other than 0 0 0 1; a pose is a (4, 4) matrix that maps column vectors"});
+    }
+    poses[k] = {{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, {m[3], m[7], m[11]}};
+  }
+  return poses;
+}
+
+Pose pose_of(py::handle matrix, const char* what) {
+  return matrix.is_none() ? Pose{} : poses_of(View(matrix), what).at(0);
+}
+
+Array matrix_of(const Pose& pose) {
+  const auto& [R, t] = pose;
+  return array_of(
+      std::vector<double>{R[0], R[1], R[2], t[0], R[3], R[4], R[5], t[1], R[6], R[7], R[8], t[2], 0, 0, 0, 1}, "d", 8,
+      {4, 4});
+}
+
+bool is_main_thread() {
+  const py::object main = py::module_::import("threading").attr("main_thread")();
+  return main.attr("ident").cast<unsigned long>() == PyThread_get_thread_ident();
+}
+
+}  // namespace impinge::python

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "impinge/mesh.hpp"
+#include "impinge/result.hpp"
+#include "python/core/array.hpp"
+
+/// How a call of the library is made from Python: without the interpreter's lock, and so that Ctrl-C ends it.
+namespace impinge::python {
+
+/// Ends the queries that are given it.
+struct Stop {
+  std::stop_source source;
+};
+
+/// Throws the package's exception for the error.
+[[noreturn]] void raise(const Error& error);
+
+template <class T>
+T unwrap(Result<T> result) {
+  if (!result.has_value()) raise(result.error());
+  return *std::move(result);
+}
+inline void unwrap(Result<void> result) {
+  if (!result.has_value()) raise(result.error());
+}
+
+/// An array of (4, 4) matrices as poses. Errors: `bad_pose`, with `what` and the index of one whose last row is not 0 0
+/// 0 1.
+std::vector<Pose> poses_of(const View& matrices, const char* what);
+/// One matrix; None is the identity.
+Pose pose_of(py::handle matrix, const char* what);
+
+/// The (4, 4) matrix of a pose.
+Array matrix_of(const Pose& pose);
+
+/// From how many triangles on, counted with each pose, a query may take so long that somebody presses Ctrl-C. Below,
+/// the helper thread that it needs would cost more than many a query.
+inline constexpr std::size_t kMayTakeLong = 20'000;
+
+/// Whether Python delivers signals to this thread.
+bool is_main_thread();
+
+/// What `query(stop_token)` returns, with the interpreter's lock released meanwhile. `size` is the number of triangles.
+/// On the main thread a large query runs on a helper thread, while this one looks for signals: a handler that raises,
+/// as that of Ctrl-C does, ends the query by its stop token, and its exception is thrown.
+template <class Query>
+auto run(const Stop* stop, std::size_t size, Query query) {
+  using Answer = decltype(query(std::stop_token{}));
+  const std::stop_token asked = stop != nullptr ? stop->source.get_token() : std::stop_token{};
+  if (size < kMayTakeLong || !is_main_thread()) {
+    const py::gil_scoped_release released;
+    return query(asked);
+  }
+
+  std::stop_source source;
+  const std::stop_callback forward(asked, [&] { source.request_stop(); });
+  std::optional<Answer> answer;
+  std::exception_ptr failure;
+  std::optional<py::error_already_set> signal;
+  {
+    const py::gil_scoped_release released;
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool done = false;
+    const auto work = [&] {
+      try {
+        answer.emplace(query(source.get_token()));
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      const std::lock_guard lock(mutex);
+      done = true;
+      changed.notify_one();
+    };
+    std::thread helper;
+    try {
+      helper = std::thread(work);
+    } catch (const std::system_error&) {
+      work();  // no thread is to be had: Ctrl-C waits for the end
+    }
+    std::unique_lock lock(mutex);
+    while (!changed.wait_for(lock, std::chrono::milliseconds(50), [&] { return done; })) {
+      lock.unlock();
+      if (!signal) {
+        const py::gil_scoped_acquire acquired;
+        if (PyErr_CheckSignals() != 0) signal.emplace();
+      }
+      if (signal) source.request_stop();
+      lock.lock();
+    }
+    lock.unlock();
+    if (helper.joinable()) helper.join();
+  }
+  if (signal) throw py::error_already_set(*std::exchange(signal, std::nullopt));
+  if (failure) std::rethrow_exception(failure);
+  return *std::move(answer);
+}
+
+}  // namespace impinge::python

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <shared_mutex>
+
+#include "impinge/scene.hpp"
+
+namespace impinge::python {
+
+/// A scene that threads share. The Python above holds `mutex` around what it does with it and with its names: shared
+/// for queries, alone for changes. It is waited for with the interpreter's lock released.
+struct SharedScene {
+  Scene scene;
+  std::shared_mutex mutex;
+  std::size_t triangles = 0;  ///< of all objects; kept by the Python above
+};
+
+}  // namespace impinge::python

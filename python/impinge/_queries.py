@@ -1,0 +1,316 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""Questions about two meshes.
+
+Poses are (4, 4) matrices that map column vectors, rotations with a translation, last row 0 0 0 1; None is the identity.
+`threads` is how many threads at most, 0 for all there are. `stop` is a `Stop` by which any thread ends the query.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, Hashable, Iterable, NamedTuple
+
+import numpy as np
+
+from . import _arrays, _core
+from ._errors import ImpingeWarning, MeshError
+from ._mesh import MeshLike, as_core
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+_NO_LIMIT = 2**64 - 1
+
+
+class Kind(IntEnum):
+    """How two triangles meet."""
+
+    CROSSING = 0  #: both proper, planes differ, relative interiors meet
+    TOUCHING = 1  #: all that is neither of the others
+    COPLANAR = 2  #: both proper, in one plane, sharing a point
+
+
+class Location(IntEnum):
+    """Where a point lies to a closed mesh."""
+
+    OUTSIDE = 0
+    INSIDE = 1
+    BOUNDARY = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts:
+    """Every pair of triangles that share a point, a row a pair of objects, in canonical order. The arrays own their memory."""
+
+    objects: NDArray[np.int32]  #: (R, 2): `collide`: one row 0, 1 or none; `collide_poses`: the indices of the poses; scenes: indices
+    offsets: NDArray[np.int64]  #: (R + 1,): row r holds pairs offsets[r] to offsets[r + 1]
+    pairs: NDArray[np.int32]  #: (K, 2): a triangle of the row's first object and one of its second
+    kinds: NDArray[np.uint8]  #: (K,): `Kind`
+    truncated: bool  #: there are more than `limit`
+    hash: int  #: 64 bits, of what is here; 0 with `first`
+    names: tuple[tuple[Hashable, Hashable], ...] | None = None  #: of scenes: the objects of each row; None: a mesh not in it
+
+    def __bool__(self) -> bool:
+        """Whether anything touches."""
+        return len(self.kinds) > 0
+
+    def rows(self) -> NDArray[np.int64]:
+        """(K,): the row of each pair."""
+        return np.repeat(np.arange(len(self.objects)), np.diff(self.offsets))
+
+    def __repr__(self) -> str:
+        more = ", truncated" if self.truncated else ""
+        return f"<impinge.Contacts: {len(self.kinds)} pairs of triangles in {len(self.objects)} rows{more}>"
+
+
+class Nearest(NamedTuple):
+    """Two points that are nearest to each other."""
+
+    distance: float  #: 0 if and only if the meshes share a point
+    error: float  #: the exact distance is within so much of it
+    points: NDArray[np.float64]  #: (2, 3): one of a, one of b
+    faces: tuple[int, int]  #: on which they lie
+
+
+class Interval(NamedTuple):
+    """A number known to lie between two others."""
+
+    lo: float
+    hi: float
+
+
+class OverlapDepth(NamedTuple):
+    """How deep the boundary of each solid reaches into the other. Not the shortest way to pull the two apart."""
+
+    a_in_b: Interval
+    b_in_a: Interval
+
+    @property
+    def depth(self) -> float:
+        """What is certain: the larger of both that each reaches at least."""
+        return max(self.a_in_b.lo, self.b_in_a.lo)
+
+
+class OverlapVolume(NamedTuple):
+    """The volume that two solids have in common."""
+
+    volume: float
+    error: float  #: it is off by no more, but for rounding
+
+
+def make_options(
+    first: bool, limit: int | None, kinds: Kind | Iterable[Kind] | None, threads: int, backend: str, device: str
+) -> _core.Options:
+    return _core.Options(first, _NO_LIMIT if limit is None else limit, _arrays.kinds(kinds), threads, backend, device)
+
+
+def make_contacts(found: tuple[Any, ...], names: tuple[tuple[Hashable, Hashable], ...] | None = None) -> Contacts:
+    objects, offsets, pairs, kinds, truncated, hashed, messages = found
+    for message in messages:
+        warnings.warn(message, ImpingeWarning, stacklevel=3)
+    return Contacts(np.asarray(objects), np.asarray(offsets), np.asarray(pairs), np.asarray(kinds), truncated, hashed, names)
+
+
+def make_nearest(found: tuple[Any, ...]) -> Nearest:
+    return Nearest(found[0], found[1], np.asarray(found[2]), found[3])
+
+
+def make_depth(found: tuple[float, float, float, float]) -> OverlapDepth:
+    return OverlapDepth(Interval(*found[:2]), Interval(*found[2:]))
+
+
+def collide(
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    first: bool = False,
+    limit: int | None = None,
+    kinds: Kind | Iterable[Kind] | None = None,
+    threads: int = 0,
+    backend: str = "auto",
+    device: str = "",
+    stop: _core.Stop | None = None,
+) -> Contacts:
+    """Every pair of triangles of two meshes that share a point, exactly.
+
+    It is about surfaces: a solid wholly inside another touches nothing (`judge`). With `first` at most one pair; with `limit` the
+    first so many in canonical order; with `kinds` those alone. Backends, "auto", "simd", "paper", "gpu", "raster" and "hybrid",
+    answer the same; `device` is the number of a device (`devices`) or a part of its name.
+
+    Raises
+    ------
+    MeshError, PoseError, OptionError, Cancelled, OutOfMemoryError
+    RangeError
+        A world coordinate is not below 2^300 or not a multiple of 2^-358.
+    NoDeviceError
+        The backend needs a device, and there is none.
+    """
+    options = make_options(first, limit, kinds, threads, backend, device)
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return make_contacts(_core.collide(as_core(a, "a"), at, as_core(b, "b"), bt, options, stop))
+
+
+def touches(
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> bool:
+    """Whether any two triangles of two meshes share a point, exactly; the search stops at the first that do.
+
+    Raises
+    ------
+    As `collide`.
+    """
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return _core.touches(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop)
+
+
+def collide_poses(
+    a: MeshLike,
+    b: MeshLike,
+    poses_a: ArrayLike | None = None,
+    poses_b: ArrayLike | None = None,
+    *,
+    first: bool = False,
+    limit: int | None = None,
+    kinds: Kind | Iterable[Kind] | None = None,
+    threads: int = 0,
+    backend: str = "auto",
+    device: str = "",
+    stop: _core.Stop | None = None,
+) -> Contacts:
+    """The same at many poses, (N, 4, 4) each, or one for all of the other's: row k is about pose k, touching or not.
+
+    `limit` is for the call as a whole.
+
+    Raises
+    ------
+    As `collide`; OptionError also if the numbers of poses do not match.
+    """
+    options = make_options(first, limit, kinds, threads, backend, device)
+    at, bt = _arrays.poses(poses_a, "poses_a"), _arrays.poses(poses_b, "poses_b")
+    return make_contacts(_core.collide_poses(as_core(a, "a"), at, as_core(b, "b"), bt, options, stop))
+
+
+def touches_poses(
+    a: MeshLike,
+    b: MeshLike,
+    poses_a: ArrayLike | None = None,
+    poses_b: ArrayLike | None = None,
+    *,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> NDArray[np.bool_]:
+    """(N,): for each pose whether any two triangles share a point.
+
+    Raises
+    ------
+    As `collide_poses`.
+    """
+    found = collide_poses(a, b, poses_a, poses_b, first=True, threads=threads, stop=stop)
+    return np.diff(found.offsets) > 0
+
+
+def distance(
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    stop_above: float = float("inf"),
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> Nearest | None:
+    """The nearest points of two meshes, as sets of triangles: what closed ones enclose does not count.
+
+    None if they are farther apart than `stop_above`.
+
+    Raises
+    ------
+    As `collide`; MeshError also for a mesh without triangles.
+    """
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    found = _core.distance(as_core(a, "a"), at, as_core(b, "b"), bt, stop_above, threads, stop)
+    return None if found is None else make_nearest(found)
+
+
+def closer_than(
+    a: MeshLike,
+    b: MeshLike,
+    limit: float,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> bool:
+    """Whether some points of two meshes are nearer to each other than `limit`. Much faster than the distance itself.
+
+    Raises
+    ------
+    As `distance`; OptionError also for a limit that is negative or not a number.
+    """
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return _core.closer_than(as_core(a, "a"), at, as_core(b, "b"), bt, limit, threads, stop)
+
+
+def locate(points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
+    """Where points, (..., 3), lie to a closed mesh, exactly: (...,) of `Location`. Each point takes time linear in the mesh.
+
+    Raises
+    ------
+    As `collide`; MeshError also for a mesh that is not closed.
+    """
+    array = _arrays.points(points, "points", MeshError)
+    found = np.asarray(_core.locate(array, as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), stop))
+    return found.reshape(array.shape[:-1])
+
+
+def overlap_depth(
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    precision: float = 0.01,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> OverlapDepth:
+    """How deep the boundary of each closed mesh reaches into the other: intervals that hold it for certain.
+
+    `precision`, in (0, 1], is how wide they may be relative to the depth.
+
+    Raises
+    ------
+    As `locate`.
+    """
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return make_depth(_core.overlap_depth(as_core(a, "a"), at, as_core(b, "b"), bt, precision, threads, stop))
+
+
+def overlap_volume(
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
+) -> OverlapVolume:
+    """The volume that two closed meshes have in common.
+
+    Raises
+    ------
+    As `locate`.
+    """
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return OverlapVolume(*_core.overlap_volume(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop))

@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""What is taken as it is, and what is refused with which sentence."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import impinge
+from oracle import CUBE, CUBE_FACES, moved
+
+
+def strided(array):
+    wide = np.zeros((2 * len(array), 2 * array.shape[1]), array.dtype)
+    wide[::2, ::2] = array
+    return wide[::2, ::2]
+
+
+LAYOUTS = {
+    "C": np.ascontiguousarray,
+    "Fortran": np.asfortranarray,
+    "strided": strided,
+    "reversed": lambda array: array[::-1].copy()[::-1],
+    "big-endian": lambda array: array.astype(array.dtype.newbyteorder(">")),
+    "read-only": lambda array: np.frombuffer(array.tobytes(), array.dtype).reshape(array.shape),
+    "list": lambda array: array.tolist(),
+    "tuples": lambda array: tuple(map(tuple, array.tolist())),
+    "unaligned": lambda array: np.frombuffer(b"x" + array.tobytes(), np.uint8)[1:].view(array.dtype).reshape(array.shape),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_every_layout_and_type_is_the_same_mesh(layout):
+    lay = LAYOUTS[layout]
+    vertices = CUBE / 4 + 3  # exact in float16
+    for real in (np.float64, np.float32, np.float16, np.longdouble):
+        for integer in (np.int64, np.int32, np.uint32, np.uint64, np.int8, np.uint16):
+            mesh = impinge.Mesh(lay(vertices.astype(real)), lay(CUBE_FACES.astype(integer)))
+            assert mesh.vertices.tolist() == vertices.tolist() and mesh.faces.tolist() == CUBE_FACES.tolist()
+    assert impinge.Mesh(lay(CUBE.astype(int)), lay(CUBE_FACES)).vertices.tolist() == CUBE.tolist()
+    pose = lay(moved(1, 2, 3))
+    assert impinge.touches((CUBE, CUBE_FACES), (CUBE + (1, 2, 3), CUBE_FACES), pose)
+
+
+class Like:
+    def __init__(self, **members):
+        self.__dict__.update(members)
+
+
+def test_meshes_of_other_libraries():
+    for like in ((CUBE, CUBE_FACES), Like(vertices=CUBE, faces=CUBE_FACES), Like(vertices=CUBE, triangles=CUBE_FACES)):
+        assert impinge.Mesh(like).faces.tolist() == CUBE_FACES.tolist()
+        assert impinge.touches(like, like)
+
+
+def test_a_mesh_owns_its_numbers_and_shows_them_without_copies():
+    vertices = CUBE.copy()
+    mesh = impinge.Mesh(vertices, CUBE_FACES)
+    vertices[:] = 7
+    assert mesh.vertices.tolist() == CUBE.tolist()
+    assert np.shares_memory(mesh.vertices, mesh.vertices) and mesh.faces.dtype == np.int32
+    with pytest.raises(ValueError):
+        mesh.vertices[0] = 1
+    with pytest.raises(AttributeError):
+        mesh.vertices = vertices
+    with pytest.raises(AttributeError, match="never changes"):
+        mesh._leaf_size = 3
+    view = mesh.vertices
+    del mesh
+    assert view.tolist() == CUBE.tolist()
+
+
+def test_facts_of_a_mesh():
+    mesh = impinge.Mesh(np.vstack([CUBE, [9, 9, 9]]), CUBE_FACES)
+    assert mesh.bounds.tolist() == [[0, 0, 0], [1, 1, 1]] and np.isnan(impinge.Mesh([], []).bounds).all()
+    assert repr(mesh) == "<impinge.Mesh: 9 vertices, 12 faces>" and mesh.build_tree().nbytes > 9 * 24 + 12 * 12
+    assert len({mesh, mesh}) == 1 and mesh != impinge.Mesh(mesh.vertices, mesh.faces)
+    mirrored = mesh.transformed(np.diag([-2, 1, 1, 1]))
+    assert mirrored.bounds.tolist() == [[-2, 0, 0], [0, 1, 1]] and not impinge.collide(mesh, mesh, None, moved(0, 0, 2))
+
+
+with_nan = CUBE.copy()
+with_nan[3, 1] = np.nan
+sheared = np.eye(4)
+sheared[0, 1] = 0.5
+CUBES = (CUBE, CUBE_FACES), (CUBE, CUBE_FACES)
+REFUSED = [
+    (lambda: impinge.Mesh(with_nan, CUBE_FACES), impinge.MeshError, "vertex 3 has a coordinate that is not a finite number"),
+    (lambda: impinge.Mesh(CUBE.T, CUBE_FACES), impinge.MeshError, r"vertices has the shape \(3, 8\), not \(V, 3\); transpose it"),
+    (lambda: impinge.Mesh(CUBE[:, :2], CUBE_FACES), impinge.MeshError, r"vertices has the shape \(8, 2\)"),
+    (lambda: impinge.Mesh(CUBE.ravel(), CUBE_FACES), impinge.MeshError, r"vertices has the shape \(24,\)"),
+    (lambda: impinge.Mesh(CUBE + 0j, CUBE_FACES), impinge.MeshError, "vertices has the type complex128"),
+    (lambda: impinge.Mesh([["a"] * 3], []), impinge.MeshError, "vertices has the type"),
+    (lambda: impinge.Mesh([[0, 0, 0], [1, 2]], []), impinge.MeshError, "vertices"),
+    (lambda: impinge.Mesh([[2**53 + 1, 0, 0]], []), impinge.MeshError, "that no double equals"),
+    (lambda: impinge.Mesh([[2**64, 0, 0]], []), impinge.MeshError, "vertices has the type object"),
+    (lambda: impinge.Mesh(np.full((1, 3), np.longdouble(1) / 3), []), impinge.MeshError, "that no double equals"),
+    (lambda: impinge.Mesh(np.ma.masked_equal(CUBE, 0), CUBE_FACES), impinge.MeshError, "masked"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES.T), impinge.MeshError, r"faces has the shape \(3, 12\), not \(F, 3\)"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES.astype(float)), impinge.MeshError, "faces has the type float64; give integers"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES > 3), impinge.MeshError, "faces has the type bool"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES - 1), impinge.MeshError, r"faces\[0\] is \[-1, 1, 0\], but there are 8 vertices, counted from 0"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES + 1), impinge.MeshError, r"faces\[3\] is \[5, 7, 8\], but there are 8 vertices"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES.astype(np.uint64) + 2**32), impinge.MeshError, r"faces\[0\] is"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES, leaf_size=257), impinge.OptionError, "leaf_size is 257"),
+    (lambda: impinge.Mesh(CUBE), impinge.MeshError, "ndarray is no mesh"),
+    (lambda: impinge.touches(3, (CUBE, CUBE_FACES)), impinge.MeshError, "a: int is no mesh"),
+    (lambda: impinge.touches(*CUBES, np.eye(3)), impinge.PoseError, r"pose_a has the shape \(3, 3\), not \(4, 4\)"),
+    (lambda: impinge.touches(*CUBES, moved(1, 2, 3).T), impinge.PoseError, "pose_a has a last row other than 0 0 0 1"),
+    (lambda: impinge.touches(*CUBES, None, sheared), impinge.PoseError, "not a rotation"),
+    (lambda: impinge.touches(*CUBES, None, np.diag([-1, 1, 1, 1])), impinge.PoseError, "mirror"),
+    (lambda: impinge.touches(*CUBES, None, moved(np.inf, 0, 0)), impinge.PoseError, "not a finite number"),
+    (lambda: impinge.touches(*CUBES, None, "up"), impinge.PoseError, "pose_b has the type"),
+    (lambda: impinge.touches_poses(*CUBES, None, np.eye(4)), impinge.PoseError, r"poses_b has the shape \(4, 4\), not \(N, 4, 4\)"),
+    (lambda: impinge.touches_poses(*CUBES, None, [np.eye(4), np.eye(4) * 2]), impinge.PoseError, r"poses_b\[1\] has a last row"),
+    (lambda: impinge.touches_poses(*CUBES, [np.eye(4)] * 2, [np.eye(4)] * 3), impinge.OptionError, "2"),
+    (lambda: impinge.touches(*CUBES, None, moved(1e200, 0, 0)), impinge.RangeError, "2\\^300"),
+    (lambda: impinge.collide(*CUBES, threads=-1), impinge.OptionError, "threads is -1"),
+    (lambda: impinge.collide(*CUBES, backend="abacus"), impinge.OptionError, "abacus"),
+    (lambda: impinge.collide(*CUBES, kinds=[4]), impinge.OptionError, "kinds has 4"),
+    (lambda: impinge.closer_than(*CUBES, -1), impinge.OptionError, "limit"),
+    (lambda: impinge.distance(([], []), CUBES[0]), impinge.MeshError, "triangle"),
+    (lambda: impinge.overlap_depth(*CUBES, precision=2), impinge.OptionError, "precision"),
+    (lambda: impinge.judge(*CUBES, tolerance=-1), impinge.OptionError, "tolerance"),
+    (lambda: impinge.contact_regions(*CUBES, tolerance=9), impinge.OptionError, "tolerance"),
+    (lambda: impinge.locate([1, 2], CUBES[0]), impinge.MeshError, r"points has the shape \(2,\), not \(..., 3\)"),
+    (lambda: impinge.locate([1, 2, 3], (CUBE, CUBE_FACES[1:])), impinge.MeshError, "point 0: the mesh is not closed"),
+    (lambda: CUBES[0] and impinge.Mesh(CUBE, CUBE_FACES).transformed(moved(np.nan, 0, 0)), impinge.PoseError, "not a finite number"),
+]
+
+
+@pytest.mark.parametrize("call, error, sentence", REFUSED, ids=range(len(REFUSED)))
+def test_what_is_refused_and_why(call, error, sentence):
+    with pytest.raises(error, match=sentence) as caught:
+        call()
+    assert isinstance(caught.value, impinge.ImpingeError) and isinstance(caught.value, ValueError)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert type(again) is error and str(again) == str(caught.value) and again.code == error.code != ""
+
+
+def test_errors_are_built_in_ones_too():
+    assert issubclass(impinge.OutOfMemoryError, MemoryError) and issubclass(impinge.NoDeviceError, RuntimeError)
+    assert issubclass(impinge.UnknownObjectError, KeyError) and str(impinge.UnknownObjectError("so")) == "so"
+
+
+@pytest.mark.parametrize("protocol", range(6))
+def test_meshes_pickle(protocol):
+    for mesh in (impinge.Mesh(CUBE / 3, CUBE_FACES, leaf_size=5), impinge.Mesh(np.float32(CUBE / 3), CUBE_FACES)):
+        again = pickle.loads(pickle.dumps(mesh, protocol))
+        assert again.vertices.tolist() == mesh.vertices.tolist() and again.faces.tolist() == mesh.faces.tolist()
+        # Single precision has a larger automatic tolerance.
+        assert impinge.judge(again, again).tolerance == impinge.judge(mesh, mesh).tolerance
+    found = impinge.collide(mesh, mesh)
+    assert pickle.loads(pickle.dumps(found, protocol)).pairs.tolist() == found.pairs.tolist()
+
+
+def test_pickles_of_meshes_leave_their_numbers_out_of_band():
+    buffers = []
+    mesh = impinge.Mesh(CUBE, CUBE_FACES)
+    data = pickle.dumps(mesh, 5, buffer_callback=buffers.append)
+    assert sum(b.raw().nbytes for b in buffers) == 8 * 24 + 12 * 12 and len(data) < 1000
+    assert pickle.loads(data, buffers=buffers).vertices.tolist() == CUBE.tolist()

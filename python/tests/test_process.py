@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""What the process sees: locks, signals, memory, time to import, types."""
+
+import doctest
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import impinge
+from oracle import CUBE, CUBE_FACES
+
+# 4 * 10^8 pairs of coplanar triangles, of which none is wanted: far longer than a test would wait.
+ENDLESS = """
+import impinge, numpy as np
+copies = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.tile([0, 1, 2], (20000, 1)))
+def endless(stop=None):
+    impinge.collide(copies, copies, kinds=impinge.Kind.CROSSING, threads=1, stop=stop)
+"""
+
+
+def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
+    namespace = {}
+    exec(ENDLESS, namespace)
+    for on_main in (False, True):  # the main thread waits for a helper
+        stop = impinge.Stop()
+        assert not stop.is_set()
+        setter = threading.Timer(0.2, stop.set)
+        setter.start()  # never runs while a query holds the interpreter's lock
+        if on_main:
+            with pytest.raises(impinge.Cancelled):
+                namespace["endless"](stop)
+        else:
+            caught = []
+
+            def work():
+                try:
+                    namespace["endless"](stop)
+                except impinge.Cancelled as error:
+                    caught.append(error)
+
+            thread = threading.Thread(target=work)
+            thread.start()
+            thread.join()
+            assert len(caught) == 1
+        assert stop.is_set()
+    with pytest.raises(impinge.Cancelled):
+        impinge.touches((CUBE, CUBE_FACES), (CUBE, CUBE_FACES), stop=stop)
+
+
+@pytest.mark.parametrize(
+    "query, end",
+    [
+        ("endless()", "KeyboardInterrupt"),
+        ("s = impinge.Scene(); s.add(copies); s.add(copies); s.collide(kinds=impinge.Kind.CROSSING)", "KeyboardInterrupt"),
+        ("signal.signal(signal.SIGINT, lambda *_: 1 / 0); print(); endless()", "ZeroDivisionError"),
+    ],
+)
+def test_ctrl_c_ends_a_query(query, end):
+    # A shell's jobs in the background ignore the signal, and so do their children.
+    program = ENDLESS + "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\nprint()\n" + query
+    child = subprocess.Popen([sys.executable, "-u", "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        for _ in range(1 + query.count("print")):
+            child.stdout.readline()
+        time.sleep(0.3)
+        child.send_signal(signal.SIGINT)
+        _, said = child.communicate(timeout=30)
+    finally:
+        child.kill()
+    assert child.returncode != 0 and said.splitlines()[-1].startswith(end), said
+
+
+def resident():
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+
+def test_memory_stays_flat_over_100000_calls():
+    mesh = impinge.Mesh(CUBE, CUBE_FACES)
+    scene = impinge.Scene()
+    scene.add(mesh, name="a")
+    pose = np.eye(4)
+
+    def calls(count):
+        for i in range(count):
+            pose[0, 3] = i % 3
+            impinge.touches(mesh, mesh, None, pose, threads=1)
+            if i % 10 == 0:
+                impinge.collide(mesh, mesh, None, pose, threads=1)
+                scene.set_pose("a", pose)
+                scene.collide_with(mesh, threads=1)
+            if i % 100 == 0:
+                impinge.Mesh(CUBE, CUBE_FACES).vertices
+                impinge.judge(mesh, mesh, None, pose, threads=1)
+                with pytest.raises(impinge.PoseError):
+                    impinge.touches(mesh, mesh, pose * 2)
+
+    calls(20_000)
+    before = resident()
+    calls(100_000)
+    assert resident() - before < 2**20
+
+
+def test_import_takes_at_most_60_ms_beyond_numpys():
+    program = "import time, numpy; start = time.process_time(); import impinge; print(time.process_time() - start)"
+    times = [float(subprocess.check_output([sys.executable, "-c", program])) for _ in range(5)]
+    assert min(times) <= 0.06  # of the processor, and the least: others use the machine too
+
+
+def run_checker(*arguments, **options):
+    done = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_stub_says_what_the_module_has(tmp_path):
+    run_checker("mypy.stubtest", "impinge._core", cwd=tmp_path)
+
+
+def test_the_types_hold(tmp_path):
+    run_checker("mypy", "--strict", "--cache-dir", "cache", "-p", "impinge", cwd=tmp_path)
+    (tmp_path / "user.py").write_text(
+        "import numpy as np\nimport impinge\n"
+        "mesh = impinge.Mesh([[0, 0, 0]], np.zeros((0, 3), int))\n"
+        "reveal_type(impinge.collide(mesh, (mesh.vertices, mesh.faces), None, np.eye(4)).kinds)\n"
+        "impinge.touches(mesh)\n"
+    )
+    arguments = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", "cache", "user.py"]
+    said = subprocess.run(arguments, capture_output=True, text=True, cwd=tmp_path).stdout
+    assert "ndarray[Any, " in said and 'Missing positional argument "b"' in said and "Found 1 error in 1 file" in said, said
+
+
+def test_the_page_and_the_docstring_print_what_they_say(capsys):
+    page = (Path(__file__).parents[2] / "docs" / "python.md").read_text()
+    (program,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    exec(program, {})
+    assert capsys.readouterr().out.splitlines() == [line[2:] for line in program.splitlines() if line.startswith("# ")]
+    assert doctest.testmod(impinge).failed == 0 < doctest.testmod(impinge).attempted
+
+
+def test_the_version_is_that_of_the_build():
+    project = (Path(__file__).parents[2] / "CMakeLists.txt").read_text()
+    assert f"project(impinge VERSION {impinge.__version__} " in project

@@ -1,0 +1,190 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""Scenes of unit cubes, whose surfaces meet if and only if no coordinate is farther apart than 1."""
+
+import copy
+import pickle
+import threading
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+import impinge
+from oracle import CUBE, CUBE_FACES, moved
+
+cube = impinge.Mesh(CUBE, CUBE_FACES)
+
+
+def gaps(places):
+    """(N, N): the distances of unit cubes."""
+    apart = np.maximum(np.abs(places[:, None] - places[None]) - 1, 0)
+    return np.linalg.norm(apart, axis=-1)
+
+
+def cubes(count, seed, size=6):
+    places = np.random.default_rng(seed).integers(0, 2 * size, (count, 3)) / 2
+    scene = impinge.Scene()
+    for i, place in enumerate(places):
+        assert scene.add(cube, moved(*place), name=f"cube {i}") == f"cube {i}"
+    return scene, places
+
+
+def touching(places):
+    return [(f"cube {i}", f"cube {j}") for i, j in combinations(range(len(places)), 2) if gaps(places)[i, j] == 0]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_collide_names_the_objects_that_touch(seed):
+    scene, places = cubes(25, seed)
+    assert list(scene.collide(first=True).names) == list(scene.collide().names) == touching(places)
+    assert scene.touches_any() == bool(touching(places))
+    for i in (0, 7):
+        expected = {f"cube {j}" for j in np.flatnonzero(gaps(places)[i] == 0) if j != i}
+        found = scene.collide_with(f"cube {i}")
+        assert {a if b == f"cube {i}" else b for a, b in found.names} == expected
+    visitor = np.array([2.5, 3, 3])
+    found = scene.collide_with(cube, moved(*visitor))
+    assert [a for a, b in found.names] == [f"cube {j}" for j in range(25) if gaps(np.vstack([places, visitor]))[j, 25] == 0]
+    assert all(b is None for a, b in found.names) and (found.objects[:, 1] == -1).all()
+
+
+def test_objects_move_change_and_leave():
+    scene, places = cubes(20, 5)
+    rng = np.random.default_rng(6)
+    for _ in range(10):
+        some = rng.choice(20, 7, replace=False)
+        places[some] = rng.integers(0, 12, (7, 3)) / 2
+        scene.set_poses([f"cube {i}" for i in some], [moved(*places[i]) for i in some])
+        assert list(scene.collide(first=True).names) == touching(places)
+    places[3] = [40, 0, 0]
+    scene.set_pose("cube 3", moved(*places[3]))
+    assert scene.pose("cube 3").tolist() == moved(*places[3]).tolist()
+    assert list(scene.collide(first=True).names) == touching(places)
+    scene.set_mesh("cube 3", cube.transformed(moved(*places[0])))  # at its own place
+    places[3] = places[0]
+    assert ("cube 0", "cube 3") in scene.collide(first=True).names and scene.mesh("cube 0") is cube
+    scene.remove("cube 0")
+    assert len(scene) == 19 and "cube 0" not in scene and list(scene)[0] == "cube 1"
+    assert list(scene.collide(first=True).names) == [pair for pair in touching(places) if "cube 0" not in pair]
+    assert repr(scene) == f"<impinge.Scene: 19 objects, {19 * 12} faces>"
+
+
+def test_ignored_pairs_and_groups():
+    scene = impinge.Scene()
+    for name in "abc":
+        scene.add(cube, name=name)
+    scene.ignore("a", "b")
+    assert scene.collide(first=True).names == (("a", "c"), ("b", "c"))
+    scene.ignore("b", "a", False)
+    assert len(scene.collide(first=True).names) == 3
+    grouped = impinge.Scene()
+    for k in range(3):
+        assert grouped.add((CUBE, CUBE_FACES), group=(1, 1, 2)[k]) == k
+    assert grouped.collide(first=True).names == ((0, 2), (1, 2))
+
+
+def test_configurations_and_distances():
+    scene, places = cubes(12, 9, 10)
+    rng = np.random.default_rng(10)
+    steps = rng.integers(0, 24, (40, 2, 3)) / 2
+    paths = np.array([[moved(*place) for place in step] for step in steps])
+    expected = []
+    for step in steps:
+        there = places.copy()
+        there[[4, 5]] = step
+        expected.append(bool((gaps(there) == 0)[[4, 5]].sum() > 2))
+    names = ["cube 4", "cube 5"]
+    assert scene.collide_configurations(names, paths).tolist() == expected
+    found = scene.first_touching(names, paths)
+    assert expected[found] if found is not None else not any(expected)
+    free = paths[[k for k in range(40) if not expected[k]]]
+    assert scene.first_touching(names, free) is None and not scene.collide_configurations(names, free).any()
+
+    apart = gaps(places) + np.diag([np.inf] * 12)
+    near = scene.distance()
+    assert near.nearest.distance == pytest.approx(apart.min(), abs=1e-9)
+    assert scene.distance("cube 2").nearest.distance == pytest.approx(apart[2].min(), abs=1e-9)
+    i, j = (int(name.split()[1]) for name in scene.distance("cube 2").objects)
+    assert 2 in (i, j) and apart[i, j] == pytest.approx(apart[2].min())
+    lonely = impinge.Scene()
+    lonely.add(cube)
+    assert lonely.distance() is None
+    lonely.add(cube, moved(5, 0, 0))
+    assert lonely.distance(stop_above=3) is None and lonely.distance(stop_above=5).objects == (0, 1)
+
+
+def test_clashes_with_and_without_a_memory():
+    scene = impinge.Scene()
+    for name, x in (("a", 0), ("b", 0.5), ("c", 1.5), ("d", 9)):
+        scene.add(cube, moved(x, 0, 0), name=name)
+    memory = impinge.ClashMemory()
+    for _ in range(2):
+        found = impinge.find_clashes(scene, memory=memory)
+        assert {clash.objects: clash.verdict.name for clash in found.pairs} == {("a", "b"): "PENETRATING", ("b", "c"): "TOUCHING"}
+        assert [clash.objects for clash in found.failing()] == [("a", "b")]
+        assert set(found.parts) == set("abcd") and found.parts["a"].volume == pytest.approx(1)
+    assert memory.known_pairs() == 2
+    near = impinge.find_clashes(scene, clearance=7)
+    assert near.pairs[-1].objects == ("c", "d") and near.pairs[-1].nearest.distance == 6.5
+
+
+def test_scenes_pickle_and_copy():
+    scene, places = cubes(10, 4, 3)
+    scene.ignore(*touching(places)[0])
+    number = scene.add(cube, moved(100, 0, 0), group=3)
+    for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene)):
+        assert list(again) == list(scene) and again.collide().hash == scene.collide().hash
+        assert list(again.collide(first=True).names) == touching(places)[1:]
+        assert again.add(cube, moved(100, 0, 0), group=3) == number + 1 and len(again) == len(scene) + 1
+        assert not again.collide_with(number)  # of one group
+
+
+@pytest.mark.parametrize(
+    "call, error, sentence",
+    [
+        (lambda s: s.set_pose("nobody", None), impinge.UnknownObjectError, "the scene has no object 'nobody'"),
+        (lambda s: s.remove([]), impinge.UnknownObjectError, r"no object \[\]"),
+        (lambda s: s.add(cube, name="cube 1"), impinge.OptionError, "has an object 'cube 1' already"),
+        (lambda s: s.add(cube, group=-1), impinge.OptionError, "group is -1"),
+        (lambda s: s.add(cube, np.eye(4) * 2), impinge.PoseError, "pose has a last row"),
+        (lambda s: s.ignore("cube 1", "cube 1"), impinge.OptionError, ""),
+        (lambda s: s.set_poses(["cube 1"], [np.eye(4)] * 2), impinge.OptionError, "there are 1 names, but 2 poses"),
+        (lambda s: s.set_poses(["cube 1"] * 2, [np.eye(4), np.diag([2, 1, 1, 1])]), impinge.PoseError, "1"),
+        (lambda s: s.collide_with("cube 1", np.eye(4)), impinge.OptionError, "a pose goes with a Mesh"),
+        (lambda s: s.collide_configurations(["cube 1"], [[np.eye(4)] * 2]), impinge.OptionError, "1 names, but 2 poses"),
+        (lambda s: s.collide_configurations(["cube 1"], [np.eye(4)]), impinge.PoseError, r"not \(T, M, 4, 4\)"),
+        (lambda s: s.distance("nobody"), impinge.UnknownObjectError, "nobody"),
+    ],
+)
+def test_what_a_scene_refuses(call, error, sentence):
+    scene, places = cubes(3, 1)
+    before = [scene.pose(name).tolist() for name in scene]
+    with pytest.raises(error, match=sentence):
+        call(scene)
+    assert [scene.pose(name).tolist() for name in scene] == before and len(scene) == 3
+
+
+def test_threads_share_a_scene():
+    """Whatever others do to their objects meanwhile, each thread's own come and go as it says."""
+    scene = impinge.Scene()
+    problems = []
+
+    def work(thread):
+        try:
+            for step in range(60):
+                a = scene.add(cube, moved(10 * thread, 0, 0), name=(thread, step))
+                b = scene.add(cube, moved(10 * thread + 1, 0, 0))
+                assert set(scene.collide_with(a, first=True).names) <= {(a, b), (b, a)} != set()
+                assert all({x, y} != {a} for x, y in scene.collide(first=True).names)
+                scene.remove(a)
+                scene.remove(b)
+        except BaseException as problem:
+            problems.append(problem)
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not problems and len(scene) == 0
