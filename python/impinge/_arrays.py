@@ -31,7 +31,7 @@ def numbers(values: ArrayLike, what: str, error: type[ImpingeError]) -> NDArray[
     array = _array(values, what, error)
     if array.dtype.kind not in "fiu" and array.size:
         raise error(f"{what} has the type {array.dtype}; give real numbers")
-    converted = np.ascontiguousarray(array, np.float64)
+    converted = np.require(array, np.float64, ["C", "A"])
     # All others convert without loss.
     if array.dtype.kind in "iu" and array.itemsize == 8 or array.itemsize > 8:
         if not np.array_equal(converted.astype(array.dtype), array, equal_nan=array.dtype.kind == "f"):
@@ -56,7 +56,7 @@ def vertices(values: ArrayLike) -> NDArray[Any]:
         hint = "; transpose it" if array.ndim == 2 and array.shape[0] == 3 else ""
         raise MeshError(f"vertices has the shape {array.shape}, not (V, 3){hint}")
     if array.dtype.kind == "f" and array.itemsize <= 4:
-        return np.ascontiguousarray(array, np.float32)
+        return np.require(array, np.float32, ["C", "A"])
     return numbers(array, "vertices", MeshError)
 
 
@@ -75,7 +75,7 @@ def faces(values: ArrayLike, vertex_count: int) -> NDArray[np.uint32]:
     if int(array.min()) < 0 or int(array.max()) >= vertex_count:
         row = int(np.flatnonzero(((array < 0) | (array >= vertex_count)).any(axis=1))[0])
         raise MeshError(f"faces[{row}] is {array[row].tolist()}, but there are {vertex_count} vertices, counted from 0")
-    return np.ascontiguousarray(array, np.uint32)
+    return np.require(array, np.uint32, ["C", "A"])
 
 
 def matrix(values: ArrayLike, what: str) -> NDArray[np.float64]:
@@ -99,6 +99,15 @@ def poses(values: ArrayLike | None, what: str, shape: tuple[str, ...] = ("N",)) 
     if array.ndim != len(shape) + 2 or array.shape[-2:] != (4, 4):
         raise PoseError(f"{what} has the shape {array.shape}, not ({', '.join(shape)}, 4, 4)")
     return array
+
+
+def limit(value: int | None) -> int:
+    """How many at most; None: all."""
+    if value is None:
+        return 2**64 - 1
+    if not 0 <= value < 2**64:
+        raise OptionError(f"limit is {value}; choose 0 or more, or None for all")
+    return value
 
 
 def kinds(values: Any) -> int:

@@ -22,8 +22,6 @@ from ._mesh import MeshLike, as_core
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-_NO_LIMIT = 2**64 - 1
-
 
 class Kind(IntEnum):
     """How two triangles meet."""
@@ -104,14 +102,16 @@ class OverlapVolume(NamedTuple):
 def make_options(
     first: bool, limit: int | None, kinds: Kind | Iterable[Kind] | None, threads: int, backend: str, device: str
 ) -> _core.Options:
-    return _core.Options(first, _NO_LIMIT if limit is None else limit, _arrays.kinds(kinds), threads, backend, device)
+    return _core.Options(first, _arrays.limit(limit), _arrays.kinds(kinds), threads, backend, device)
 
 
-def make_contacts(found: tuple[Any, ...], names: tuple[tuple[Hashable, Hashable], ...] | None = None) -> Contacts:
+def make_contacts(found: tuple[Any, ...], name_of: dict[int, Hashable] | None = None) -> Contacts:
     objects, offsets, pairs, kinds, truncated, hashed, messages = found
     for message in messages:
         warnings.warn(message, ImpingeWarning, stacklevel=3)
-    return Contacts(np.asarray(objects), np.asarray(offsets), np.asarray(pairs), np.asarray(kinds), truncated, hashed, names)
+    rows = np.asarray(objects)
+    names = None if name_of is None else tuple((name_of[a], name_of.get(b)) for a, b in rows.tolist())
+    return Contacts(rows, np.asarray(offsets), np.asarray(pairs), np.asarray(kinds), truncated, hashed, names)
 
 
 def make_nearest(found: tuple[Any, ...]) -> Nearest:

@@ -183,7 +183,7 @@ class Scene:
         """
         options = make_options(first, limit, kinds, threads, backend, device)
         with self._reading(threads):
-            return self._contacts(self._core.collide(options, stop))
+            return make_contacts(self._core.collide(options, stop), self._name_of)
 
     def collide_with(
         self,
@@ -210,10 +210,10 @@ class Scene:
         matrix = _arrays.pose(pose, "pose")
         with self._reading(threads):
             if isinstance(other, Mesh):
-                return self._contacts(self._core.collide_with_mesh(other._core, matrix, options, stop))
+                return make_contacts(self._core.collide_with_mesh(other._core, matrix, options, stop), self._name_of)
             if matrix is not None:
                 raise OptionError("a pose goes with a Mesh; an object of the scene has its own")
-            return self._contacts(self._core.collide_with(self._object(other).id, options, stop))
+            return make_contacts(self._core.collide_with(self._object(other).id, options, stop), self._name_of)
 
     def touches_any(self, *, threads: int = 0, stop: _core.Stop | None = None) -> bool:
         """Whether any two objects share a point: the search stops at the first that do. Errors as `collide`."""
@@ -294,12 +294,6 @@ class Scene:
         if matrices.shape[1] != len(names):
             raise OptionError(f"there are {len(names)} names, but {matrices.shape[1]} poses a configuration")
         return matrices
-
-    def _contacts(self, found: tuple[Any, ...]) -> Contacts:
-        contacts = make_contacts(found)
-        names = tuple((self._name_of[a], self._name_of.get(b)) for a, b in contacts.objects.tolist())
-        object.__setattr__(contacts, "names", names)
-        return contacts
 
     def __getstate__(self) -> dict[str, Any]:
         with _core.Reading(self._core):

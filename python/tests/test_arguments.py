@@ -117,6 +117,7 @@ REFUSED = [
     (lambda: impinge.touches_poses(*CUBES, [np.eye(4)] * 2, [np.eye(4)] * 3), impinge.OptionError, "2"),
     (lambda: impinge.touches(*CUBES, None, moved(1e200, 0, 0)), impinge.RangeError, "2\\^300"),
     (lambda: impinge.collide(*CUBES, threads=-1), impinge.OptionError, "threads is -1"),
+    (lambda: impinge.collide(*CUBES, limit=-1), impinge.OptionError, "limit is -1"),
     (lambda: impinge.collide(*CUBES, backend="abacus"), impinge.OptionError, "abacus"),
     (lambda: impinge.collide(*CUBES, kinds=[4]), impinge.OptionError, "kinds has 4"),
     (lambda: impinge.closer_than(*CUBES, -1), impinge.OptionError, "limit"),
