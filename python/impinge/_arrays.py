@@ -119,4 +119,6 @@ def kinds(values: Any) -> int:
         if kind not in (0, 1, 2):
             raise OptionError(f"kinds has {kind!r}; give one Kind or several")
         bits |= 1 << kind
+    if bits == 0:
+        raise OptionError("kinds is empty; give one Kind or several, or None for all")
     return bits

@@ -284,7 +284,8 @@ class Scene:
         try:
             return self._objects[name]
         except (KeyError, TypeError):
-            raise UnknownObjectError(f"the scene has no object {name!r}") from None
+            shown = " ".join(repr(name).split())
+            raise UnknownObjectError(f"the scene has no object {shown if len(shown) < 80 else shown[:76] + ' ...'}") from None
 
     def _ids(self, names: Sequence[Hashable]) -> list[int]:
         return [self._object(name).id for name in names]

@@ -119,6 +119,7 @@ REFUSED = [
     (lambda: impinge.collide(*CUBES, threads=-1), impinge.OptionError, "threads is -1"),
     (lambda: impinge.collide(*CUBES, limit=-1), impinge.OptionError, "limit is -1"),
     (lambda: impinge.collide(*CUBES, backend="abacus"), impinge.OptionError, "abacus"),
+    (lambda: impinge.collide(*CUBES, kinds=[]), impinge.OptionError, "kinds is empty"),
     (lambda: impinge.collide(*CUBES, kinds=[4]), impinge.OptionError, "kinds has 4"),
     (lambda: impinge.closer_than(*CUBES, -1), impinge.OptionError, "limit"),
     (lambda: impinge.distance(([], []), CUBES[0]), impinge.MeshError, "triangle"),

@@ -154,6 +154,7 @@ def test_scenes_pickle_and_copy():
         (lambda s: s.collide_with("cube 1", np.eye(4)), impinge.OptionError, "a pose goes with a Mesh"),
         (lambda s: s.collide_configurations(["cube 1"], [[np.eye(4)] * 2]), impinge.OptionError, "1 names, but 2 poses"),
         (lambda s: s.collide_configurations(["cube 1"], [np.eye(4)]), impinge.PoseError, r"not \(T, M, 4, 4\)"),
+        (lambda s: s.collide_with((CUBE, CUBE_FACES)), impinge.UnknownObjectError, r"no object \(array\(.{60,} \.\.\.$"),
         (lambda s: s.distance("nobody"), impinge.UnknownObjectError, "nobody"),
     ],
 )
