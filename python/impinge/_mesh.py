@@ -42,7 +42,8 @@ class Mesh:
         Another shape or type, a coordinate that is not finite or no double, an index out of range.
     """
 
-    __slots__ = ("_core", "_leaf_size", "__weakref__")
+    __slots__ = ("_bounds", "_core", "_leaf_size", "__weakref__")
+    _bounds: NDArray[np.float64]
 
     def __init__(self, vertices: ArrayLike | MeshLike, faces: ArrayLike | None = None, *, leaf_size: int = 0) -> None:
         if faces is None:
@@ -68,9 +69,13 @@ class Mesh:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """(2, 3): the lowest and highest coordinates of vertices in use; NaN if none is."""
-        used = self.vertices[np.unique(self.faces)]
-        return np.array([used.min(axis=0), used.max(axis=0)]) if len(used) else np.full((2, 3), np.nan)
+        """(2, 3), read-only: the lowest and highest coordinates of vertices in use; NaN if none is."""
+        if not hasattr(self, "_bounds"):
+            used = self.vertices[np.unique(self.faces)]
+            bounds = np.array([used.min(axis=0), used.max(axis=0)]) if len(used) else np.full((2, 3), np.nan)
+            bounds.flags.writeable = False
+            object.__setattr__(self, "_bounds", bounds)
+        return self._bounds
 
     @property
     def nbytes(self) -> int:

@@ -13,14 +13,14 @@ from __future__ import annotations
 import copy
 import sys
 from typing import TYPE_CHECKING, Any, Callable, Hashable, Iterable, Iterator, Literal, NamedTuple
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from . import _convex
-from ._clash import examine, judge
+from ._clash import judge
 from ._errors import OptionError
-from ._mesh import Mesh, MeshLike
+from ._mesh import MeshLike
+from ._placed import CollisionObject, as_matrix, is_within, place
 from ._queries import Contacts, Kind, Location, Nearest, collide, distance, locate
 from ._scene import Scene
 from ._shared_points import shared_points
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
 
 _EXTERNAL = "__external"
 _MOST_CONTACTS = 100_000  # of one query's data, as in trimesh
-
-_hulls: WeakKeyDictionary[Mesh, _convex.Hull | None] = WeakKeyDictionary()
-_closed: WeakKeyDictionary[Mesh, bool] = WeakKeyDictionary()
 
 
 class ContactData:
@@ -77,55 +74,6 @@ class DistanceData:
         return self._points[name]
 
 
-class CollisionObject:
-    """A placed mesh."""
-
-    def __init__(self, mesh: Mesh, convex: bool | None, transform: NDArray[np.float64]) -> None:
-        self._base, self._convex = mesh, convex
-        self._transform: NDArray[np.float64] = transform
-        self._move(transform)
-
-    def _move(self, transform: NDArray[np.float64]) -> None:
-        """A rotation is a pose; one with rounding errors of single precision is made one; any other map is baked into the mesh."""
-        linear = transform[:3, :3]
-        off = np.abs(linear.T @ linear - np.eye(3)).max()
-        pose = np.eye(4)
-        if off <= 1e-4 and np.linalg.det(linear) > 0:
-            u, _, v = np.linalg.svd(linear)
-            pose[:3, :3], pose[:3, 3] = linear if off <= 1e-6 else u @ v, transform[:3, 3]
-            mesh = self._base
-        else:
-            pose[:3] = transform[:3]
-            mesh = self._base.transformed(pose)
-            pose = np.eye(4)
-        self._transform, self._mesh, self._pose = transform, mesh, pose
-        self._hull: _convex.Hull | None = None
-        points = mesh.vertices[np.unique(mesh.faces)] @ pose[:3, :3].T + pose[:3, 3]
-        # Of the world, a little larger: they only choose what is looked at.
-        rounding = 1e-9 * (1 + np.abs(points).max(initial=0))
-        self._low = points.min(axis=0, initial=np.inf) - rounding
-        self._high = points.max(axis=0, initial=-np.inf) + rounding
-
-    def getTranslation(self) -> NDArray[np.float64]:
-        """(3,)"""
-        return self._transform[:3, 3].copy()
-
-    def getRotation(self) -> NDArray[np.float64]:
-        """(3, 3)"""
-        return self._transform[:3, :3].copy()
-
-    def _placed_hull(self) -> _convex.Hull | None:
-        """The world's hull if the mesh is convex, and trimesh says no else."""
-        if self._convex is False:
-            return None
-        if self._hull is None:
-            if self._mesh not in _hulls:
-                _hulls[self._mesh] = _convex.hull_of(self._mesh)
-            hull = _hulls[self._mesh]
-            self._hull = None if hull is None else hull.moved(self._pose)
-        return self._hull
-
-
 _Distance = tuple[float, tuple[Hashable, Hashable], Nearest]
 
 
@@ -158,16 +106,18 @@ class CollisionManager:
         self._objs: dict[Hashable, dict[str, Any]] = {}
         self._scene = Scene()
         self._ignored: dict[frozenset[Hashable], tuple[Hashable, Hashable]] = {}
+        self._known_places: tuple[list[Hashable], NDArray[np.float64], NDArray[np.float64]] | None = None
 
     # --- objects
 
     def add_object(self, name: Hashable, mesh: MeshLike, transform: ArrayLike | None = None) -> CollisionObject:
         """Adds an object, in place of one of that name, and returns it. `transform`: any affine (4, 4)."""
-        placed = _place(mesh, transform)
+        placed = place(mesh, transform)
         if name in self._objs:
             self._scene.remove(name)
         self._scene.add(placed._mesh, placed._pose, name=name)
         self._objs[name] = {"obj": placed, "geom": placed._base}
+        self._known_places = None
         for pair in self._ignored.values():
             if name in pair and all(other in self._objs for other in pair):
                 self._scene.ignore(*pair)
@@ -178,16 +128,18 @@ class CollisionManager:
         self._object(name)
         self._scene.remove(name)
         del self._objs[name]
+        self._known_places = None
 
     def set_transform(self, name: Hashable, transform: ArrayLike) -> None:
         """Moves an object. Raises ValueError."""
         placed = self._object(name)
         before = placed._mesh
-        placed._move(_matrix(transform))
+        placed._move(as_matrix(transform))
         if placed._mesh is before:
             self._scene.set_pose(name, placed._pose)
         else:
             self._scene.set_mesh(name, placed._mesh, placed._pose)
+        self._known_places = None
 
     def set_pair_ignored(self, name_a: Hashable, name_b: Hashable, ignored: bool = True) -> None:
         """Leaves a pair, in either order, out of what is asked of the manager itself, or takes it back in."""
@@ -221,7 +173,7 @@ class CollisionManager:
         self, mesh: MeshLike, transform: ArrayLike | None = None, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """Whether a mesh collides with any object: a bool; with the set of their names; with a list of ContactData ("__external" is the mesh)."""
-        visitor = _place(mesh, transform)
+        visitor = place(mesh, transform)
         return self._answer(self._pairs_with(visitor, _EXTERNAL), lambda names: names[0], return_names, return_data)
 
     def in_collision_poses(self, mesh: MeshLike, transforms: ArrayLike) -> NDArray[np.bool_]:
@@ -229,18 +181,22 @@ class CollisionManager:
         matrices = np.asarray(transforms, np.float64)
         if matrices.ndim != 3 or matrices.shape[1:] != (4, 4):
             raise ValueError("transforms must be (N,4,4)!")
-        visitors = [_place(mesh, matrices[0])] if len(matrices) else []
+        visitors = [place(mesh, matrices[0])] if len(matrices) else []
         for matrix in matrices[1:]:
             visitors.append(copy.copy(visitors[0]))
             visitors[-1]._move(matrix)
         found = np.zeros(len(matrices), np.bool_)
-        rigid = [k for k, visitor in enumerate(visitors) if visitor._mesh is visitor._base]
-        if self._touching and rigid:
+        together = [k for k, visitor in enumerate(visitors) if self._touching and visitor._mesh is visitor._base]
+        if together:
             scene = copy.copy(self._scene)
-            name = scene.add(visitors[rigid[0]]._base)
-            found[rigid] = scene.collide_configurations([name], np.array([visitors[k]._pose for k in rigid])[:, None])
+            name = scene.add(visitors[together[0]]._base)
+            found[together] = scene.collide_configurations([name], np.array([visitors[k]._pose for k in together])[:, None])
+        surfaces_known = set(together)
         for k in np.flatnonzero(~found):
-            found[k] = any(True for _ in self._pairs_with(visitors[k], _EXTERNAL))
+            if k in surfaces_known:
+                found[k] = any(True for _ in self._nested_with(visitors[k], []))
+            else:
+                found[k] = any(True for _ in self._pairs_with(visitors[k], _EXTERNAL))
         return found
 
     def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
@@ -261,7 +217,7 @@ class CollisionManager:
         self, mesh: MeshLike, transform: ArrayLike | None = None, return_name: bool = False, return_data: bool = False
     ) -> Any:
         """The distance of a mesh and the nearest object, minus the depth if they overlap; with its name; with DistanceData."""
-        visitor = _place(mesh, transform)
+        visitor = place(mesh, transform)
         least = _least(self._distances_to(visitor, _EXTERNAL))
         return _distances(least, None if least is None else least[1][0], return_name, return_data)
 
@@ -291,49 +247,49 @@ class CollisionManager:
 
     def _pairs_with(self, visitor: CollisionObject, visitor_name: Hashable) -> Iterator[_Pair]:
         """The objects that collide with one that is not of the manager, which is the second of each pair."""
-        found = self._scene.collide_with(visitor._mesh, visitor._pose, first=True)
-        met = {name for name, _ in found.names or ()}
-        for name, item in list(self._objs.items()):
-            placed: CollisionObject = item["obj"]
-            if name in met or self._is_nested(placed, visitor):
-                pair = _Pair((name, visitor_name), (placed, visitor))
-                if self._counts(pair):
-                    yield pair
+        met = [name for name, _ in self._scene.collide_with(visitor._mesh, visitor._pose, first=True).names or ()]
+        for name in met + list(self._nested_with(visitor, met)):
+            pair = _Pair((name, visitor_name), (self._objs[name]["obj"], visitor))
+            if self._counts(pair):
+                yield pair
+
+    def _nested_with(self, visitor: CollisionObject, met: list[Hashable]) -> Iterator[Hashable]:
+        """The objects, but for those whose surfaces it meets, that it lies inside of, or the other way round."""
+        names, boxes, corners = self._places()
+        for k in np.flatnonzero(is_within(visitor._corner, boxes) | is_within(corners, visitor._box)):
+            if names[k] not in met and self._is_nested(self._objs[names[k]]["obj"], visitor):
+                yield names[k]
 
     def _pairs_within(self) -> Iterator[_Pair]:
-        names = list(self._objs)
-        placed: list[CollisionObject] = [self._objs[name]["obj"] for name in names]
-        candidates = list(self._scene.collide(first=True).names or ())
-        met = set(candidates)
-        if self._solid != "none" and names:
-            low, high = np.array([p._low for p in placed]), np.array([p._high for p in placed])
-            for i in range(len(names)):
-                inside = (low[i] <= low).all(axis=1) & (high <= high[i]).all(axis=1)
-                for j in np.flatnonzero(inside):
-                    pair = (names[i], names[j])
-                    if i != j and not {pair, pair[::-1]} & met and not self.is_pair_ignored(*pair):
-                        if self._is_nested(placed[i], placed[j]):
-                            met.add(pair)
-                            candidates.append(pair)
-        for pair in candidates:
-            objects = (self._objs[pair[0]]["obj"], self._objs[pair[1]]["obj"])
-            if self._counts(_Pair(pair, objects)):
-                yield _Pair(pair, objects)
+        """The objects of the manager that collide, but for ignored pairs."""
+        pairs = list(self._scene.collide(first=True).names or ())
+        met = set(pairs)
+        names, boxes, corners = self._places()
+        for i, outer in enumerate(names if self._solid != "none" else ()):
+            for inner in (names[k] for k in np.flatnonzero(is_within(corners, boxes[:, i])) if k != i):
+                if {(outer, inner), (inner, outer)} & met or self.is_pair_ignored(outer, inner):
+                    continue
+                if self._is_nested(self._objs[outer]["obj"], self._objs[inner]["obj"]):
+                    met.add((outer, inner))
+                    pairs.append((outer, inner))
+        for a, b in pairs:
+            pair = _Pair((a, b), (self._objs[a]["obj"], self._objs[b]["obj"]))
+            if self._counts(pair):
+                yield pair
 
-    def _is_solid(self, placed: CollisionObject) -> bool:
-        if self._solid == "closed":
-            if placed._mesh not in _closed:
-                _closed[placed._mesh] = examine(placed._mesh).closed
-            return _closed[placed._mesh]
-        return self._solid == "convex" and placed._placed_hull() is not None
+    def _places(self) -> tuple[list[Hashable], NDArray[np.float64], NDArray[np.float64]]:
+        """Names, and the boxes, (2, N, 3), and corners, (N, 3), of the objects."""
+        if self._known_places is None:
+            objects = [item["obj"] for item in self._objs.values()]
+            boxes = np.array([placed._box for placed in objects]).reshape(-1, 2, 3).swapaxes(0, 1)
+            self._known_places = (list(self._objs), boxes, np.array([placed._corner for placed in objects]).reshape(-1, 3))
+        return self._known_places
 
     def _is_nested(self, a: CollisionObject, b: CollisionObject) -> bool:
         """Whether one of two whose surfaces are apart lies inside the other, which is a solid."""
         for outer, inner in ((a, b), (b, a)):
-            if (outer._low <= inner._low).all() and (inner._high <= outer._high).all() and len(inner._mesh.faces):
-                corner = inner._mesh.vertices[inner._mesh.faces[0, 0]]
-                point = inner._pose[:3, :3] @ corner + inner._pose[:3, 3]
-                if self._is_solid(outer) and locate(point, outer._mesh, outer._pose) == Location.INSIDE:
+            if is_within(inner._corner, outer._box):
+                if outer._is_solid(self._solid) and locate(inner._corner, outer._mesh, outer._pose) == Location.INSIDE:
                     return True
         return False
 
@@ -357,7 +313,7 @@ class CollisionManager:
             return clash.overlap_depth.depth, None
         if np.isfinite(clash.fails_below):
             return clash.fails_below, None
-        overlap = np.minimum(a._high, b._high) - np.maximum(a._low, b._low)  # surfaces that go through each other
+        overlap = np.minimum(a._box[1], b._box[1]) - np.maximum(a._box[0], b._box[0])  # surfaces that go through each other
         return float(np.linalg.norm(overlap)), None
 
     def _depths(self, pairs: Iterable[_Pair]) -> Iterator[_Distance]:
@@ -370,16 +326,20 @@ class CollisionManager:
     def _distances_to(self, visitor: CollisionObject, visitor_name: Hashable) -> Iterator[_Distance]:
         """The depths, or if nothing collides distances, each less than those before."""
         deep = list(self._depths(self._pairs_with(visitor, visitor_name)))
-        yield from deep
-        least = -1.0 if deep else np.inf
-        for name, item in list(self._objs.items()):
-            placed: CollisionObject = item["obj"]
-            if least < 0 or not len(placed._mesh.faces) or not len(visitor._mesh.faces):
-                continue
+        if deep or not len(visitor._mesh.faces):
+            yield from deep
+            return
+        least = np.inf
+        names, (low, high), _ = self._places()
+        bounds = np.linalg.norm(np.maximum(np.maximum(low - visitor._box[1], visitor._box[0] - high), 0), axis=1)
+        for k in np.argsort(bounds):
+            placed: CollisionObject = self._objs[names[k]]["obj"]
+            if not bounds[k] <= least:  # that of an object without triangles is no number, and comes last
+                break
             nearest = distance(placed._mesh, visitor._mesh, placed._pose, visitor._pose, stop_above=least)
             if nearest is not None and nearest.distance < least:
                 least = nearest.distance
-                yield least, (name, visitor_name), nearest
+                yield least, (names[k], visitor_name), nearest
 
     def _answer(
         self,
@@ -408,7 +368,7 @@ class CollisionManager:
             if deepest is not None or not found:
                 data.append(self._one_contact(pair, found, depth, deepest))
                 continue
-            points, normals = shared_points(_corners(a, found.pairs[:, 0]), _corners(b, found.pairs[:, 1]))
+            points, normals = shared_points(a._corners(found.pairs[:, 0]), b._corners(found.pairs[:, 1]))
             for (i, j), kind, point, normal in zip(found.pairs.tolist(), found.kinds.tolist(), points, normals):
                 data.append(ContactData(pair.names, (i, j), Kind(kind), point, normal, depth))
         return data
@@ -449,20 +409,6 @@ def install() -> None:
         setattr(theirs, name, globals()[name])
 
 
-def _matrix(transform: ArrayLike | None) -> NDArray[np.float64]:
-    if transform is None:
-        return np.eye(4)
-    matrix = np.array(transform, np.float64)
-    if matrix.shape != (4, 4):
-        raise ValueError("transform must be (4,4)!")
-    return matrix
-
-
-def _place(mesh: MeshLike, transform: ArrayLike | None) -> CollisionObject:
-    convex = getattr(mesh, "is_convex", None)
-    return CollisionObject(mesh if isinstance(mesh, Mesh) else Mesh(mesh), convex, _matrix(transform))
-
-
 def _sorted(names: tuple[Hashable, Hashable]) -> tuple[Hashable, Hashable]:
     a, b = names
     try:
@@ -484,10 +430,3 @@ def _distances(least: _Distance | None, names: Any, return_names: bool, return_d
     if return_data:
         answer.append(None if least is None else DistanceData(least[1], float(least[0]), least[2]))
     return tuple(answer) if len(answer) > 1 else answer[0]
-
-
-def _corners(placed: CollisionObject, faces: NDArray[np.int32]) -> NDArray[np.float64]:
-    """(K, 3, 3): the world corners of some faces."""
-    corners = placed._mesh.vertices[placed._mesh.faces[faces]]
-    world: NDArray[np.float64] = corners @ placed._pose[:3, :3].T + placed._pose[:3, 3]
-    return world

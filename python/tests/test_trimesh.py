@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The drop-in for trimesh's collision managers, against formulas for boxes, and convex solids that are moved apart."""
 
+import pickle
 import sys
 import types
 
@@ -108,12 +109,27 @@ def test_distances():
     assert m.min_distance_internal(name="cube0") == 1.5
 
 
+def test_managers_pickle():
+    m = manager((0, 0, 0), (0.5, 0, 0), (3, 0, 0))
+    m.set_transform("cube2", moved(3, 0, 0) @ np.diag([2, 1, 1, 1]))
+    m.set_pair_ignored("cube0", "cube1")
+    again = pickle.loads(pickle.dumps(m))
+    assert again.in_collision_internal() is False and again.min_distance_internal(return_names=True) == (1, ("cube1", "cube2"))
+    again.set_transform("cube2", moved(1.5, 0, 0))
+    assert again.in_collision_internal(return_names=True)[1] == {("cube1", "cube2")} and not m.in_collision_internal()
+
+
 def test_of_nothing():
     m = drop_in.CollisionManager()
     most = sys.float_info.max
     assert m.in_collision_internal() is False and m.in_collision_single(cube) is False and m.in_collision_other(m) is False
     assert m.min_distance_single(cube, return_name=True, return_data=True) == (most, None, None)
     assert m.min_distance_internal(return_names=True) == (most, None) and m.min_distance_other(m) == most
+    nothing = impinge.Mesh(UNIT, [])
+    m.add_object("nothing", nothing)
+    assert m.in_collision_single(nothing) is False and m.min_distance_single(cube) == m.min_distance_single(nothing) == most
+    m.add_object("a", cube, moved(5, 0, 0))
+    assert m.in_collision_internal() is False and m.min_distance_single(cube, return_name=True) == (4, "a")
 
 
 def test_names_of_700_probes():
@@ -127,6 +143,19 @@ def test_names_of_700_probes():
         assert m.in_collision_single(cube, probe, return_names=True) == (row.any(), {f"cube{i}" for i in np.flatnonzero(row)})
     assert m.in_collision_poses(cube, transforms).tolist() == expected.any(axis=1).tolist()
     assert m.in_collision_poses(cube, np.empty((0, 4, 4))).tolist() == []
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_nearest_of_many(seed):
+    rng = np.random.default_rng(seed)
+    places = rng.integers(0, 40, (30, 3)) / 2
+    m = manager(*places)
+    probe = rng.integers(-10, 60, 3) / 2
+    gaps = np.linalg.norm(np.maximum(np.abs(places - probe) - 1, 0), axis=1)
+    if gaps.min() > 0:
+        distance, name, data = m.min_distance_single(cube, moved(*probe), return_name=True, return_data=True)
+        assert distance == pytest.approx(gaps.min()) and gaps[int(name[4:])] == gaps.min()
+        assert np.linalg.norm(data.point(name) - data.point("__external")) == pytest.approx(distance)
 
 
 @pytest.mark.parametrize("seed", range(12))

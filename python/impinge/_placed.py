@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: The impinge authors
+# SPDX-License-Identifier: MIT
+"""The objects of `impinge.trimesh`: meshes at any affine transform."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from . import _convex
+from ._clash import examine
+from ._mesh import Mesh, MeshLike
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+_hulls: WeakKeyDictionary[Mesh, _convex.Hull | None] = WeakKeyDictionary()
+_closed: WeakKeyDictionary[Mesh, bool] = WeakKeyDictionary()
+
+
+class CollisionObject:
+    """A placed mesh."""
+
+    def __init__(self, mesh: Mesh, convex: bool | None, transform: NDArray[np.float64]) -> None:
+        self._base, self._convex = mesh, convex
+        self._transform: NDArray[np.float64] = transform
+        self._move(transform)
+
+    def _move(self, transform: NDArray[np.float64]) -> None:
+        """A rotation is a pose; one with rounding errors of single precision is made one; any other map is baked into the mesh."""
+        linear = transform[:3, :3]
+        off = np.abs(linear.T @ linear - np.eye(3)).max()
+        pose = np.eye(4)
+        if off <= 1e-4 and np.linalg.det(linear) > 0:
+            u, _, v = np.linalg.svd(linear)
+            pose[:3, :3], pose[:3, 3] = linear if off <= 1e-6 else u @ v, transform[:3, 3]
+            mesh = self._base
+        else:
+            pose[:3] = transform[:3]
+            mesh = self._base.transformed(pose)
+            pose = np.eye(4)
+        self._transform, self._mesh, self._pose = transform, mesh, pose
+        self._hull: _convex.Hull | None = None
+        # A box of the world around it, and a point of it, in floating point and so a little larger: they only choose what is looked at.
+        middle, half = mesh.bounds.mean(axis=0) @ pose[:3, :3].T + pose[:3, 3], np.ptp(mesh.bounds, axis=0) / 2 @ np.abs(pose[:3, :3].T)
+        half = half + 1e-9 * (1 + np.abs(middle) + half).max()
+        self._box = np.array([middle - half, middle + half])
+        corner = mesh.vertices[mesh.faces[0, 0]] if len(mesh.faces) else np.full(3, np.nan)
+        self._corner = pose[:3, :3] @ corner + pose[:3, 3]
+
+    def getTranslation(self) -> NDArray[np.float64]:
+        """(3,)"""
+        return self._transform[:3, 3].copy()
+
+    def getRotation(self) -> NDArray[np.float64]:
+        """(3, 3)"""
+        return self._transform[:3, :3].copy()
+
+    def _placed_hull(self) -> _convex.Hull | None:
+        """The world's hull if the mesh is convex, and trimesh says no else."""
+        if self._convex is False:
+            return None
+        if self._hull is None:
+            if self._mesh not in _hulls:
+                _hulls[self._mesh] = _convex.hull_of(self._mesh)
+            hull = _hulls[self._mesh]
+            self._hull = None if hull is None else hull.moved(self._pose)
+        return self._hull
+
+    def _is_solid(self, which: str) -> bool:
+        """Whether it is one of those that are solids: "convex", "closed" or "none"."""
+        if which == "closed":
+            if self._mesh not in _closed:
+                _closed[self._mesh] = examine(self._mesh).closed
+            return _closed[self._mesh]
+        return which == "convex" and self._placed_hull() is not None
+
+    def _corners(self, faces: NDArray[np.int32]) -> NDArray[np.float64]:
+        """(K, 3, 3): the world corners of some faces."""
+        corners = self._mesh.vertices[self._mesh.faces[faces]]
+        world: NDArray[np.float64] = corners @ self._pose[:3, :3].T + self._pose[:3, 3]
+        return world
+
+
+def is_within(points: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Of points, (..., 3), and boxes, (2, ..., 3)."""
+    inside: NDArray[np.bool_] = ((box[0] <= points) & (points <= box[1])).all(axis=-1)
+    return inside
+
+
+def as_matrix(transform: ArrayLike | None) -> NDArray[np.float64]:
+    if transform is None:
+        return np.eye(4)
+    matrix = np.array(transform, np.float64)
+    if matrix.shape != (4, 4):
+        raise ValueError("transform must be (4,4)!")
+    return matrix
+
+
+def place(mesh: MeshLike, transform: ArrayLike | None) -> CollisionObject:
+    convex = getattr(mesh, "is_convex", None)
+    return CollisionObject(mesh if isinstance(mesh, Mesh) else Mesh(mesh), convex, as_matrix(transform))
