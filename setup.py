@@ -18,9 +18,9 @@ version = re.search(r"^project\(impinge VERSION (\S+)", (source / "CMakeLists.tx
 
 class BuildByCMake(build_ext):
     def build_extension(self, extension: Extension) -> None:
-        subprocess.run(
-            ["cmake", "--preset", "release", "-DIMPINGE_BUILD_PYTHON=ON", f"-DPYTHON_EXECUTABLE={sys.executable}"], cwd=source, check=True
-        )
+        python = Path(sys.executable).resolve()  # what an environment is made of: it outlives the environment
+        options = ["-DIMPINGE_BUILD_PYTHON=ON", f"-DPYTHON_EXECUTABLE={python}"]
+        subprocess.run(["cmake", "--preset", "release", *options], cwd=source, check=True)
         subprocess.run(["cmake", "--build", tree, "--target", "impinge_python", "impinge-import"], check=True)
         module = Path(self.get_ext_fullpath(extension.name)).resolve()
         module.parent.mkdir(parents=True, exist_ok=True)

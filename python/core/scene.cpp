@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -129,6 +130,19 @@ py::object distance_of_all(SharedScene& shared, std::optional<std::uint64_t> id,
   })));
 }
 
+Array distance_configurations(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses,
+                              double stop_above, int threads, const Stop* stop) {
+  const Path path(ids, poses);
+  const auto found = unwrap(run(stop, path.size(shared), [&](std::stop_token token) {
+    return shared.scene.distance_configurations(path.ids, path.poses,
+                                                {.threads = threads, .stop = token, .stop_above = stop_above});
+  }));
+  std::vector<double> distances(found.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (found[k]) distances[k] = found[k]->nearest.distance;
+  return array_of(std::move(distances), "d", 8, {static_cast<py::ssize_t>(found.size())});
+}
+
 Array pose_of_object(SharedScene& shared, std::uint64_t id) { return matrix_of(unwrap(shared.scene.pose(to_id(id)))); }
 
 }  // namespace
@@ -171,6 +185,7 @@ void bind_scenes(py::module_& module) {
       .def("collide_with_mesh", &collide_mesh)
       .def("touches_any", &touches_any)
       .def("collide_configurations", &collide_configurations)
+      .def("distance_configurations", &distance_configurations)
       .def("first_touching", &first_touching)
       .def("distance", &distance_of_all);
 }

@@ -93,6 +93,9 @@ class Scene(metaclass=_Type):
     def first_touching(
         self, ids: list[int], poses: NDArray[float64], threads: int, stop: Stop | None, /
     ) -> int | None: ...
+    def distance_configurations(
+        self, ids: list[int], poses: NDArray[float64], stop_above: float, threads: int, stop: Stop | None, /
+    ) -> _Numbers: ...  # float64 (T,)
     # (object, object, nearest)
     def distance(self, id: int | None, stop_above: float, threads: int, stop: Stop | None, /) -> _Tuple | None: ...
 

@@ -266,6 +266,25 @@ class Scene:
             a, b, nearest = found
             return ObjectDistance((self._name_of[a], self._name_of[b]), make_nearest(nearest))
 
+    def distance_configurations(
+        self,
+        names: Sequence[Hashable],
+        poses: ArrayLike,
+        *,
+        stop_above: float = float("inf"),
+        threads: int = 0,
+        stop: _core.Stop | None = None,
+    ) -> NDArray[np.float64]:
+        """For each configuration, as in `collide_configurations`, the distance of what moves and everything: (T,); infinity above `stop_above`.
+
+        Raises
+        ------
+        As `collide_configurations`.
+        """
+        matrices = self._path(names, poses)
+        with self._reading(threads):
+            return np.asarray(self._core.distance_configurations(self._ids(names), matrices, stop_above, threads, stop))
+
     # --- within
 
     def _reading(self, threads: int) -> AbstractContextManager[None]:

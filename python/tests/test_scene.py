@@ -101,6 +101,15 @@ def test_configurations_and_distances():
     free = paths[[k for k in range(40) if not expected[k]]]
     assert scene.first_touching(names, free) is None and not scene.collide_configurations(names, free).any()
 
+    least = []
+    for step in steps:
+        there = places.copy()
+        there[[4, 5]] = step
+        least.append((gaps(there) + np.diag([np.inf] * 12))[[4, 5]].min())
+    assert scene.distance_configurations(names, paths) == pytest.approx(least, abs=1e-9)
+    near = scene.distance_configurations(names, paths, stop_above=1.2)
+    assert np.isinf(near).tolist() == (np.array(least) > 1.2).tolist() and np.isfinite(near).any()
+
     apart = gaps(places) + np.diag([np.inf] * 12)
     near = scene.distance()
     assert near.nearest.distance == pytest.approx(apart.min(), abs=1e-9)
