@@ -103,7 +103,7 @@ class Scene {
   Result<Contacts> collide_with(const Mesh& mesh, const Pose& pose = {}, const Options& options = {},
                                 Workspace* workspace = nullptr) const;
   /// Whether any two objects share a point: the search stops at the first that do. Errors: as `collide`.
-  Result<bool> touches_any(const ConfigurationOptions& options = {}) const;
+  Result<bool> touches_any(const ConfigurationOptions& options = {}, Workspace* workspace = nullptr) const;
 
   /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any
   /// other object of the scene. Objects that are not named are not tested against each other. The scene does not
