@@ -153,17 +153,25 @@ void offer_all(const Scene::State& s, const std::stop_token& stop, NearestObject
 
 /// The nearest of the pairs that `offer_some` offers.
 template <class OfferSome>
-Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
-                                                      const OfferSome& offer_some) {
+Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::size_t count,
+                                                    const MeasureOptions& options, const OfferSome& offer_some) {
   if (auto valid = validate(s, options.threads); !valid) return valid.error();
   if (auto valid = validate_limits(options); !valid) return valid.error();
-  NearestObjectsSearch search(options.stop_above, options.enough_below);
+  std::vector<ObjectDistance> nearest;
+  if (count == 0) return nearest;
+  NearestObjectsSearch search(count, options.stop_above, options.enough_below);
   offer_some(search);
   measure::PairMemory memory;
-  const auto found =
-      search.find([&](std::uint32_t i) { return s.placed(i); }, {on_threads(options.threads), options.stop, &memory});
+  for (const NearestObjects& found :
+       search.find([&](std::uint32_t i) { return s.placed(i); }, {on_threads(options.threads), options.stop, &memory}))
+    nearest.push_back(object_distance(found));
   if (options.stop.stop_requested()) return cancelled();
-  return object_distance(found);
+  return nearest;
+}
+
+Result<std::optional<ObjectDistance>> first_of(const Result<std::vector<ObjectDistance>>& nearest) {
+  if (!nearest) return nearest.error();
+  return nearest->empty() ? std::nullopt : std::optional(nearest->front());
 }
 
 }  // namespace
@@ -259,16 +267,20 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
 Result<std::optional<ObjectDistance>> Scene::distance_with(ObjectId id, const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::optional<ObjectDistance>> {
     if (auto known = state_->check(id); !known) return known.error();
-    return nearest_objects(*state_, options, [&](NearestObjectsSearch& search) {
+    return first_of(nearest_objects(*state_, 1, options, [&](NearestObjectsSearch& search) {
       for (std::uint32_t i = 0; i < state_->objects.size(); ++i)
         if (i != id.index) offer(*state_, id.index, i, search);
-    });
+    }));
   });
 }
 
 Result<std::optional<ObjectDistance>> Scene::distance(const MeasureOptions& options) const {
+  return first_of(closest(1, options));
+}
+
+Result<std::vector<ObjectDistance>> Scene::closest(std::size_t count, const MeasureOptions& options) const {
   return guarded([&] {
-    return nearest_objects(*state_, options,
+    return nearest_objects(*state_, count, options,
                            [&](NearestObjectsSearch& search) { offer_all(*state_, options.stop, search); });
   });
 }

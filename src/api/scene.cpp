@@ -143,6 +143,14 @@ Result<void> Scene::unignore(ObjectId a, ObjectId b) {
   return {};
 }
 
+Result<void> Scene::set_filter(ObjectId id, const Filter& filter) {
+  return guarded([&]() -> Result<void> {
+    if (auto known = state_->check(id); !known) return known;
+    state_->ignored.set_filter(id.index, filter);
+    return {};
+  });
+}
+
 std::size_t Scene::size() const noexcept { return state_->slots.size() - state_->free_slots.size(); }
 
 Result<ObjectId> Scene::id(std::uint32_t index) const {

@@ -105,7 +105,7 @@ Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<con
 }
 
 DistantConfigurations::DistantConfigurations(const Movers& movers, const MeasureOptions& options)
-    : movers_(movers), options_(options), placed_(movers), search_(options.stop_above, options.enough_below) {}
+    : movers_(movers), options_(options), placed_(movers), search_(1, options.stop_above, options.enough_below) {}
 
 Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
@@ -119,7 +119,7 @@ Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const
   const auto placed = [&](std::uint32_t object) {
     return movers_.moves(object) ? placed_.mesh(movers_.mover(object)) : scene.placed(object);
   };
-  return object_distance(search_.find(placed, {{}, options_.stop, &memory_}));
+  return first_distance(search_.find(placed, {{}, options_.stop, &memory_}));
 }
 
 }  // namespace impinge
