@@ -105,15 +105,19 @@ Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<con
 }
 
 DistantConfigurations::DistantConfigurations(const Movers& movers, const MeasureOptions& options)
-    : movers_(movers), options_(options), placed_(movers), search_(1, options.stop_above, options.enough_below) {}
+    : movers_(movers), options_(options), placed_(movers), search_(1, options.stop_above, options.enough_below) {
+  const Scene::State& scene = movers.scene();
+  for (std::uint32_t mover = 0; mover < movers.size(); ++mover)
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
+      if (scene.objects[object].mesh != nullptr && !movers.moves(object) && movers.meets(mover, object))
+        pairs_.push_back({mover, object});
+}
 
 Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
   const Scene::State& scene = movers_.scene();
-  for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
-    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
-      if (!movers_.moves(object) && movers_.meets(mover, object))
-        search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);
+  for (const auto& [mover, object] : pairs_)
+    search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);
   for (const auto& [i, k] : movers_.pairs())
     search_.offer(movers_.object(i), placed_[i], movers_.object(k), placed_[k]);
   const auto placed = [&](std::uint32_t object) {

@@ -111,6 +111,7 @@ class DistantConfigurations {
  private:
   const Movers& movers_;
   const MeasureOptions& options_;
+  std::vector<std::array<std::uint32_t, 2>> pairs_;  ///< a mover and an object that stands still, of those to be tested
   PlacedMovers placed_;
   NearestObjectsSearch search_;
   measure::PairMemory memory_;

@@ -3,6 +3,7 @@
 #include "pipeline/nearest_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace impinge {
 
@@ -10,9 +11,11 @@ void NearestObjectsSearch::offer(std::uint32_t a, const scene::PlacedObject& of_
                                  const scene::PlacedObject& of_b) {
   if (of_a.mesh == nullptr || of_b.mesh == nullptr) return;
   const Vec3 none{0, 0, 0};
+  const Vec3 apart = max(max(of_a.box.lo - of_b.box.hi, of_b.box.lo - of_a.box.hi), none);
+  const double square = dot(apart, apart);
+  if (square > beyond_) return;
   // Less than the gap by more than the roundings of a few operations.
-  const double gap = (1 - 0x1p-48) * norm(max(max(of_a.box.lo - of_b.box.hi, of_b.box.lo - of_a.box.hi), none));
-  if (!(gap <= nearest_most_)) return;
+  const double gap = (1 - 0x1p-48) * std::sqrt(square);
   const double wide = norm(of_a.box.hi - of_a.box.lo) + norm(of_b.box.hi - of_b.box.lo);
   widest_ = std::max(widest_, wide);
   // No two points of both boxes are farther apart, and the distance that will be found is off by less than the rest.
@@ -29,7 +32,14 @@ void NearestObjectsSearch::bound(double most) {
     std::pop_heap(mosts_.begin(), mosts_.end());
     mosts_.pop_back();
   }
-  if (mosts_.size() == count_) nearest_most_ = std::min(nearest_most_, mosts_.front());
+  if (mosts_.size() == count_) set_nearest_most(std::min(nearest_most_, mosts_.front()));
+}
+
+/// Most pairs are dropped by the square of their gap alone. Rounding of both squares is covered many times over, and
+/// underflow by what is added.
+void NearestObjectsSearch::set_nearest_most(double most) {
+  nearest_most_ = most;
+  beyond_ = (1 + 0x1p-40) * most * most + 0x1p-1000;
 }
 
 void NearestObjectsSearch::sort_gaps() {
@@ -49,7 +59,8 @@ void NearestObjectsSearch::keep(const NearestObjects& found) {
 
 void NearestObjectsSearch::restart() {
   gaps_.clear(), mosts_.clear();
-  nearest_most_ = within_, widest_ = 0;
+  set_nearest_most(within_);
+  widest_ = 0;
 }
 
 /// A pair that was passed over may be nearer by its own rounding, 2^-46 of the extent of two triangles and their

@@ -30,7 +30,9 @@ class NearestObjectsSearch {
  public:
   /// Finds `count` pairs, at least 1. Distances above `within` are of no interest, and any below `enough` will do.
   NearestObjectsSearch(std::size_t count, double within, double enough)
-      : count_(count), within_(within), enough_(enough) {}
+      : count_(count), within_(within), enough_(enough) {
+    set_nearest_most(within);
+  }
 
   /// Another pair of those that `find` will look at.
   void offer(std::uint32_t a, const scene::PlacedObject& of_a, std::uint32_t b, const scene::PlacedObject& of_b);
@@ -60,6 +62,7 @@ class NearestObjectsSearch {
   static hierarchy::PlacedTree tree_of(const PlacedMesh& placed) {
     return {placed.object.mesh, &placed.mesh.wide_tree, placed.object.pose};
   }
+  void set_nearest_most(double most);
   void bound(double most);
   void sort_gaps();
   void keep(const NearestObjects& found);
@@ -68,9 +71,10 @@ class NearestObjectsSearch {
 
   std::size_t count_;
   double within_, enough_;
-  double nearest_most_ = within_;  ///< `count` pairs offered are no farther apart than this, or fewer are of interest
-  std::vector<double> mosts_;      ///< the least bounds of the pairs' distances, as many: a heap, the largest on top
-  double widest_ = 0;              ///< diagonal of a box
+  double nearest_most_ = 0;    ///< `count` pairs offered are no farther apart than this, or fewer are of interest
+  std::vector<double> mosts_;  ///< the least bounds of the pairs' distances, as many: a heap, the largest on top
+  double beyond_ = 0;          ///< a pair whose gap has a greater square is farther apart than that
+  double widest_ = 0;          ///< diagonal of a box
   std::vector<BoxGap> gaps_;
   std::vector<NearestObjects> best_;
 };

@@ -54,20 +54,25 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
 
   // At least `rounding_radius` in every axis, as no |r| is above 1.001; it covers the world vertices' rounding and,
   // with 12 u S to spare, that of the lines below.
-  const Mat3 R = to_mat3(pose.R);
-  const Vec3 t = to_vec3(pose.t);
-  const double rounding = 0x1p-49 * (1.001 * sum(mesh.max_abs) + max_component(abs(t)));
+  const double rounding = 0x1p-49 * (1.001 * sum(mesh.max_abs) + max_component(abs(to_vec3(pose.t))));
   // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², sqrt(1 + x) <= 1 + x/2, and a valid pose is off by at most 1e-6.
   constexpr double kStretch = 1 + 1.6e-6;
-  const Vec3 center = R * mesh.sphere.center + t;
   const double radius = kStretch * mesh.sphere.radius + 3 * rounding;
-  object.sphere = {center, radius};
-
-  const Vec3 middle = R * (0.5 * mesh.box.lo + 0.5 * mesh.box.hi) + t;
-  const Vec3 half = 0.5 * mesh.box.hi - 0.5 * mesh.box.lo, around{rounding, rounding, rounding};
-  const Vec3 reach = Vec3{dot(abs(R[0]), half), dot(abs(R[1]), half), dot(abs(R[2]), half)} + around;
-  const Vec3 r{radius, radius, radius};
-  object.box = intersection({middle - reach, middle + reach}, {center - r, center + r});
+  // By columns of four, which compilers work on two at a time.
+  const auto& R = pose.R;
+  alignas(16) const double x[4] = {R[0], R[3], R[6], 0}, y[4] = {R[1], R[4], R[7], 0}, z[4] = {R[2], R[5], R[8], 0},
+                           t[4] = {pose.t[0], pose.t[1], pose.t[2], 0};
+  const Vec3& c = mesh.sphere.center;
+  const Vec3 m = 0.5 * mesh.box.lo + 0.5 * mesh.box.hi, half = 0.5 * mesh.box.hi - 0.5 * mesh.box.lo;
+  alignas(16) double center[4], lo[4], hi[4];
+  for (int i = 0; i < 4; ++i) {
+    center[i] = x[i] * c.x + y[i] * c.y + z[i] * c.z + t[i];
+    const double middle = x[i] * m.x + y[i] * m.y + z[i] * m.z + t[i];
+    const double reach = std::abs(x[i]) * half.x + std::abs(y[i]) * half.y + std::abs(z[i]) * half.z + rounding;
+    lo[i] = std::max(middle - reach, center[i] - radius), hi[i] = std::min(middle + reach, center[i] + radius);
+  }
+  object.sphere = {{center[0], center[1], center[2]}, radius};
+  object.box = {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
   return object;
 }
 
