@@ -87,7 +87,7 @@ class Frames {
   DriftingCrowd crowd_;
   broad::NearPairs near_pairs_;
   broad::ObjectPairs pairs_;
-  std::vector<std::uint64_t> scratch_;
+  broad::NearPairs::Scratch scratch_;
 };
 
 /// `work` returns the seconds that count.
@@ -134,7 +134,7 @@ void add_first(const std::string& name, const std::vector<scene::PlacedObject>& 
     return seconds_of([&] {
       broad::NearPairs near_pairs;
       broad::ObjectPairs pairs;
-      std::vector<std::uint64_t> scratch;
+      broad::NearPairs::Scratch scratch;
       near_pairs.reserve(shared->size());
       for (std::uint32_t i = 0; i < shared->size(); ++i) near_pairs.place(i, (*shared)[i]);
       near_pairs.update();

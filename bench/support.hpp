@@ -40,7 +40,7 @@ void pin_to_one_core();
 
 template <class T>
 T must(Result<T> result) {
-  if (!result) fail(result.error().message);
+  if (!result.has_value()) fail(result.error().message);
   if constexpr (!std::is_void_v<T>) return std::move(result).value();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ T value_of(impinge::Result<T> result) {
     std::cerr << result.error().message << '\n';
     std::exit(1);
   }
-  return std::move(result).value();
+  if constexpr (!std::is_void_v<T>) return std::move(result).value();
 }
 
 /// A box by its lowest and its highest corner, its normals outwards.

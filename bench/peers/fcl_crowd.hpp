@@ -32,4 +32,28 @@ class FclCrowd {
   std::unique_ptr<State> state_;
 };
 
+/// The broad phases of FCL that a planner may choose among.
+enum class FclManager : std::uint8_t { tree, tree_array, sweep_and_prune };
+
+/// A robot among obstacles, as planners use FCL: the manager holds the obstacles, which stand still, and is asked about
+/// one link after the other, with a callback that ends at the first contact or keeps the least distance.
+class FclRobot {
+ public:
+  /// `pairs` are the links that are tested against each other.
+  FclRobot(FclManager manager, const scenes::PlacedScene& obstacles, const scenes::PlacedScene& links,
+           std::vector<std::array<std::uint32_t, 2>> pairs);
+  ~FclRobot();
+
+  /// A pose a link, and the boxes around them that the manager goes by.
+  void place(std::span<const Pose> poses);
+  /// Whether links at these poses touch an obstacle or each other; meshes have trees of oriented boxes.
+  bool touches(std::span<const Pose> poses);
+  /// How far they are from the nearest of those; meshes have the trees that FCL's manual recommends for distances.
+  double distance(std::span<const Pose> poses);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 }  // namespace impinge::bench

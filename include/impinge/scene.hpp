@@ -54,6 +54,14 @@ struct ObjectDistance {
   Nearest nearest{};                       ///< a of the first of them
 };
 
+/// What an object is, and what it is tested against: two objects are tested against each other if the mask of each has
+/// a bit of the other's category, besides what groups and ignored pairs leave out.
+struct Filter {
+  std::uint64_t category = 1;
+  std::uint64_t mask = ~std::uint64_t{0};
+  friend bool operator==(const Filter&, const Filter&) = default;
+};
+
 /// Placed meshes that are asked about again and again. Keeps which objects are near each other between frames.
 /// A copy shares the meshes with the original, has the same ids, and is as up to date. A scene that was moved from may
 /// only be destroyed or assigned to. Const calls are safe from many threads at once; the others need the scene to
@@ -73,14 +81,17 @@ class Scene {
   Result<void> set_pose(ObjectId id, const Pose& pose);
   /// The same for many, as many poses as ids: all of them, or with an error none; it names the place.
   Result<void> set_poses(std::span<const ObjectId> ids, std::span<const Pose> poses);
-  /// Gives the object another shape; its id, its group and the pairs that ignore it stay. Errors: likewise.
+  /// Gives the object another shape; its id, its group, its filter and the pairs that ignore it stay. Errors: likewise.
   Result<void> set_mesh(ObjectId id, Mesh mesh, const Pose& pose = {});
-  /// Forgets the object and the pairs that ignore it. Errors: `unknown_id`.
+  /// Forgets the object, its filter and the pairs that ignore it. Errors: `unknown_id`.
   Result<void> remove(ObjectId id);
   /// Leaves this pair out of every query from now on. Errors: `unknown_id`, `bad_option` (an object with itself).
   Result<void> ignore(ObjectId a, ObjectId b);
   /// Takes an ignored pair back in. Errors: `unknown_id`.
   Result<void> unignore(ObjectId a, ObjectId b);
+
+  /// From now on, instead of `Filter{}`, which every new object has. Errors: `unknown_id`.
+  Result<void> set_filter(ObjectId id, const Filter& filter);
 
   [[nodiscard]] std::size_t size() const noexcept;
   /// Of the object that answers call by this index. Errors: `unknown_id`.
@@ -103,7 +114,7 @@ class Scene {
   Result<Contacts> collide_with(const Mesh& mesh, const Pose& pose = {}, const Options& options = {},
                                 Workspace* workspace = nullptr) const;
   /// Whether any two objects share a point: the search stops at the first that do. Errors: as `collide`.
-  Result<bool> touches_any(const ConfigurationOptions& options = {}) const;
+  Result<bool> touches_any(const ConfigurationOptions& options = {}, Workspace* workspace = nullptr) const;
 
   /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any
   /// other object of the scene. Objects that are not named are not tested against each other. The scene does not
@@ -120,7 +131,11 @@ class Scene {
   /// together. Nothing if there are none, or none within `stop_above`. Errors: `bad_option`, `out_of_range`,
   /// `cancelled`.
   Result<std::optional<ObjectDistance>> distance(const MeasureOptions& options = {}) const;
-  /// The same of one object and all others. Errors: likewise, and `unknown_id`.
+  /// The `count` pairs of objects that are nearest, the nearest first; fewer if there are fewer, or not so many within
+  /// `stop_above`. Which of several that are equally near, and in what order those below `enough_below` come, is open.
+  /// Errors: likewise.
+  Result<std::vector<ObjectDistance>> closest(std::size_t count, const MeasureOptions& options = {}) const;
+  /// The same as `distance` of one object and all others. Errors: likewise, and `unknown_id`.
   Result<std::optional<ObjectDistance>> distance_with(ObjectId id, const MeasureOptions& options = {}) const;
   /// The same for each configuration, of what moves and everything. Errors: as `collide_configurations`.
   Result<std::vector<std::optional<ObjectDistance>>> distance_configurations(std::span<const ObjectId> ids,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <list>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "pipeline/configuration_search.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/pipeline.hpp"
+#include "pipeline/workspace_state.hpp"
 #include "schedule/parallel.hpp"
 
 namespace impinge {
@@ -43,6 +45,28 @@ class FirstError {
   std::optional<Error> error_;
 };
 
+/// Searches that threads take in turns: as many as have been at work at once.
+template <class Search>
+class Idle {
+ public:
+  template <class Make>
+  Search* take(const Make& make) {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) idle_.push_back(&all_.emplace_back(make()));
+    Search* const taken = idle_.back();
+    return idle_.pop_back(), taken;
+  }
+  void give_back(Search* search) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(search);  // there is room: it was among them
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<Search> all_;
+  std::vector<Search*> idle_;
+};
+
 /// Configurations of some objects of a scene.
 struct Batch {
   Movers movers;
@@ -67,13 +91,15 @@ struct Batch {
   [[nodiscard]] std::size_t size() const { return movers.size() == 0 ? 0 : poses.size() / movers.size(); }
 
   /// Calls take(configuration, found) for the configurations number_of(0), number_of(1), .. until it returns false.
-  /// Each thread has searches of its own.
+  /// Each thread at work has a search of its own.
   template <class MakeSearch, class Number, class Take>
   Result<void> run(const MakeSearch& make_search, const Number& number_of, const Take& take) const {
     FirstError failed;
     std::atomic<bool> ended = false;
+    Idle<decltype(make_search())> searches;
     const auto run_some = [&](std::size_t chunk) {
-      auto search = make_search();
+      const auto taken = searches.take(make_search);
+      auto& search = *taken;
       for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, size()); ++i) {
         if (ended || stop.stop_requested()) return;
         const std::size_t configuration = number_of(i);
@@ -83,6 +109,7 @@ struct Batch {
         else if (!take(configuration, *found))
           ended = true;
       }
+      searches.give_back(taken);
     };
     const std::size_t chunks = (size() + kAtOnce - 1) / kAtOnce;
     run_each(chunks > 1 ? on_threads(threads) : ForEach(), chunks, run_some);
@@ -126,17 +153,25 @@ void offer_all(const Scene::State& s, const std::stop_token& stop, NearestObject
 
 /// The nearest of the pairs that `offer_some` offers.
 template <class OfferSome>
-Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
-                                                      const OfferSome& offer_some) {
+Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::size_t count,
+                                                    const MeasureOptions& options, const OfferSome& offer_some) {
   if (auto valid = validate(s, options.threads); !valid) return valid.error();
   if (auto valid = validate_limits(options); !valid) return valid.error();
-  NearestObjectsSearch search(options.stop_above, options.enough_below);
+  std::vector<ObjectDistance> nearest;
+  if (count == 0) return nearest;
+  NearestObjectsSearch search(count, options.stop_above, options.enough_below);
   offer_some(search);
-  measure::PairMemory memory;
-  const auto found =
-      search.find([&](std::uint32_t i) { return s.placed(i); }, {on_threads(options.threads), options.stop, &memory});
+  const QueryMemory memory(nullptr);
+  for (const NearestObjects& found : search.find([&](std::uint32_t i) { return s.placed(i); },
+                                                 {on_threads(options.threads), options.stop, &memory->nearest}))
+    nearest.push_back(object_distance(found));
   if (options.stop.stop_requested()) return cancelled();
-  return object_distance(found);
+  return nearest;
+}
+
+Result<std::optional<ObjectDistance>> first_of(const Result<std::vector<ObjectDistance>>& nearest) {
+  if (!nearest) return nearest.error();
+  return nearest->empty() ? std::nullopt : std::optional(nearest->front());
 }
 
 }  // namespace
@@ -178,21 +213,37 @@ Result<std::optional<std::size_t>> Scene::first_touching(std::span<const ObjectI
   });
 }
 
-Result<bool> Scene::touches_any(const ConfigurationOptions& options) const {
+Result<bool> Scene::touches_any(const ConfigurationOptions& options, Workspace* workspace) const {
   return guarded([&]() -> Result<bool> {
     const State& s = *state_;
     if (auto valid = validate(s, options.threads); !valid) return valid.error();
-    broad::ObjectPairs pairs;
-    std::vector<std::uint64_t> scratch;
+    const QueryMemory memory(workspace);
+    const broad::ObjectPairs& pairs = memory->pairs;
     (*CurrentPairs(s.near_pairs, options.threads))
-        .find(s.view(), pairs, scratch, {.stop = options.stop, .for_each = on_threads(options.threads)});
+        .find(s.view(), memory->pairs, memory->near_pairs,
+              {.stop = options.stop, .for_each = on_threads(options.threads)});
+    // A few are put in order, the nearest first: they are the likeliest to touch.
+    const auto square = [&](const broad::ObjectPair& pair) {
+      const Vec3 d = s.objects[pair.a].sphere.center - s.objects[pair.b].sphere.center;
+      return dot(d, d);
+    };
+    if (pairs.size() <= kAtOnce)
+      std::sort(memory->pairs.begin(), memory->pairs.end(),
+                [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
     std::atomic<bool> found = false;
-    const std::size_t chunks = (pairs.size() + kAtOnce - 1) / kAtOnce;
-    run_each(chunks > 1 ? on_threads(options.threads) : ForEach(), chunks, [&](std::size_t chunk) {
-      TouchSearch search(options.stop);
-      for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, pairs.size()) && !found; ++i)
+    const auto search_some = [&](TouchSearch& search, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !found; ++i)
         if (search.find(s.placed(pairs[i].a), s.placed(pairs[i].b))) found = true;
-    });
+    };
+    if (options.threads == 1 || pairs.size() <= kAtOnce) {
+      memory->touch.restart(options.stop);
+      search_some(memory->touch, 0, pairs.size());
+    } else {
+      run_each(on_threads(options.threads), (pairs.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
+        TouchSearch search(options.stop);
+        search_some(search, chunk * kAtOnce, std::min((chunk + 1) * kAtOnce, pairs.size()));
+      });
+    }
     if (options.stop.stop_requested() && !found) return cancelled();
     return found.load();
   });
@@ -216,16 +267,20 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
 Result<std::optional<ObjectDistance>> Scene::distance_with(ObjectId id, const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::optional<ObjectDistance>> {
     if (auto known = state_->check(id); !known) return known.error();
-    return nearest_objects(*state_, options, [&](NearestObjectsSearch& search) {
+    return first_of(nearest_objects(*state_, 1, options, [&](NearestObjectsSearch& search) {
       for (std::uint32_t i = 0; i < state_->objects.size(); ++i)
         if (i != id.index) offer(*state_, id.index, i, search);
-    });
+    }));
   });
 }
 
 Result<std::optional<ObjectDistance>> Scene::distance(const MeasureOptions& options) const {
+  return first_of(closest(1, options));
+}
+
+Result<std::vector<ObjectDistance>> Scene::closest(std::size_t count, const MeasureOptions& options) const {
   return guarded([&] {
-    return nearest_objects(*state_, options,
+    return nearest_objects(*state_, count, options,
                            [&](NearestObjectsSearch& search) { offer_all(*state_, options.stop, search); });
   });
 }

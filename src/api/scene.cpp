@@ -72,10 +72,8 @@ Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
     const std::uint32_t index = s.free_slots.back();
     s.free_slots.pop_back();
     const MeshState& mesh_state = mesh.state();
-    s.objects[index] = scene::place(mesh_state.data, pose, group);
-    s.meshes[index] = &mesh_state;
+    s.put(index, &mesh_state, scene::place(mesh_state.data, pose, group));
     s.slots[index].mesh = std::move(mesh);
-    s.near_pairs.place(index, s.objects[index]);
     return ObjectId{index, s.slots[index].generation};
   });
 }
@@ -112,10 +110,8 @@ Result<void> Scene::set_mesh(ObjectId id, Mesh mesh, const Pose& pose) {
   if (auto known = s.check(id); !known) return known;
   if (auto valid = scene::validate(pose); !valid) return valid;
   const MeshState& mesh_state = mesh.state();
-  s.objects[id.index] = scene::place(mesh_state.data, pose, s.objects[id.index].group);
-  s.meshes[id.index] = &mesh_state;
+  s.put(id.index, &mesh_state, scene::place(mesh_state.data, pose, s.objects[id.index].group));
   s.slots[id.index].mesh = std::move(mesh);
-  s.near_pairs.place(id.index, s.objects[id.index]);
   return {};
 }
 
@@ -124,10 +120,8 @@ Result<void> Scene::remove(ObjectId id) {
   if (auto known = s.check(id); !known) return known;
   s.slots[id.index].mesh.reset();
   ++s.slots[id.index].generation;
-  s.objects[id.index] = {};
-  s.meshes[id.index] = nullptr;
+  s.put(id.index, nullptr, {});
   s.ignored.erase_all_of(id.index);
-  s.near_pairs.place(id.index, s.objects[id.index]);
   s.free_slots.push_back(id.index);
   return {};
 }
@@ -147,6 +141,14 @@ Result<void> Scene::unignore(ObjectId a, ObjectId b) {
     if (auto known = state_->check(id); !known) return known;
   state_->ignored.erase(a.index, b.index);
   return {};
+}
+
+Result<void> Scene::set_filter(ObjectId id, const Filter& filter) {
+  return guarded([&]() -> Result<void> {
+    if (auto known = state_->check(id); !known) return known;
+    state_->ignored.set_filter(id.index, filter);
+    return {};
+  });
 }
 
 std::size_t Scene::size() const noexcept { return state_->slots.size() - state_->free_slots.size(); }

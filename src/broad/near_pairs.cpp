@@ -22,6 +22,11 @@ constexpr double kMostRoom = 0.25;      ///< of the extent along the axis: thin 
 constexpr double kRoomAtRest = 0x1p-5;  ///< of the extent, for an object that has not moved yet
 constexpr double kShareToBuild = 0.5;   ///< of the population: so many changes make building anew faster
 
+// An object that leaves its box in the first frame so often jumps, until it has stayed in one for some frames. No more
+// than so many, as each query looks each of them up.
+constexpr std::uint32_t kShortLived = 2, kFramesToRest = 8;
+constexpr std::size_t kMostJumping = 16;
+
 constexpr std::size_t kChunk = 512;         ///< candidates that are filtered together, in cache
 constexpr std::size_t kChangedPart = 1024;  ///< changed objects that are worth the hand-over to another thread
 constexpr std::size_t kPart = 32768;        ///< candidates that are worth the hand-over to another thread
@@ -36,7 +41,8 @@ void NearPairs::reserve(std::size_t n) {
   changed_.reserve(n);  // a copy's is shorter
   if (n <= boxes_.size()) return;
   assert(n < kObjectBit);
-  has_changed_.resize(n), is_here_.resize(n);
+  has_changed_.resize(n), is_here_.resize(n), is_jumping_.resize(n);
+  jumping_.reserve(kMostJumping);
   groups_.resize(n), starts_.resize(n), spheres_.resize(n), fat_boxes_.resize(n);
   boxes_.resize(n);  // last: its size is what the others have at least
 }
@@ -46,7 +52,9 @@ void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) n
   const bool is_here = placed.mesh != nullptr && placed.in_domain, was_here = is_here_[object] != 0;
   boxes_[object] = placed.box;
   spheres_[object] = placed.sphere;
-  const bool stays = was_here && groups_[object] == placed.group && contains(fat_boxes_[object], placed.box);
+  const bool is_same = was_here && groups_[object] == placed.group;
+  const bool jumps = is_jumping_[object] != 0 && has_changed_[object] == 0;
+  const bool stays = is_same && (jumps || contains(fat_boxes_[object], placed.box));
   if (is_here == was_here && (stays || !is_here)) return;
   if (std::exchange(has_changed_[object], 1) == 0) changed_.push_back(object);
   is_here_[object] = is_here ? 1 : 0;
@@ -54,8 +62,11 @@ void NearPairs::place(std::uint32_t object, const scene::PlacedObject& placed) n
   if (was_here) --population_;
   if (!is_here) return;
   ++population_;
+  Start& start = starts_[object];
+  const std::uint32_t age = frame_ - start.frame;  // 0: moved twice in this frame, which says nothing of the next
+  const std::uint32_t short_lived = !is_same || age > 1 ? 0 : start.short_lived + age;
   fat_boxes_[object] = fat_box(object, !was_here);
-  starts_[object] = {placed.box.lo + placed.box.hi, frame_};
+  start = {placed.box.lo + placed.box.hi, frame_, short_lived};
 }
 
 Box NearPairs::fat_box(std::uint32_t object, bool is_new) const {
@@ -78,9 +89,40 @@ Box NearPairs::fat_box(std::uint32_t object, bool is_new) const {
   return {box.lo - Vec3{room(0, -1), room(1, -1), room(2, -1)}, box.hi + Vec3{room(0, 1), room(1, 1), room(2, 1)}};
 }
 
+/// Lets changed objects jump, and those that did and are not where or what they were no longer.
+void NearPairs::find_jumping() {
+  std::erase_if(jumping_, [&](std::uint32_t object) {
+    if (has_changed_[object] != 0) is_jumping_[object] = 0;
+    return has_changed_[object] != 0;
+  });
+  for (const std::uint32_t object : changed_) {
+    if (jumping_.size() == kMostJumping) break;
+    if (is_here_[object] == 0 || starts_[object].short_lived < kShortLived) continue;
+    jumping_.push_back(object);
+    is_jumping_[object] = 1;
+  }
+}
+
+/// Objects that jumped and have come to rest are to go back into the tree.
+void NearPairs::find_resting() {
+  for (const std::uint32_t object : jumping_) {
+    if (has_changed_[object] != 0) continue;
+    if (!contains(fat_boxes_[object], boxes_[object])) {
+      fat_boxes_[object] = fat_box(object, true);
+      starts_[object] = {boxes_[object].lo + boxes_[object].hi, frame_, 0};
+    } else if (frame_ - starts_[object].frame >= kFramesToRest) {
+      starts_[object].short_lived = 0;
+      has_changed_[object] = 1;
+      changed_.push_back(object);
+    }
+  }
+}
+
 void NearPairs::update(const ForEach& for_each) {
   ++frame_;
+  find_resting();
   if (is_current()) return;
+  find_jumping();
   const bool much = static_cast<double>(changed_.size()) > kShareToBuild * population_;
   if (std::exchange(must_build_, true) || much)
     build();
@@ -106,13 +148,13 @@ void NearPairs::build() {
 void NearPairs::build_tree() {
   entries_.clear();
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-    if (is_here_[i] != 0) entries_.emplace_back(fat_boxes_[i], i);
+    if (is_here_[i] != 0 && is_jumping_[i] == 0) entries_.emplace_back(fat_boxes_[i], i);
   tree_.build(entries_);
 }
 
 void NearPairs::repair(const ForEach& for_each) {
   for (const std::uint32_t object : changed_) {
-    if (is_here_[object] != 0)
+    if (is_here_[object] != 0 && is_jumping_[object] == 0)
       tree_.put(object, fat_boxes_[object]);
     else
       tree_.remove(object);
@@ -137,7 +179,7 @@ void NearPairs::find_fresh(const ForEach& for_each) {
       const std::uint32_t changed = first_of(pair), other = second_of(pair);
       const bool comes_again = other < changed && has_changed_[other] != 0;
       const bool one_group = groups_[changed] != 0 && groups_[changed] == groups_[other];
-      return is_here_[changed] == 0 || changed == other || comes_again || one_group;
+      return is_here_[changed] == 0 || is_jumping_[changed] != 0 || changed == other || comes_again || one_group;
     });
   };
   run_each(for_each, parts, find_part);
@@ -191,17 +233,25 @@ void NearPairs::merge_fresh() {
   candidates_.swap(merged_);
 }
 
-void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
-                     const FindConfig& config) const {
+void NearPairs::find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes,
+                          BoxTree::Search& search) const {
+  tree_.find(asked, boxes, search);
+  for (const std::uint32_t object : jumping_)
+    for (const std::uint32_t i : asked)
+      if (overlap(boxes[i], boxes_[object])) search.found.push_back(std::uint64_t{i} << 32 | object);
+}
+
+std::size_t NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, Scratch& scratch,
+                            const FindConfig& config) const {
   const std::size_t n = candidates_.size(), parts = config.for_each ? n / kPart + 1 : 1;
   // Each part writes the candidates that it keeps from where its own begin; behind all candidates stand the counts.
-  scratch.resize(n + parts);
+  scratch.kept.resize(n + parts);
   const auto begin = [&](std::size_t part) { return part * n / parts; };
-  std::uint64_t *const kept = scratch.data(), *const counts = kept + n;
+  std::uint64_t *const kept = scratch.kept.data(), *const counts = kept + n;
   run_each(config.for_each, parts, [&](std::size_t part) {
     counts[part] = filter(view, begin(part), begin(part + 1), config.stop, kept + begin(part));
   });
-  if (config.stop.stop_requested()) return pairs.clear();
+  if (config.stop.stop_requested()) return pairs.clear(), 0;
   pairs.resize(std::accumulate(counts, counts + parts, std::size_t{0}));
   run_each(config.for_each, parts, [&](std::size_t part) {
     const std::size_t before = std::accumulate(counts, counts + part, std::size_t{0});
@@ -210,6 +260,33 @@ void NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, std::vect
                      return ObjectPair{first_of(pair), second_of(pair)};
                    });
   });
+  if (jumping_.empty()) return n;
+  find_near(jumping_, boxes_, scratch.jumping);
+  const std::size_t looked_up = scratch.jumping.found.size();
+  add_jumping(view, pairs, scratch.jumping);
+  return n + looked_up;
+}
+
+/// Adds the pairs among those that were looked up.
+void NearPairs::add_jumping(const scene::SceneView& view, ObjectPairs& pairs, BoxTree::Search& search) const {
+  std::vector<std::uint64_t>& found = search.found;
+  std::erase_if(found, [&](std::uint64_t pair) {
+    const std::uint32_t a = first_of(pair), b = second_of(pair);
+    const bool comes_again = a >= b && is_jumping_[b] != 0;  // two that jump find each other, and themselves
+    const bool one_group = groups_[a] != 0 && groups_[a] == groups_[b];
+    return comes_again || one_group || !spheres_meet(spheres_[a], spheres_[b]) || !overlap(boxes_[a], boxes_[b]) ||
+           (view.ignored != nullptr && view.ignored->contains(a, b));
+  });
+  for (std::uint64_t& pair : found) pair = scene::pair_key(first_of(pair), second_of(pair));
+  std::sort(found.begin(), found.end());
+  // Merged from behind, in place.
+  std::size_t old = pairs.size(), added = found.size(), to = old + added;
+  pairs.resize(to);
+  while (added > 0) {
+    const bool is_old = old > 0 && scene::pair_key(pairs[old - 1].a, pairs[old - 1].b) > found[added - 1];
+    pairs[--to] = is_old ? pairs[--old] : ObjectPair{first_of(found[added - 1]), second_of(found[added - 1])};
+    added -= is_old ? 0 : 1;
+  }
 }
 
 /// Puts those of these candidates that stay into `kept` and returns how many they are.

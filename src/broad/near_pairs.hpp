@@ -25,7 +25,9 @@ struct FindConfig {
 /// Each object has a fat box around its own, with space for the motion that it has shown. While it stays inside, its
 /// bounds are written down and that is all. One that has left its fat box gets a new one, which is looked up among
 /// the others in a tree. The pairs whose fat boxes overlap are the candidates; a query compares their own bounds.
-/// Where much has changed at once, the tree is built anew and walked against itself.
+/// Where much has changed at once, the tree is built anew and walked against itself. A few objects that jump, as the
+/// links of a robot do from one configuration to another, are in no tree and in no candidate until they rest: each
+/// query looks their own boxes up.
 class NearPairs {
  public:
   /// Makes `place` possible for the objects below n, which is at most 2^31 - 1.
@@ -38,31 +40,36 @@ class NearPairs {
   /// Whether an update would change nothing.
   [[nodiscard]] bool is_current() const noexcept { return changed_.empty() && !must_build_; }
 
-  /// The pairs whose boxes overlap and whose spheres meet, without those of one group and the ignored ones. It must be
-  /// current. Ends early, with no pairs, when asked to stop. `scratch` is memory to keep for the next search.
-  void find(const scene::SceneView& view, ObjectPairs& pairs, std::vector<std::uint64_t>& scratch,
-            const FindConfig& config = {}) const;
+  /// Memory of a search, to keep for the next.
+  struct Scratch {
+    std::vector<std::uint64_t> kept;
+    BoxTree::Search jumping;
+  };
+  /// The pairs whose boxes overlap and whose spheres meet, sorted, without those of one group and the ignored ones. It
+  /// must be current. Ends early, with no pairs, when asked to stop. Returns how many pairs it has looked at.
+  std::size_t find(const scene::SceneView& view, ObjectPairs& pairs, Scratch& scratch,
+                   const FindConfig& config = {}) const;
 
   /// Looks boxes[i], for each i of `asked`, up among the objects' fat boxes. `search.found` then holds a number for
   /// each overlap: i in the upper half, the object in the lower. It must be current.
-  void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const {
-    search.found.clear();
-    tree_.find(asked, boxes, search);
-  }
+  void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const;
 
-  /// How many pairs `find` looks at.
+  /// How many pairs are kept.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
   /// How many tests of a box against the eight of a tree's node all updates have made.
   [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
 
  private:
-  /// When and where an object's fat box was made.
+  /// When and where an object's fat box was made, and how many before it lasted for one frame alone.
   struct Start {
     Vec3 twice_middle;
-    std::uint32_t frame;
+    std::uint32_t frame, short_lived;
   };
 
   [[nodiscard]] Box fat_box(std::uint32_t object, bool is_new) const;
+  void find_jumping();
+  void find_resting();
+  void add_jumping(const scene::SceneView& view, ObjectPairs& pairs, BoxTree::Search& search) const;
   void build();
   void repair(const ForEach& for_each);
   void build_tree();
@@ -82,8 +89,9 @@ class NearPairs {
   std::vector<Box> boxes_, fat_boxes_;
   std::vector<Start> starts_;
   std::vector<std::uint32_t> groups_;
-  std::vector<std::uint8_t> is_here_, has_changed_;
+  std::vector<std::uint8_t> is_here_, has_changed_, is_jumping_;
 
+  std::vector<std::uint32_t> jumping_;     ///< in no tree and no candidate; a few
   std::vector<std::uint32_t> changed_;     ///< since the last update
   BoxTree tree_;                           ///< of the fat boxes
   std::vector<std::uint64_t> candidates_;  ///< pair keys, sorted

@@ -123,7 +123,7 @@ void calibrate_broad_phase(bool is_papers_way, const Mesh& mesh, schedule::CostC
   broad::ObjectPairs pairs;
   if (!is_papers_way) {
     broad::NearPairs near_pairs;
-    std::vector<std::uint64_t> scratch;
+    broad::NearPairs::Scratch scratch;
     near_pairs.reserve(moved.size());
     for (std::uint32_t i = 0; i < moved.size(); ++i) near_pairs.place(i, moved[i]);
     near_pairs.update();

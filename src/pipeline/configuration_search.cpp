@@ -68,26 +68,34 @@ TouchingConfigurations::Found TouchingConfigurations::touch(const Candidate& pai
   return Touch{{other, mover}, {triangles.b, triangles.a}};
 }
 
+void TouchingConfigurations::add_if_near(std::uint32_t mover, std::uint32_t other, bool other_moves,
+                                         const scene::PlacedObject& placed) {
+  if (!are_near(placed_[mover], placed)) return;
+  const Vec3 d = placed_[mover].sphere.center - placed.sphere.center;
+  candidates_.push_back({mover, other, other_moves, dot(d, d)});
+}
+
 void TouchingConfigurations::find_candidates() {
   candidates_.clear();
-  for (const auto& [i, k] : movers_.pairs())
-    if (are_near(placed_[i], placed_[k])) candidates_.push_back({i, k, true});
+  for (const auto& [i, k] : movers_.pairs()) add_if_near(i, k, true, placed_[k]);
   near_pairs_.find_near(numbers_, boxes_, near_);
   for (const std::uint64_t found : near_.found) {
     const auto mover = static_cast<std::uint32_t>(found >> 32), object = static_cast<std::uint32_t>(found);
-    if (!movers_.moves(object) && are_near(placed_[mover], movers_.scene().objects[object]) &&
-        movers_.meets(mover, object))
-      candidates_.push_back({mover, object, false});
+    if (!movers_.moves(object) && movers_.meets(mover, object))
+      add_if_near(mover, object, false, movers_.scene().objects[object]);
   }
+  // The nearest first: they are the likeliest to touch.
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& c, const Candidate& d) { return c.square < d.square; });
 }
 
 Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
   for (std::size_t i = 0; i < poses.size(); ++i) boxes_[i] = placed_[i].box;
-  if (last_ && search_.is_contact(placed_.mesh(last_->mover), second(*last_), last_triangles_))
+  if (last_ && are_near(placed_[last_->mover], second(*last_).object) &&
+      search_.is_contact(placed_.mesh(last_->mover), second(*last_), last_triangles_))
     return touch(*last_, last_triangles_);
   find_candidates();
-  if (last_) std::partition(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c == *last_; });
   for (const Candidate& candidate : candidates_)
     if (const auto triangles = search_.find(placed_.mesh(candidate.mover), second(candidate))) {
       last_ = candidate, last_triangles_ = *triangles;
@@ -97,21 +105,25 @@ Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<con
 }
 
 DistantConfigurations::DistantConfigurations(const Movers& movers, const MeasureOptions& options)
-    : movers_(movers), options_(options), placed_(movers), search_(options.stop_above, options.enough_below) {}
+    : movers_(movers), options_(options), placed_(movers), search_(1, options.stop_above, options.enough_below) {
+  const Scene::State& scene = movers.scene();
+  for (std::uint32_t mover = 0; mover < movers.size(); ++mover)
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
+      if (scene.objects[object].mesh != nullptr && !movers.moves(object) && movers.meets(mover, object))
+        pairs_.push_back({mover, object});
+}
 
 Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
   const Scene::State& scene = movers_.scene();
-  for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
-    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
-      if (!movers_.moves(object) && movers_.meets(mover, object))
-        search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);
+  for (const auto& [mover, object] : pairs_)
+    search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);
   for (const auto& [i, k] : movers_.pairs())
     search_.offer(movers_.object(i), placed_[i], movers_.object(k), placed_[k]);
   const auto placed = [&](std::uint32_t object) {
     return movers_.moves(object) ? placed_.mesh(movers_.mover(object)) : scene.placed(object);
   };
-  return object_distance(search_.find(placed, {{}, options_.stop, &memory_}));
+  return first_distance(search_.find(placed, {{}, options_.stop, &memory_}));
 }
 
 }  // namespace impinge

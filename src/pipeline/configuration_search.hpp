@@ -79,11 +79,12 @@ class TouchingConfigurations {
   struct Candidate {
     std::uint32_t mover, other;
     bool other_moves;
-    friend bool operator==(const Candidate&, const Candidate&) = default;
+    double square;  ///< of the distance of their spheres' centres
   };
 
   [[nodiscard]] PlacedMesh second(const Candidate& pair) const;
   void find_candidates();
+  void add_if_near(std::uint32_t mover, std::uint32_t other, bool other_moves, const scene::PlacedObject& placed);
   [[nodiscard]] Found touch(const Candidate& pair, const TrianglePair& triangles) const;
 
   const Movers& movers_;
@@ -110,6 +111,7 @@ class DistantConfigurations {
  private:
   const Movers& movers_;
   const MeasureOptions& options_;
+  std::vector<std::array<std::uint32_t, 2>> pairs_;  ///< a mover and an object that stands still, of those to be tested
   PlacedMovers placed_;
   NearestObjectsSearch search_;
   measure::PairMemory memory_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "impinge/scene.hpp"
@@ -24,52 +25,64 @@ struct NearestObjects {
   measure::NearestPair pair;
 };
 
-/// The least distance of some pairs of objects, pruned over all of them together.
+/// The least distances of some pairs of objects, pruned over all of them together.
 class NearestObjectsSearch {
  public:
-  /// Distances above `within` are of no interest, and any below `enough` will do.
-  NearestObjectsSearch(double within, double enough) : within_(within), enough_(enough) {}
+  /// Finds `count` pairs, at least 1. Distances above `within` are of no interest, and any below `enough` will do.
+  NearestObjectsSearch(std::size_t count, double within, double enough)
+      : count_(count), within_(within), enough_(enough) {
+    set_nearest_most(within);
+  }
 
   /// Another pair of those that `find` will look at.
   void offer(std::uint32_t a, const scene::PlacedObject& of_a, std::uint32_t b, const scene::PlacedObject& of_b);
   /// Pairs that are farther apart need not be offered.
   [[nodiscard]] double nearest_most() const { return nearest_most_; }
-  /// The nearest pair of those offered, which are forgotten; nothing if all are farther than `within`, or when asked to
-  /// stop. `placed(i)` is object i's PlacedMesh.
+  /// The nearest pairs of those offered, which are forgotten, the nearest first; none that are farther than `within`,
+  /// or when asked to stop. `placed(i)` is object i's PlacedMesh. What is returned lives until the next search.
   template <class Placed>
-  std::optional<NearestObjects> find(const Placed& placed, const measure::SearchMeans& means) {
+  std::span<const NearestObjects> find(const Placed& placed, const measure::SearchMeans& means) {
     sort_gaps();
-    std::optional<NearestObjects> best;
+    best_.clear();
     double within = nearest_most_;
     for (const auto& [gap, a, b] : gaps_) {
       if (gap > within || means.stop.stop_requested()) break;
       const auto found = measure::nearest_pair(tree_of(placed(a)), tree_of(placed(b)), within, enough_, means);
       if (!found) continue;
-      best = {a, b, *found};
-      within = found->distance;
+      keep({a, b, *found});
+      if (best_.size() < count_) continue;
+      within = std::min(within, best_.back().pair.distance);
       if (within == 0 || within < enough_) break;
     }
-    if (best && best->pair.distance > 0) best->pair.error = std::max(best->pair.error, margin(best->pair.distance));
     restart();
-    return best;
+    return best_;
   }
 
  private:
   static hierarchy::PlacedTree tree_of(const PlacedMesh& placed) {
     return {placed.object.mesh, &placed.mesh.wide_tree, placed.object.pose};
   }
+  void set_nearest_most(double most);
+  void bound(double most);
   void sort_gaps();
+  void keep(const NearestObjects& found);
   void restart();
   [[nodiscard]] double margin(double distance) const;
 
+  std::size_t count_;
   double within_, enough_;
-  double nearest_most_ = within_;  ///< some pair offered is no farther apart than this, or none is of interest
-  double widest_ = 0;              ///< diagonal of a box
+  double nearest_most_ = 0;    ///< `count` pairs offered are no farther apart than this, or fewer are of interest
+  std::vector<double> mosts_;  ///< the least bounds of the pairs' distances, as many: a heap, the largest on top
+  double beyond_ = 0;          ///< a pair whose gap has a greater square is farther apart than that
+  double widest_ = 0;          ///< diagonal of a box
   std::vector<BoxGap> gaps_;
+  std::vector<NearestObjects> best_;
 };
 
 /// The same with the lower object first.
-std::optional<ObjectDistance> object_distance(const std::optional<NearestObjects>& found);
+ObjectDistance object_distance(const NearestObjects& found);
+/// Of the first.
+std::optional<ObjectDistance> first_distance(std::span<const NearestObjects> found);
 
 /// Errors: `bad_option`.
 Result<void> validate_limits(const MeasureOptions& options);

@@ -119,9 +119,9 @@ class Pipeline {
       statistics.border_moves = counts.moves;
       statistics.sphere_tests = counts.sphere_tests;
     } else {
-      query_.near_pairs->find(query_.view, memory_.pairs, memory_.candidates,
-                              {.stop = options_.stop, .for_each = on_threads(options_.threads)});
-      statistics.sphere_tests = query_.near_pairs->candidates();
+      statistics.sphere_tests =
+          query_.near_pairs->find(query_.view, memory_.pairs, memory_.near_pairs,
+                                  {.stop = options_.stop, .for_each = on_threads(options_.threads)});
     }
   }
 

@@ -37,6 +37,7 @@ struct Scene::State {
 
   std::uint32_t first_generation;  ///< of each index; differs from scene to scene, so that a foreign id is unknown
   std::vector<std::uint32_t> free_slots;
+  std::size_t outside = 0;  ///< objects outside the exact domain
   scene::IgnoredPairs ignored;
   broad::NearPairs near_pairs;
 
@@ -62,13 +63,19 @@ struct Scene::State {
 
   /// Whether answers about all objects are exact.
   [[nodiscard]] Result<void> check_domain() const {
+    if (outside == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
       if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
     return {};
   }
+  /// Puts an object, or nothing, where another one or nothing was.
+  void put(std::uint32_t index, const MeshState* mesh, const scene::PlacedObject& placed) {
+    outside += (placed.in_domain ? 0 : 1) - (objects[index].in_domain ? 0 : 1);
+    objects[index] = placed, meshes[index] = mesh;
+    near_pairs.place(index, placed);
+  }
   void move(std::uint32_t index, const Pose& pose) {
-    objects[index] = scene::place(meshes[index]->data, pose, objects[index].group);
-    near_pairs.place(index, objects[index]);
+    put(index, meshes[index], scene::place(meshes[index]->data, pose, objects[index].group));
   }
   /// Whether two objects are tested against each other.
   [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {

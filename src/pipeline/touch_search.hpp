@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "impinge/contacts.hpp"
@@ -14,7 +15,9 @@ namespace impinge {
 /// Whether two objects share a point, asked again and again by one thread.
 class TouchSearch {
  public:
-  explicit TouchSearch(std::stop_token stop);
+  explicit TouchSearch(std::stop_token stop = {});
+  /// When to stop from now on.
+  void restart(std::stop_token stop) { stop_ = std::move(stop); }
 
   /// A pair of triangles of the first and of the second that touch; nothing where there is none, or when asked to stop.
   std::optional<TrianglePair> find(const PlacedMesh& first, const PlacedMesh& second);

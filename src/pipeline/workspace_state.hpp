@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "broad/near_pairs.hpp"
 #include "broad/object_pairs.hpp"
 #include "impinge/workspace.hpp"
 #include "measure/pair_queue.hpp"
@@ -16,6 +17,7 @@
 #include "pipeline/plain_stages.hpp"
 #include "pipeline/ready_device.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "pipeline/touch_search.hpp"
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
 
@@ -63,14 +65,15 @@ struct Workspace::State {
   std::vector<scene::PlacedObject> placed;
   std::vector<const MeshState*> meshes;
   broad::ObjectPairs pairs;
-  paper::SweepAndPrune borders;           ///< of the last query by the paper's way
-  std::vector<std::uint64_t> candidates;  ///< the fast broad phase's scratch
+  paper::SweepAndPrune borders;  ///< of the last query by the paper's way
+  broad::NearPairs::Scratch near_pairs;
   std::unique_ptr<PairState[]> pair_states;
   std::size_t pair_states_size = 0;
   std::vector<const results::Collector*> collectors;
   results::AssembleScratch assembly;
   Contacts spare;
   measure::PairMemory nearest;
+  TouchSearch touch;                         ///< of the thread that asks
   bool asks_device = false;                  ///< in the query at hand
   std::shared_ptr<gpu::ReadyDevice> device;  ///< then; null: not opened yet
   results::Collector device_found;

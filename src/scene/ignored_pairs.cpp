@@ -20,7 +20,7 @@ void make_room(std::vector<std::uint32_t>& list) {
 }  // namespace
 
 void IgnoredPairs::insert(std::uint32_t a, std::uint32_t b) {
-  if (contains(a, b)) return;
+  if (is_named(a, b)) return;
   const std::size_t objects = std::size_t{std::max(a, b)} + 1;
   if (objects > partners_.size()) partners_.resize(objects);
   std::vector<std::uint32_t>&of_a = partners_[a], &of_b = partners_[b];
@@ -31,12 +31,18 @@ void IgnoredPairs::insert(std::uint32_t a, std::uint32_t b) {
 }
 
 void IgnoredPairs::erase(std::uint32_t a, std::uint32_t b) noexcept {
-  if (!contains(a, b)) return;
+  if (!is_named(a, b)) return;
   drop(partners_[a], b), drop(partners_[b], a);
   --count_;
 }
 
+void IgnoredPairs::set_filter(std::uint32_t object, const Filter& filter) {
+  if (object >= filters_.size()) filters_.resize(object + 1);
+  filters_[object] = filter;
+}
+
 void IgnoredPairs::erase_all_of(std::uint32_t object) noexcept {
+  if (object < filters_.size()) filters_[object] = {};
   if (object >= partners_.size()) return;
   const std::vector<std::uint32_t> gone = std::exchange(partners_[object], {});
   for (const std::uint32_t partner : gone) drop(partners_[partner], object);
@@ -44,6 +50,14 @@ void IgnoredPairs::erase_all_of(std::uint32_t object) noexcept {
 }
 
 bool IgnoredPairs::contains(std::uint32_t a, std::uint32_t b) const noexcept {
+  if (!filters_.empty()) {
+    const Filter of_a = filter(a), of_b = filter(b);
+    if ((of_a.mask & of_b.category) == 0 || (of_b.mask & of_a.category) == 0) return true;
+  }
+  return is_named(a, b);
+}
+
+bool IgnoredPairs::is_named(std::uint32_t a, std::uint32_t b) const noexcept {
   if (std::max(a, b) >= partners_.size()) return false;
   const bool a_has_fewer = partners_[a].size() < partners_[b].size();
   const std::vector<std::uint32_t>& list = partners_[a_has_fewer ? a : b];

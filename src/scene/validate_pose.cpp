@@ -9,7 +9,9 @@
 
 namespace impinge::scene {
 
-Result<void> validate(const Pose& pose) {
+namespace {
+
+Result<void> explain(const Pose& pose) {
   const auto bad = [](const std::string& what) {
     return Error{Code::bad_pose,
                  "the pose's " + what + "; bake any other finite map into the mesh with Mesh::transformed"};
@@ -26,6 +28,17 @@ Result<void> validate(const Pose& pose) {
   }
   if (!(determinant(to_mat3(pose.R)) > 0)) return bad("matrix is a mirror image: its determinant is not positive");
   return {};
+}
+
+}  // namespace
+
+Result<void> validate(const Pose& pose) {
+  // A sum that is finite has finite terms; one that overflows is looked at term by term.
+  const auto magnitude = [](double x, double y, double z) { return std::abs(x) + std::abs(y) + std::abs(z); };
+  const double sum = (magnitude(pose.R[0], pose.R[1], pose.R[2]) + magnitude(pose.R[3], pose.R[4], pose.R[5])) +
+                     (magnitude(pose.R[6], pose.R[7], pose.R[8]) + magnitude(pose.t[0], pose.t[1], pose.t[2]));
+  if (sum < kInfinity && orthogonality_defect(pose) <= 1e-6 && determinant(to_mat3(pose.R)) > 0) return {};
+  return explain(pose);
 }
 
 }  // namespace impinge::scene

@@ -34,7 +34,7 @@ inline void update(broad::NearPairs& near_pairs, const std::vector<scene::Placed
 
 inline broad::ObjectPairs pairs_of(const broad::NearPairs& near_pairs, const scene::SceneView& view) {
   broad::ObjectPairs pairs(1, {7, 7});  // what was there before must go
-  std::vector<std::uint64_t> scratch{7};
+  broad::NearPairs::Scratch scratch{{7}, {{7}, 7, {7}}};
   near_pairs.find(view, pairs, scratch);
   return pairs;
 }

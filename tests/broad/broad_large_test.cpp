@@ -194,7 +194,7 @@ void on_a_thread_each(std::size_t n, const std::function<void(std::size_t)>& bod
 TEST(NearPairs, AreTheSameHoweverTheWorkIsShared) {
   std::vector<PlacedObject> objects = lattice(30, 30, 30);
   broad::NearPairs alone, shared;
-  std::vector<std::uint64_t> scratch;
+  broad::NearPairs::Scratch scratch;
   for (int frame = 0; frame < 5; ++frame) {
     shared.reserve(objects.size());
     for (std::uint32_t i = 0; i < objects.size(); ++i) shared.place(i, objects[i]);

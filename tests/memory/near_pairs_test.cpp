@@ -37,7 +37,7 @@ TEST(NearPairs, NeedNoMemoryInASteadyFrame) {
   constexpr int n = 1000;
   broad::NearPairs near_pairs;
   broad::ObjectPairs pairs;
-  std::vector<std::uint64_t> scratch;
+  broad::NearPairs::Scratch scratch;
   near_pairs.reserve(n);
   long before = 0;
   std::uint64_t tests_before = 0;

@@ -74,6 +74,72 @@ TEST(SteadySeries, OfTouchingPairsAllocatesNothing) {
   });
 }
 
+/// An arm of five links among balls: jumps, as a planner makes them.
+class Robot {
+ public:
+  Robot() {
+    scenes::Random random(3);
+    const Mesh link = test::mesh_of(scenes::pipe(12, 6, 0.3, 1, true)), ball = test::mesh_of(scenes::uv_sphere(12, 12));
+    for (int i = 0; i < 40; ++i)
+      EXPECT_TRUE(scene.add(ball, {.t = {random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)}}, 1));
+    for (int i = 0; i < kLinks; ++i) links.push_back(scene.add(link).value());
+    for (int i = 0; i < kConfigurations * kLinks; ++i) poses.push_back(scenes::random_motion(random, 6));
+    EXPECT_TRUE(scene.update());
+  }
+  [[nodiscard]] std::span<const Pose> configuration(int i) const {
+    return std::span(poses).subspan(static_cast<std::size_t>(i * kLinks), kLinks);
+  }
+  /// The same configurations several times over.
+  [[nodiscard]] std::vector<Pose> repeated(int times) const {
+    std::vector<Pose> all;
+    for (int i = 0; i < times; ++i) all.insert(all.end(), poses.begin(), poses.end());
+    return all;
+  }
+
+  static constexpr int kLinks = 5, kConfigurations = 60;
+  Scene scene;
+  std::vector<ObjectId> links;
+  std::vector<Pose> poses;
+};
+
+/// A batch allocates for the call and not for a configuration: as often for many as for few of the same.
+TEST(SteadySeries, OfConfigurationsAllocatesNothingForEach) {
+  const Robot robot;
+  const auto expect_same = [](const std::vector<Pose>& few, const std::vector<Pose>& many, const auto& ask) {
+    const auto allocated = [&](const std::vector<Pose>& poses) {
+      const std::uint64_t before = allocations;
+      ask(poses);
+      return allocations - before;
+    };
+    allocated(few);  // makes the trees
+    const std::uint64_t of_few = allocated(few);
+    EXPECT_EQ(allocated(many), of_few);
+  };
+  std::size_t touching = 0;
+  const auto few = robot.repeated(1), many = robot.repeated(9);
+  for (const bool witnesses : {false, true})
+    expect_same(few, many, [&](const std::vector<Pose>& poses) {
+      const auto found = robot.scene.collide_configurations(robot.links, poses, {.witnesses = witnesses, .threads = 1});
+      for (const std::uint8_t touches : found->touches) touching += touches;
+    });
+  EXPECT_GT(touching, 100u);
+  expect_same(few, many, [&](const std::vector<Pose>& poses) {
+    EXPECT_TRUE(robot.scene.distance_configurations(robot.links, poses, {.threads = 1}));
+  });
+}
+
+TEST(SteadySeries, OfTouchesAnyAllocatesNothing) {
+  Robot robot;
+  Workspace workspace;
+  int touching = 0;
+  expect_steady(Robot::kConfigurations, [&](int i) {
+    EXPECT_TRUE(robot.scene.set_poses(robot.links, robot.configuration(i)));
+    EXPECT_TRUE(robot.scene.update(1));
+    touching += robot.scene.touches_any({.threads = 1}, &workspace).value() ? 1 : 0;
+  });
+  EXPECT_GT(touching, 10);
+}
+
 TEST(SteadySeries, OfPosesAllocatesNothing) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
   const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 60, 0.1);

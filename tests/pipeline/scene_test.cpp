@@ -198,6 +198,7 @@ struct Model {
     ObjectId id;
     Pose pose;
     std::uint32_t group;
+    Filter filter{};
   };
   std::vector<Entry> entries;
   std::set<std::set<std::uint32_t>> ignored;
@@ -211,6 +212,7 @@ struct Model {
       for (const Entry& q : entries) {
         if (p.id.index >= q.id.index || (p.group != 0 && p.group == q.group)) continue;
         if (ignored.contains({p.id.index, q.id.index}) || !(is_chosen(p) || is_chosen(q))) continue;
+        if ((p.filter.mask & q.filter.category) == 0 || (q.filter.mask & p.filter.category) == 0) continue;
         bool near = true;
         for (std::size_t i = 0; i < 3; ++i) near = near && std::abs(p.pose.t[i] - q.pose.t[i]) <= 1;
         if (near) pairs.insert({p.id.index, q.id.index});
@@ -265,7 +267,7 @@ RC_GTEST_PROP(Scene, LivesAsItsModelDoes, (const std::vector<std::array<std::uin
     const Pose pose = at(x % 4, y % 4, z % 4);
     const std::size_t i = model.entries.empty() ? 0 : which % model.entries.size();
     const std::size_t j = model.entries.empty() ? 0 : x % model.entries.size();
-    switch (model.entries.empty() ? 0 : what % 8) {
+    switch (model.entries.empty() ? 0 : what % 9) {
       case 0:
       case 1: {
         const std::uint32_t group = which % 3;
@@ -294,6 +296,10 @@ RC_GTEST_PROP(Scene, LivesAsItsModelDoes, (const std::vector<std::array<std::uin
         RC_ASSERT(scene.unignore(model.entries[i].id, model.entries[j].id).has_value());
         model.ignored.erase({model.entries[i].id.index, model.entries[j].id.index});
         break;
+      case 7:
+        model.entries[i].filter = {std::uint64_t{1} << (y % 3), std::uint64_t{z} % 8};
+        RC_ASSERT(scene.set_filter(model.entries[i].id, model.entries[i].filter).has_value());
+        break;
       default:
         ASSERT_TRUE(scene.update());
     }
@@ -321,6 +327,9 @@ TEST(Scene, AnswersConfigurationsAsIfItsObjectsStoodThere) {
   std::size_t touching = 0;
   for (std::size_t i = 0; i < 300; ++i) {
     ASSERT_TRUE(scene.set_poses(movers, std::span(poses).subspan(3 * i, 3)));
+    if (i % 64 < 32) {  // the movers jump; else they have left their boxes, or rest
+      ASSERT_TRUE(scene.update());
+    }
     const Contacts contacts = scene.collide().value();
     ASSERT_EQ(found.touches[i] != 0, !contacts.objects.empty()) << i;
     EXPECT_EQ(scene.touches_any().value(), !contacts.objects.empty());
@@ -405,6 +414,50 @@ TEST(Scene, MeasuresItsLeastDistance) {
     }
   }
   EXPECT_FALSE(Scene().distance()->has_value());
+}
+
+/// Cubes along the axes, whose distances are those of intervals: some touch, some are equally near.
+TEST(Scene, FindsTheClosestPairs) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    test::Seeded seeded(seed);
+    Scene scene;
+    std::vector<Pose> stands;
+    for (int i = 0; i < 20; ++i) {
+      const auto place = [&] { return 0.25 * seeded.random.integer(0, seed % 2 == 0 ? 20 : 60); };
+      stands.push_back({.t = {place(), place(), place()}});
+      ASSERT_TRUE(scene.add(cube(), stands.back(), i < 3 ? 1 : 0));
+    }
+    const auto gap = [&](std::size_t i, std::size_t k) {
+      double square = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double apart = std::max(0.0, std::abs(stands[i].t[axis] - stands[k].t[axis]) - 1);
+        square += apart * apart;
+      }
+      return std::sqrt(square);
+    };
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < stands.size(); ++i)
+      for (std::size_t k = std::max<std::size_t>(i + 1, i < 3 ? 3 : 0); k < stands.size(); ++k)
+        distances.push_back(gap(i, k));
+    std::sort(distances.begin(), distances.end());
+    const auto expect_first = [&](std::size_t count, const std::vector<ObjectDistance>& found) {
+      ASSERT_EQ(found.size(), std::min(count, distances.size()));
+      std::set<Pair> objects;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto& [pair, nearest] = found[i];
+        EXPECT_LE(std::abs(nearest.distance - distances[i]), nearest.error);
+        EXPECT_LE(std::abs(nearest.distance - gap(pair[0], pair[1])), nearest.error);
+        EXPECT_TRUE(pair[0] < pair[1] && pair[1] >= 3 && objects.insert({pair[0], pair[1]}).second);
+      }
+    };
+    for (const std::size_t count : {0, 1, 2, 5, 30, 187, 1000}) expect_first(count, scene.closest(count).value());
+    const double within = distances[7] + 0.01;
+    const auto end = std::upper_bound(distances.begin(), distances.end(), within);
+    expect_first(static_cast<std::size_t>(end - distances.begin()), scene.closest(100, {.stop_above = within}).value());
+    const auto any = scene.closest(4, {.enough_below = distances[9] + 1}).value();
+    for (const ObjectDistance& one : any) EXPECT_LT(one.nearest.distance, distances[9] + 1);
+  }
+  EXPECT_EQ(Scene().closest(1, {.stop_above = -1}).error().code, Code::bad_option);
 }
 
 TEST(Scene, SaysWhichConfigurationIsWrong) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "scenes/random.hpp"
@@ -41,6 +43,33 @@ TEST(IgnoredPairs, AreThoseOfASetOfSets) {
         }
   }
   EXPECT_FALSE(pairs.contains(0, 1000));
+}
+
+/// By the rule of `Filter` for each pair; named pairs stay what they are meanwhile.
+TEST(IgnoredPairs, AreThoseWhoseFiltersDisagree) {
+  test::Seeded seeded(2);
+  scenes::Random& random = seeded.random;
+  constexpr std::uint32_t n = 12;
+  std::array<Filter, n> filters;
+  scene::IgnoredPairs pairs;
+  pairs.insert(1, 2);
+  for (int change = 0; change < 500; ++change) {
+    const auto object = static_cast<std::uint32_t>(random.integer(3, n - 1));
+    filters[object] = {random.bits() & random.bits() & 15, random.bits() & 15};
+    if (random.integer(0, 5) == 0) {
+      filters[object] = {};
+      pairs.erase_all_of(object);
+    } else {
+      pairs.set_filter(object, filters[object]);
+    }
+    EXPECT_FALSE(pairs.empty());
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t k = 0; k < n; ++k) {
+        if (i == k) continue;
+        const bool agree = (filters[i].mask & filters[k].category) != 0 && (filters[k].mask & filters[i].category) != 0;
+        ASSERT_EQ(pairs.contains(i, k), !agree || (std::min(i, k) == 1 && std::max(i, k) == 2)) << i << ' ' << k;
+      }
+  }
 }
 
 /// One that ignores all others has them forgotten one by one in no time.
