@@ -7,6 +7,7 @@
 
 #include "core/hash.hpp"
 #include "core/pose.hpp"
+#include "scene/validate_pose.hpp"
 
 namespace impinge::scene {
 namespace {
@@ -50,8 +51,9 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
   const Vec3 radius = rounding_radius(pose, mesh);
   const Mat3 R = to_mat3(pose.R);
   const Vec3 t{pose.t[0], pose.t[1], pose.t[2]};
-  // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², and sqrt(1 + x) <= 1 + x/2.
-  const double stretch = 1 + 1.5 * orthogonality_defect(pose) + 0x1p-48;
+  // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², and sqrt(1 + x) <= 1 + x/2. Of a valid pose the defect is known
+  // well enough; the bound was compared with a computed one.
+  constexpr double stretch = 1 + 1.5 * kMostDefect + 0x1p-48;
   object.sphere = {R * mesh.sphere.center + t, stretch * mesh.sphere.radius + (radius.x + radius.y + radius.z)};
 
   const Vec3 middle = R * (0.5 * mesh.box.lo + 0.5 * mesh.box.hi) + t;

@@ -9,7 +9,7 @@
 
 namespace impinge::scene {
 
-Result<void> validate(const Pose& pose) {
+Result<void> validate(const Pose& pose, double most_defect) {
   const auto bad = [](const std::string& what) {
     return Error{Code::bad_pose,
                  "the pose's " + what + "; bake any other finite map into the mesh with Mesh::transformed"};
@@ -19,9 +19,9 @@ Result<void> validate(const Pose& pose) {
   for (const double t : pose.t)
     if (!std::isfinite(t)) return bad("translation has an entry that is not a finite number");
   const double defect = orthogonality_defect(pose);
-  if (!(defect <= 1e-6)) {
+  if (!(defect <= most_defect)) {
     char text[96];
-    std::snprintf(text, sizeof text, "matrix is not a rotation: max|RᵀR - I| is %.3g, above 1e-6", defect);
+    std::snprintf(text, sizeof text, "matrix is not a rotation: max|RᵀR - I| is %.3g, above %g", defect, most_defect);
     return bad(text);
   }
   if (!(determinant(to_mat3(pose.R)) > 0)) return bad("matrix is a mirror image: its determinant is not positive");
