@@ -132,7 +132,7 @@ void ContactManifolds::State::add_row(const Scene::State& scene, const Contacts&
   const LocalFrame frame = local_frame(placed[0]->box, placed[1]->box);
   const auto surface = [&](std::size_t side) {
     const KnownMesh& mesh = known(*scene.meshes[objects[side]]);
-    return clash::Surface{placed[side]->mesh, &mesh.topology, mesh.is_inward, placed[side]->pose, frame};
+    return clash::PlacedSurface{placed[side]->mesh, &mesh.topology, mesh.is_inward, placed[side]->pose, frame};
   };
   of_row.clear();
   maker.append({{surface(0), surface(1)}, {&contacts.triangles[first], count}}, of_row);

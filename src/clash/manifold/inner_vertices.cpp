@@ -14,7 +14,7 @@ constexpr double kTogether = 0x1p-20;
 
 }  // namespace
 
-void InnerVertices::restart(const std::array<Surface, 2>& surfaces, std::span<const Touch> touches) {
+void InnerVertices::restart(const std::array<PlacedSurface, 2>& surfaces, std::span<const Touch> touches) {
   surfaces_ = surfaces, touches_ = touches;
   seeds_.clear();
   order_.resize(touches.size());
@@ -47,7 +47,7 @@ void InnerVertices::find_seeds(int side, std::span<const std::uint32_t> of_one_t
     if (aim == nullptr && touches_[i].has_length()) aim = &touches_[i];
   }
   if (aim == nullptr) return;
-  const Surface& surface = surfaces_[s];
+  const PlacedSurface& surface = surfaces_[s];
   const Segment line{aim->shared.points[0], aim->shared.points[1]};
   const Vec3 target = line[0] + 0.382 * (line[1] - line[0]);  // no place of symmetry, where joints are likely
   const Vec3 size = abs(aim->normals[s]);
@@ -77,7 +77,7 @@ void InnerVertices::find_seeds(int side, std::span<const std::uint32_t> of_one_t
 
 std::span<const Vec3> InnerVertices::patch(std::uint32_t region, int side) {
   const auto s = static_cast<std::size_t>(side);
-  const Surface& surface = surfaces_[s];
+  const PlacedSurface& surface = surfaces_[s];
   const solid::Topology& topology = *surface.topology;
   std::vector<Vec3>& found = found_[s];
   found.clear(), ahead_.clear();

@@ -33,7 +33,7 @@ class Marks {
 class InnerVertices {
  public:
   /// `touches` are sorted by a and then b, and have their regions.
-  void restart(const std::array<Surface, 2>& surfaces, std::span<const Touch> touches);
+  void restart(const std::array<PlacedSurface, 2>& surfaces, std::span<const Touch> touches);
   /// In the local frame; valid until the next call for this side.
   std::span<const Vec3> patch(std::uint32_t region, int side);
 
@@ -46,7 +46,7 @@ class InnerVertices {
   };
   void find_seeds(int side, std::span<const std::uint32_t> of_one_triangle);
 
-  std::array<Surface, 2> surfaces_{};
+  std::array<PlacedSurface, 2> surfaces_{};
   std::span<const Touch> touches_;
   std::vector<std::uint32_t> order_;
   std::vector<Seed> seeds_;

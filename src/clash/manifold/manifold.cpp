@@ -162,7 +162,7 @@ std::uint32_t ManifoldMaker::find(std::uint32_t touch) {
 }
 
 /// Joins touches whose triangles have a position in common in both surfaces.
-void ManifoldMaker::group(const std::array<Surface, 2>& surfaces) {
+void ManifoldMaker::group(const std::array<PlacedSurface, 2>& surfaces) {
   const std::size_t room = std::bit_ceil(2 * 9 * touches_.size() + 1);
   if (++round_ == 0 || slots_.size() < room) slots_.assign(std::max(room, slots_.size()), Slot{0, 0, 0}), round_ = 1;
   parents_.resize(touches_.size());

@@ -16,7 +16,7 @@ namespace impinge::clash {
 
 /// The contacts of two surfaces, sorted by a and then b.
 struct ContactRow {
-  std::array<Surface, 2> surfaces;
+  std::array<PlacedSurface, 2> surfaces;
   std::span<const TrianglePair> pairs;
 };
 
@@ -34,7 +34,7 @@ class ManifoldMaker {
     std::uint32_t round;
   };
   void list_touches(const ContactRow& row);
-  void group(const std::array<Surface, 2>& surfaces);
+  void group(const std::array<PlacedSurface, 2>& surfaces);
   std::uint32_t first_at(std::uint64_t key, std::uint32_t touch);
   std::uint32_t find(std::uint32_t touch);
   Manifold measure(std::span<const std::uint32_t> region, const LocalFrame& frame);

@@ -40,7 +40,7 @@ Stretch in_plane(const Triangle& t, const Facet& plane, const Vec3& way) {
 }
 
 /// The part of b's triangle over a's: clipped by each of its sides in turn (Sutherland and Hodgman, 1974).
-SharedPoints overlap(const Facet& a, const Facet& b) {
+SharedPoints flush_part(const Facet& a, const Facet& b) {
   SharedPoints result;
   for (const Vec3& corner : b.corners) result.points[result.size++] = corner;
   for (std::size_t side = 0; side < 3 && result.size > 0; ++side) {
@@ -71,7 +71,7 @@ SharedPoints shared_points(const Facet& a, const Facet& b) {
   const Box box = intersection(box_of(a.corners), box_of(b.corners));
   SharedPoints result;
   if (are_proper && dot(way, way) <= 0x1p-60) {
-    result = overlap(a, b);
+    result = flush_part(a, b);
   } else if (are_proper) {
     const Stretch of_a = in_plane(a.corners, b, way), of_b = in_plane(b.corners, a, way);
     const double low = std::max(of_a.low, of_b.low), high = std::min(of_a.high, of_b.high);

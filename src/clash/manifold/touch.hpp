@@ -18,7 +18,7 @@ namespace impinge::clash {
 inline constexpr double kRounding = 0x1p-46;
 
 /// A placed mesh as manifolds see it.
-struct Surface {
+struct PlacedSurface {
   const MeshData* mesh;
   const solid::Topology* topology;  ///< in the mesh's own frame
   bool is_inward;                   ///< closed, with its normals inwards
