@@ -129,6 +129,7 @@ template <class OfferSome>
 Result<std::optional<ObjectDistance>> nearest_objects(const Scene::State& s, const MeasureOptions& options,
                                                       const OfferSome& offer_some) {
   if (auto valid = validate(s, options.threads); !valid) return valid.error();
+  if (auto valid = s.check_domain(true); !valid) return valid.error();
   if (auto valid = validate_limits(options); !valid) return valid.error();
   NearestObjectsSearch search(options.stop_above, options.enough_below);
   offer_some(search);
@@ -203,6 +204,7 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
                                                                                   const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::vector<std::optional<ObjectDistance>>> {
     if (auto valid = validate_limits(options); !valid) return valid.error();
+    if (auto valid = state_->check_domain(true); !valid) return valid.error();
     const auto batch = Batch::of(*state_, ids, poses, options);
     if (!batch) return batch.error();
     std::vector<std::optional<ObjectDistance>> found(batch->size());

@@ -101,6 +101,8 @@ DistantConfigurations::DistantConfigurations(const Movers& movers, const Measure
 
 Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
+  for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
+    if (placed_[mover].is_fine) return out_of_domain("object " + std::to_string(movers_.object(mover)));
   const Scene::State& scene = movers_.scene();
   for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
     for (std::uint32_t object = 0; object < scene.objects.size(); ++object)

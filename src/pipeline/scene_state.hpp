@@ -60,10 +60,11 @@ struct Scene::State {
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
 
-  /// Whether answers about all objects are exact.
-  [[nodiscard]] Result<void> check_domain() const {
+  /// Whether answers about all objects are exact: of contacts, or of distances too.
+  [[nodiscard]] Result<void> check_domain(bool has_distances = false) const {
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
+      if (!objects[i].in_domain || (has_distances && objects[i].is_fine))
+        return out_of_domain("object " + std::to_string(i));
     return {};
   }
   void move(std::uint32_t index, const Pose& pose) {

@@ -44,7 +44,8 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
   object.group = group;
   if (mesh.triangles.empty()) return object;
   object.mesh = &mesh;
-  object.in_domain = is_clearly_in_domain(pose, mesh) || in_exact_domain(pose, mesh);
+  object.is_fine = !is_clearly_in_domain(pose, mesh) && !in_exact_domain(pose, mesh);
+  object.in_domain = !object.is_fine || in_range(pose, mesh);
   if (!object.in_domain) return object;  // queries refuse it, and its bounds might not be numbers
 
   // rounding_radius covers the world vertices' rounding and, with 12 u S to spare, that of the lines below.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pose.hpp"
 #include "solid/locate.hpp"
 
 namespace impinge::solid {
@@ -68,7 +67,7 @@ void LocationGrid::fill(const Place& at, std::vector<Place>& ahead) {
   const Vec3 point{middle(at[0], box_.lo.x, per_length_.x), middle(at[1], box_.lo.y, per_length_.y),
                    middle(at[2], box_.lo.z, per_length_.z)};
   cells_[index(at)] = occupied;
-  if (!overlap({point, point}, box_) || place(point) != at || !in_exact_domain(point)) return;
+  if (!overlap({point, point}, box_) || place(point) != at) return;
   const std::optional<int> winding = winding_number(placed_, point);
   if (!winding) return;
   const Cell cell = *winding != 0 ? inside : outside;
