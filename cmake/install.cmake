@@ -1,5 +1,5 @@
-# What `cmake --install` lays down beside the command line (cli/): headers, libraries, the importer that the readers start (io/ lays its script beside it),
-# and the package that find_package(impinge) reads.
+# What `cmake --install` lays down beside the command line (cli/): headers, libraries, the license, the importer that the
+# readers start (io/ lays its script beside it), and the package that find_package(impinge) reads.
 include(CMakePackageConfigHelpers)
 
 set(IMPINGE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/impinge)
@@ -18,6 +18,7 @@ if(TARGET impinge_report)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/impinge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(TARGET impinge-import)
   install(TARGETS impinge-import RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/impinge COMPONENT programs)

@@ -142,7 +142,8 @@ std::size_t FclCrowd::broad_phase() {
   return state_->round.pairs;
 }
 
-std::size_t FclCrowd::collide() {
+std::size_t FclCrowd::collide(bool with_points) {
+  state_->round.request.enable_contact = with_points;
   state_->round.result.clear();
   state_->round.meetings.clear();
   state_->manager.update();

@@ -22,8 +22,9 @@ class FclCrowd {
   void move(std::span<const Pose> poses);
   /// The broad phase alone: repairs the manager's tree and counts the pairs of bodies whose boxes meet.
   std::size_t broad_phase();
-  /// The same, and every pair of triangles; returns the number of those.
-  std::size_t collide();
+  /// The same, and every pair of triangles; returns the number of those. With a point, a normal and a depth for each
+  /// pair if wanted.
+  std::size_t collide(bool with_points = false);
   /// (body, body, triangle, triangle) of the last `collide`, lower body first, sorted.
   [[nodiscard]] std::vector<std::array<std::uint32_t, 4>> contacts() const;
 

@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <vector>
 
 #include "impinge/mesh.hpp"
 #include "impinge/result.hpp"
@@ -54,7 +57,27 @@ enum class Location : std::uint8_t { outside, inside, boundary };
 /// Where a point lies to a closed mesh, exactly: on a triangle, or else inside where the mesh winds around it.
 /// Errors: `bad_pose`, `out_of_range` (also of the point), `bad_mesh` (not closed: vertices count as one where their
 /// world coordinates are equal).
+/// Looks through the whole mesh in each call; for many points there is `PointLocator`.
 Result<Location> locate(const Point& point, const Mesh& mesh, const Pose& pose = {});
+
+/// A closed mesh at a pose, prepared so that many points are located fast: by the same rule, and as exactly. A grid
+/// over its box knows how all points of a cell without triangles lie. A handle: copies are cheap and share it. Safe to
+/// use from many threads; one that was moved from may only be destroyed or assigned to.
+class PointLocator {
+ public:
+  /// Errors: as `locate` has them of the mesh; `bad_option` (a negative number of threads).
+  static Result<PointLocator> create(const Mesh& mesh, const Pose& pose = {}, int threads = 0);
+
+  /// Where each point lies. Errors: `out_of_range` (names the point), `bad_option`, `cancelled`. Limits on distances
+  /// say nothing here.
+  [[nodiscard]] Result<std::vector<Location>> locate(std::span<const Point> points,
+                                                     const MeasureOptions& options = {}) const;
+
+ private:
+  struct State;
+  explicit PointLocator(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+  std::shared_ptr<const State> state_;
+};
 
 /// How deep the boundary of one solid reaches into the other: the greatest distance of a point of a's boundary that
 /// lies inside b from b's boundary; and the other way round. 0 where nothing reaches in. This is not the shortest way

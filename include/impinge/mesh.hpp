@@ -26,12 +26,25 @@ struct Affine {
   std::array<double, 3> t{};
 };
 
+/// Of any length but 0; w is the real part.
+struct Quaternion {
+  double w = 1, x = 0, y = 0, z = 0;
+};
+
 /// Where an object stands: x -> R x + t, computed as ((R00*x + R01*y) + R02*z) + t0 and so on, every
 /// product and sum rounded once to double, never fused. `R` is row-major, finite, with a positive determinant and
 /// max|RᵀR - I| <= 1e-6; bake anything else into the mesh with `Mesh::transformed`.
 struct Pose {
   std::array<double, 9> R{1, 0, 0, 0, 1, 0, 0, 0, 1};
   std::array<double, 3> t{};
+
+  /// The rotation of the quaternion, whatever its length, and then t. Errors: `bad_pose` (a number that is not finite,
+  /// or a quaternion of length 0).
+  static Result<Pose> from_quaternion(const Quaternion& rotation, const std::array<double, 3>& t = {});
+  /// The rotation nearest to a matrix that was one before it was rounded, by the sum of squares of what its entries
+  /// are off (the orthogonal factor of the polar decomposition), and the map's t. Errors: `bad_pose` (a number that is
+  /// not finite; max|RᵀR - I| above 0.1, which is a scale or a shear; a mirror image).
+  static Result<Pose> nearest(const Affine& map);
 };
 
 /// Settings of a mesh's bounding-volume tree. They change the speed of a query, never its answer.

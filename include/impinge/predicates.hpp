@@ -10,7 +10,7 @@
 #include "impinge/options.hpp"
 #include "impinge/result.hpp"
 
-/// The tests of the paper's section 3.4, decided exactly for any doubles below 2^300 that are multiples of 2^-358.
+/// The tests of the paper's section 3.4, decided exactly for any doubles below 2^300.
 /// All sets are closed: edges have their ends, triangles and polygons their boundary. Degenerate input is the
 /// segment or point that it is. The functions set and restore the floating-point environment themselves.
 namespace impinge {

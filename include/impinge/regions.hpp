@@ -74,7 +74,11 @@ struct Region {
 ///     of the size of triangles, or above it, leaves flush faces their area and outline. Across a gap above that
 ///     quarter the same goes for plane faces and for those of many triangles, whose normals differ little from one to
 ///     the next; elsewhere neighbouring polygons may stay apart by a part of the gap, and have lines between them.
-/// A tolerance below 2^-36 of the largest |coordinate| is below what rounding leaves, and taken as 0.
+/// What surfaces that cross share is told less surely than what flush ones do: where they do so at a small angle and an
+/// edge of either lies within t of the other, that edge stands for the line of crossing beside it, and the line round
+/// the region may stay open. Then the area is less than what the region encloses, or 0, and the normal may be {0, 0,
+/// 0}. With tolerance 0 lines of crossing close and have their areas, and `ContactManifolds` (impinge/manifolds.hpp)
+/// goes by them. A tolerance below 2^-36 of the largest |coordinate| is below what rounding leaves, and taken as 0.
 /// Errors: as `collide`; `bad_option` (tolerance negative, not finite, or above a quarter of the diagonal of either
 /// box; or so large that more than 2^20 pairs and 64 for each triangle are within it of triangles without an edge above
 /// 4 t).

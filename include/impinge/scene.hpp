@@ -19,9 +19,10 @@
 
 namespace impinge {
 
-class ClashMemory;    // clash.hpp
-struct Clashes;       // clash.hpp
-struct ClashOptions;  // clash.hpp
+class ClashMemory;       // clash.hpp
+struct Clashes;          // clash.hpp
+struct ClashOptions;     // clash.hpp
+class ContactManifolds;  // manifolds.hpp
 
 /// An object of one scene, or of none. A removed object's id is never valid again, though its index is used anew.
 struct ObjectId {
@@ -145,6 +146,7 @@ class Scene {
   struct State;  // internal
 
  private:
+  friend class ContactManifolds;
   friend Result<Clashes> find_clashes(const Scene& scene, const ClashOptions& options, ClashMemory* memory);
   std::unique_ptr<State> state_;
 };

@@ -39,6 +39,17 @@ int lowest_world_bit(const Pose& pose, const MeshData& mesh) {
   return lowest;
 }
 
+/// Whether all that triangles use pass a test. `largest` bounds the world coordinates.
+template <class Test>
+bool all_vertices(const Pose& pose, const MeshData& mesh, double largest, const Test& test) {
+  // Beyond this the bounds themselves would overflow, and a world coordinate in range could only be a cancelled 0.
+  if (!(largest < 0x1p900)) return false;
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t i : triangle)
+      if (!test(posed(pose, mesh.vertices[i]))) return false;
+  return true;
+}
+
 bool in_exact_domain(double x) { return x == 0 || (std::abs(x) < kDomainLimit && lowest_bit(x) >= kDomainBit); }
 
 }  // namespace
@@ -65,19 +76,23 @@ double orthogonality_defect(const Pose& pose) {
   return defect;
 }
 
-Vec3 rounding_radius(const Pose& pose, const MeshData& mesh) { return 0x1p-49 * world_extent(pose, mesh); }
+Vec3 rounding_radius(const Pose& pose, const MeshData& mesh) {
+  return 0x1p-49 * world_extent(pose, mesh) + Vec3{0x1p-1000, 0x1p-1000, 0x1p-1000};
+}
 
 bool in_exact_domain(const Pose& pose, const MeshData& mesh) {
   const double largest = max_component(world_extent(pose, mesh));
   if (largest < 0.999 * kDomainLimit && lowest_world_bit(pose, mesh) >= kDomainBit) return true;
-  // Beyond this the bounds themselves would overflow, and a world coordinate in the domain could only be a cancelled 0.
-  if (!(largest < 0x1p900)) return false;
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t i : triangle)
-      if (!in_exact_domain(posed(pose, mesh.vertices[i]))) return false;
-  }
-  return true;
+  return all_vertices(pose, mesh, largest, [](const Vec3& v) { return in_exact_domain(v); });
 }
+
+bool in_range(const Pose& pose, const MeshData& mesh) {
+  const double size = max_component(mesh.max_abs), largest = max_component(world_extent(pose, mesh));
+  if (size > 0 && size < 0x1p-300) return false;
+  return largest < 0.999 * kDomainLimit || all_vertices(pose, mesh, largest, [](const Vec3& v) { return in_range(v); });
+}
+
+bool in_range(const Vec3& point) { return max_component(abs(point)) < kDomainLimit && !std::isnan(sum(point)); }
 
 bool in_exact_domain(const Vec3& point) {
   return in_exact_domain(point.x) && in_exact_domain(point.y) && in_exact_domain(point.z);

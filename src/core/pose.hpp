@@ -21,7 +21,8 @@ double orthogonality_defect(const Pose& pose);
 
 /// Per axis, at least the distance by which a world vertex of the mesh may be off the exact R x + t. With u = 2^-53 and
 /// S = |R||x| + |t| the three products and three sums are off by at most 4.01 u S; returned is 16 u S, so that bounds
-/// which pose a centre and an extent in floating point themselves may rely on it too.
+/// which pose a centre and an extent in floating point themselves may rely on it too; and 2^-1000, far above what
+/// products may lose to underflow.
 Vec3 rounding_radius(const Pose& pose, const MeshData& mesh);
 
 /// Whether every world vertex is below 2^300 and a multiple of 2^-358 (contract 1.3): from the stored exponents where
@@ -29,5 +30,9 @@ Vec3 rounding_radius(const Pose& pose, const MeshData& mesh);
 bool in_exact_domain(const Pose& pose, const MeshData& mesh);
 /// The same for one world point, which may hold anything.
 bool in_exact_domain(const Vec3& point);
+
+/// Whether every world vertex is below 2^300, and the mesh's largest coordinate is 0 or at least 2^-300.
+bool in_range(const Pose& pose, const MeshData& mesh);
+bool in_range(const Vec3& point);
 
 }  // namespace impinge

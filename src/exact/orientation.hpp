@@ -7,8 +7,8 @@
 #include "core/vec3.hpp"
 #include "exact/expansion.hpp"
 
-/// Signs of determinants: a floating-point filter first, integers or expansions where it cannot tell. Exact in the
-/// domain of contract 1.3, in round-to-nearest.
+/// Signs of determinants: a floating-point filter first, integers or expansions where it cannot tell. Exact for all
+/// doubles below 2^300, in round-to-nearest; fast where they are multiples of 2^-358 too.
 namespace impinge::exact {
 
 /// +1 if (a, b, c) turn counter-clockwise, -1 clockwise, 0 if collinear.

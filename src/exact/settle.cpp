@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/pose.hpp"
 #include "exact/integers.hpp"
 #include "exact/pair_block.hpp"
 #include "exact/triangle_pair.hpp"
@@ -62,6 +63,16 @@ void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, 
       if (outcome == Outcome::open) outcome = finish(block, i - first);
       if (outcome != Outcome::apart) contacts.push_back({pairs[i].a, pairs[i].b, *kind_of(outcome)});
     }
+  }
+}
+
+void settle_fine(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
+                 std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) {
+  for (const TrianglePair& pair : pairs) {
+    Triangle a, b;
+    pose_vertices(pose_a, mesh_a.vertices, mesh_a.triangles[pair.a], a.data());
+    pose_vertices(pose_b, mesh_b.vertices, mesh_b.triangles[pair.b], b.data());
+    if (const auto kind = classify(a, b)) contacts.push_back({pair.a, pair.b, *kind});
   }
 }
 

@@ -8,9 +8,8 @@ namespace impinge::paper {
 namespace {
 
 // det(a, b, c) of rounded differences is off by at most (7 + 56 eps) eps times the sum of the absolute products, eps =
-// 2^-53 (Shewchuk 1997); 8 eps leaves room for the rounding of the bound. Underflow does no harm: see
-// exact/orientation.cpp.
-constexpr double kBound = 0x1p-50;
+// 2^-53 (Shewchuk 1997); 8 eps leaves room for the rounding of the bound. Underflow: see exact/filter.hpp.
+constexpr double kBound = 0x1p-50, kUnderflow = 0x1p-760;
 
 /// A cross product and the sums of the absolute values of its terms.
 struct CertifiedNormal {
@@ -24,7 +23,7 @@ struct CertifiedNormal {
   [[nodiscard]] int side(const Vec3& c) const {
     const double determinant = c.x * n.x + c.y * n.y + c.z * n.z;
     const double bound =
-        kBound * (std::abs(c.x) * magnitude.x + std::abs(c.y) * magnitude.y + std::abs(c.z) * magnitude.z);
+        kBound * (std::abs(c.x) * magnitude.x + std::abs(c.y) * magnitude.y + std::abs(c.z) * magnitude.z) + kUnderflow;
     return determinant > bound ? 1 : determinant < -bound ? -1 : 0;
   }
 };

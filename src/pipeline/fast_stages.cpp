@@ -80,7 +80,8 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
 
   contacts_.clear();
   statistics.exact_calls += filtered_.unsure.size();
-  exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, filtered_.unsure, contacts_);
+  (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose,
+                                                        filtered_.unsure, contacts_);
   const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
     keys_.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
   };

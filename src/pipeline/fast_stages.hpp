@@ -32,6 +32,7 @@ class FastStages {
     bool swapped;  ///< the first tree is that of the pair's second object
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
+    [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
   };
 
   void configure(const Options& options);

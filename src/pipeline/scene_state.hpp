@@ -61,16 +61,18 @@ struct Scene::State {
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
 
-  /// Whether answers about all objects are exact.
-  [[nodiscard]] Result<void> check_domain() const {
+  /// Whether answers about all objects are exact: of contacts, or of distances too.
+  [[nodiscard]] Result<void> check_domain(bool has_distances = false) const {
     if (outside == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
+      if (!objects[i].in_domain || (has_distances && objects[i].is_fine))
+        return out_of_domain("object " + std::to_string(i));
     return {};
   }
   /// Puts an object, or nothing, where another one or nothing was.
   void put(std::uint32_t index, const MeshState* mesh, const scene::PlacedObject& placed) {
-    outside += (placed.in_domain ? 0 : 1) - (objects[index].in_domain ? 0 : 1);
+    const auto is_outside = [](const scene::PlacedObject& object) { return object.is_fine || !object.in_domain; };
+    outside += int{is_outside(placed)} - int{is_outside(objects[index])};
     objects[index] = placed, meshes[index] = mesh;
     near_pairs.place(index, placed);
   }

@@ -7,6 +7,7 @@
 
 #include "core/hash.hpp"
 #include "core/pose.hpp"
+#include "scene/validate_pose.hpp"
 
 namespace impinge::scene {
 namespace {
@@ -49,14 +50,15 @@ PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group) 
   object.group = group;
   if (mesh.triangles.empty()) return object;
   object.mesh = &mesh;
-  object.in_domain = is_clearly_in_domain(pose, mesh) || in_exact_domain(pose, mesh);
+  object.is_fine = !is_clearly_in_domain(pose, mesh) && !in_exact_domain(pose, mesh);
+  object.in_domain = !object.is_fine || in_range(pose, mesh);
   if (!object.in_domain) return object;  // queries refuse it, and its bounds might not be numbers
 
   // At least `rounding_radius` in every axis, as no |r| is above 1.001; it covers the world vertices' rounding and,
   // with 12 u S to spare, that of the lines below.
-  const double rounding = 0x1p-49 * (1.001 * sum(mesh.max_abs) + max_component(abs(to_vec3(pose.t))));
-  // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², sqrt(1 + x) <= 1 + x/2, and a valid pose is off by at most 1e-6.
-  constexpr double kStretch = 1 + 1.6e-6;
+  const double rounding = 0x1p-49 * (1.001 * sum(mesh.max_abs) + max_component(abs(to_vec3(pose.t)))) + 0x1p-1000;
+  // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², sqrt(1 + x) <= 1 + x/2, and of a valid pose the defect is known.
+  constexpr double kStretch = 1 + 1.6 * kMostDefect;
   const double radius = kStretch * mesh.sphere.radius + 3 * rounding;
   // By columns of four, which compilers work on two at a time.
   const auto& R = pose.R;

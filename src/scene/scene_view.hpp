@@ -18,7 +18,8 @@ struct PlacedObject {
   std::uint32_t group = 0;
   Sphere sphere;          ///< around the world vertices, for certain
   Box box;                ///< around the world vertices, for certain: the posed box cut with the sphere's
-  bool in_domain = true;  ///< the world vertices are within the range of contract 1.3
+  bool in_domain = true;  ///< `in_range`: contacts are exact (contract 1.3)
+  bool is_fine = false;   ///< some world vertices are not in the exact domain, so that contacts take `settle_fine`
 };
 
 /// An unordered pair of object indices as one number.

@@ -11,7 +11,7 @@ namespace impinge::scene {
 
 namespace {
 
-Result<void> explain(const Pose& pose) {
+Result<void> explain(const Pose& pose, double most_defect) {
   const auto bad = [](const std::string& what) {
     return Error{Code::bad_pose,
                  "the pose's " + what + "; bake any other finite map into the mesh with Mesh::transformed"};
@@ -21,9 +21,9 @@ Result<void> explain(const Pose& pose) {
   for (const double t : pose.t)
     if (!std::isfinite(t)) return bad("translation has an entry that is not a finite number");
   const double defect = orthogonality_defect(pose);
-  if (!(defect <= 1e-6)) {
+  if (!(defect <= most_defect)) {
     char text[96];
-    std::snprintf(text, sizeof text, "matrix is not a rotation: max|RᵀR - I| is %.3g, above 1e-6", defect);
+    std::snprintf(text, sizeof text, "matrix is not a rotation: max|RᵀR - I| is %.3g, above %g", defect, most_defect);
     return bad(text);
   }
   if (!(determinant(to_mat3(pose.R)) > 0)) return bad("matrix is a mirror image: its determinant is not positive");
@@ -32,13 +32,13 @@ Result<void> explain(const Pose& pose) {
 
 }  // namespace
 
-Result<void> validate(const Pose& pose) {
+Result<void> validate(const Pose& pose, double most_defect) {
   // A sum that is finite has finite terms; one that overflows is looked at term by term.
   const auto magnitude = [](double x, double y, double z) { return std::abs(x) + std::abs(y) + std::abs(z); };
   const double sum = (magnitude(pose.R[0], pose.R[1], pose.R[2]) + magnitude(pose.R[3], pose.R[4], pose.R[5])) +
                      (magnitude(pose.R[6], pose.R[7], pose.R[8]) + magnitude(pose.t[0], pose.t[1], pose.t[2]));
-  if (sum < kInfinity && orthogonality_defect(pose) <= 1e-6 && determinant(to_mat3(pose.R)) > 0) return {};
-  return explain(pose);
+  if (sum < kInfinity && orthogonality_defect(pose) <= most_defect && determinant(to_mat3(pose.R)) > 0) return {};
+  return explain(pose, most_defect);
 }
 
 }  // namespace impinge::scene

@@ -7,7 +7,10 @@
 
 namespace impinge::scene {
 
-/// Contract 1.2: finite, det R > 0 and max|RᵀR - I| <= 1e-6.
-Result<void> validate(const Pose& pose);
+/// The bound of contract 1.2 for max|RᵀR - I|.
+inline constexpr double kMostDefect = 1e-6;
+
+/// Contract 1.2: finite, det R > 0 and max|RᵀR - I| <= kMostDefect, or another bound.
+Result<void> validate(const Pose& pose, double most_defect = kMostDefect);
 
 }  // namespace impinge::scene

@@ -15,7 +15,7 @@ namespace impinge::solid {
 /// triangle. It is defined for every closed body, even one that crosses itself; for others it is the number of signed
 /// crossings of a ray along +x. The ray from p runs infinitesimally beside p, at (p.y + e, p.z + e²), so that it meets
 /// no vertex and no edge: ties are broken by rule (Edelsbrunner and Mücke, "Simulation of Simplicity", 1990). The point
-/// must be in the exact domain.
+/// must be in range (contract 1.3).
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const Vec3& point);
 /// The same for a point whose coordinates are rational numbers.
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);

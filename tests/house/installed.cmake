@@ -42,6 +42,10 @@ if(NOT installed_headers STREQUAL public_headers)
   message(FATAL_ERROR "installed headers: ${installed_headers}; public headers: ${public_headers}")
 endif()
 
+if(NOT EXISTS ${prefix}/share/doc/impinge/LICENSE)
+  message(FATAL_ERROR "the license is not installed")
+endif()
+
 set(example ${SOURCE}/examples/two_cubes.cpp)
 run("configuring the consumer" ${CMAKE_COMMAND} -S ${SOURCE}/tests/house/consumer -B ${SCRATCH}/consumer -G Ninja
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix} -D EXAMPLE=${example} -D CMAKE_BUILD_TYPE=Release)

@@ -161,7 +161,8 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
     std::vector<ObjectId> ids;
     for (const auto& object : placed.objects) ids.push_back(scene.add(mesh, object.pose).value());
     Workspace workspace;
-    std::size_t contacts = 0;
+    ContactManifolds manifolds;
+    std::size_t contacts = 0, regions = 0;
     expect_steady(20, [&](int i) {
       for (std::size_t k = 0; k < ids.size(); ++k) {
         Pose pose = placed.objects[k].pose;
@@ -171,9 +172,11 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
       ASSERT_TRUE(scene.update());
       Contacts found = scene.collide(options, &workspace).value();
       contacts += found.triangles.size();
+      regions += manifolds.update(scene, found).value().size();
       workspace.recycle(std::move(found));
     });
     EXPECT_GT(contacts, 100u);
+    EXPECT_GT(regions, 100u);
   }
 }
 

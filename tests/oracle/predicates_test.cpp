@@ -68,6 +68,19 @@ points::Source dusty_integers() {
   };
 }
 
+/// Integers, off by nothing or by numbers so small that products of them are none.
+points::Source units_and_least() {
+  return [](Random& random) {
+    const auto number = [&]() -> double {
+      const double tiny = std::ldexp(random.integer(-2, 2), -random.integer(355, 1074));
+      return random.integer(0, 1) == 0 ? random.integer(-1, 1) : tiny;
+    };
+    const double x = number();
+    const double y = number();
+    return Point{x, y, number()};
+  };
+}
+
 class Predicates : public testing::TestWithParam<Input> {
  protected:
   static constexpr std::uint64_t kSeed = 20240117;
@@ -196,7 +209,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Input{"DustyIntegers", dusty_integers()}, Input{"WholeDomain", points::whole_domain()},
                     Input{"LatticeOfSmallest", points::stretched_integers(0x1p-358, 0x1p-358, 0x1p-358)},
                     Input{"LatticeOfLargest", points::stretched_integers(0x1p299, 0x1p299, 0x1p299)},
-                    Input{"LatticeOfBoth", points::stretched_integers(0x1p299, 1, 0x1p-358)}),
+                    Input{"LatticeOfBoth", points::stretched_integers(0x1p299, 1, 0x1p-358)},
+                    Input{"LatticeOfLeast", points::stretched_integers(5e-324, 5e-324, 5e-324)},
+                    Input{"LatticeBesideUnits", points::stretched_integers(1, 0x1p-359, 5e-324)},
+                    Input{"LatticeOfAll", points::stretched_integers(0x1p299, 1, 5e-324)},
+                    Input{"UnitsAndLeast", units_and_least()}),
     [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

@@ -187,10 +187,10 @@ TEST(Collide, RefusesBadPosesAndWorldsOutOfRange) {
   expect_error(collide(cube, {}, cube, far), Code::out_of_range, {"object 1", "2^300"});
   expect_error(collide(cube, far, cube, {}), Code::out_of_range, {"object 0", "2^300"});
   EXPECT_TRUE(collide(cube, fine, cube, {}));
-  const Mesh small = cube.transformed({{0x1p-359, 0, 0, 0, 1, 0, 0, 0, 1}, {}}).value();
+  const Mesh small = cube.transformed({{0x1p-359, 0, 0, 0, 0x1p-359, 0, 0, 0, 0x1p-359}, {}}).value();
   expect_error(collide(small, {}, cube, {}), Code::out_of_range, {"object 0", "2^-358"});
   Pose beside;
-  beside.t = {1, 0, 0};  // the world's x is 1 for all of it, which is in the domain
+  beside.t = {1, 1, 1};  // where all of it is in the world, which is in the domain
   EXPECT_EQ(collide(small, beside, cube, {})->objects.size(), 1u);
 }
 

@@ -104,7 +104,9 @@ TEST(Place, DomainIsThatOfTheWorldVertices) {
     if (seed % 3 == 0) pose.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     for (double& t : pose.t) t = seed % 5 == 0 ? 0 : std::ldexp(random.uniform(-1, 1), random.integer(-320, 305));
     const bool expected = in_exact_domain(pose, test::numbers_of(mesh));
-    ASSERT_EQ(scene::place(test::numbers_of(mesh), pose, 0).in_domain, expected);
+    const scene::PlacedObject placed = scene::place(test::numbers_of(mesh), pose, 0);
+    ASSERT_EQ(placed.is_fine, !expected);
+    ASSERT_EQ(placed.in_domain, expected || in_range(pose, test::numbers_of(mesh)));
     ++(expected ? inside : outside);
   }
   EXPECT_GT(inside, 500);
@@ -163,6 +165,71 @@ TEST(ValidatePose, SaysWhatIsWrongAndWhatToDo) {
       EXPECT_TRUE(names(error_of(pose), "translation"));
     }
   }
+}
+
+TEST(PoseFromQuaternion, TurnsAsItsAxisAndAngleSay) {
+  // A quarter about z, of any length; and a third of a turn about (1, 1, 1), which moves x to y to z.
+  for (const double length : {1.0, 0x1p-1060, 0x1p1000, -3.0}) {
+    EXPECT_EQ(Pose::from_quaternion({.w = length, .z = length})->R,
+              (std::array<double, 9>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(Pose::from_quaternion({length, length, length, length})->R,
+              (std::array<double, 9>{0, 0, 1, 1, 0, 0, 0, 1, 0}));
+  }
+  EXPECT_EQ(Pose::from_quaternion({}, {1, 2, 3})->t, (std::array<double, 3>{1, 2, 3}));
+  test::Seeded seeded(6);
+  const auto random = [&] { return seeded.random.uniform(-1, 1); };
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 axis{random(), random(), random()};
+    const double half = 3 * random();
+    const Pose pose = Pose::from_quaternion({std::cos(half) * norm(axis), std::sin(half) * axis.x,
+                                             std::sin(half) * axis.y, std::sin(half) * axis.z})
+                          .value();
+    EXPECT_LE(orthogonality_defect(pose), 1e-15);
+    EXPECT_LE(norm(to_mat3(pose.R) * axis - axis), 1e-15);
+    EXPECT_NEAR(pose.R[0] + pose.R[4] + pose.R[8], 1 + 2 * std::cos(2 * half), 1e-14);  // the trace
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Quaternion& bad : {Quaternion{0, 0, 0, 0}, Quaternion{.x = nan}, Quaternion{.w = kInfinity}})
+    EXPECT_EQ(Pose::from_quaternion(bad).error().code, Code::bad_pose);
+  EXPECT_EQ(Pose::from_quaternion({}, {0, nan, 0}).error().code, Code::bad_pose);
+}
+
+/// Of rotations rounded to some decimals: no rotation is nearer to what is left, neither the one that was rounded nor
+/// one turned a little from what was found.
+TEST(NearestPose, IsTheNearestRotation) {
+  test::Seeded seeded(7);
+  const auto off = [](const std::array<double, 9>& R, const std::array<double, 9>& S) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 9; ++i) sum += (R[i] - S[i]) * (R[i] - S[i]);
+    return sum;
+  };
+  int refused = 0;
+  for (int i = 0; i < 500; ++i)
+    for (const double unit : {1e-6, 1e-3, 3e-2}) {
+      const auto rotation = scenes::random_rotation(seeded.random);
+      Affine rounded{.m = rotation, .t = {1, 2, 3}};
+      for (double& r : rounded.m) r = unit * std::round(r / unit);
+      const Pose found = Pose::nearest(rounded).value();
+      EXPECT_LE(orthogonality_defect(found), 1e-15);
+      EXPECT_EQ(found.t, rounded.t);
+      EXPECT_LE(off(found.R, rounded.m), off(rotation, rounded.m) + 1e-15);
+      for (const double turn : {1e-4, -1e-4})
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::array<double, 4> q{1, 0, 0, 0};
+          q[axis + 1] = turn / 2;
+          const Mat3 turned = to_mat3(Pose::from_quaternion({q[0], q[1], q[2], q[3]})->R) * to_mat3(found.R);
+          EXPECT_LE(off(found.R, rounded.m), off({turned[0].x, turned[0].y, turned[0].z, turned[1].x, turned[1].y,
+                                                  turned[1].z, turned[2].x, turned[2].y, turned[2].z},
+                                                 rounded.m));
+        }
+      if (unit == 1e-6) refused += !scene::validate({.R = rounded.m});
+    }
+  EXPECT_GT(refused, 50);  // what the function is for
+  const auto code = [](const std::array<double, 9>& m) { return Pose::nearest({.m = m}).error().code; };
+  EXPECT_EQ(code({2, 0, 0, 0, 2, 0, 0, 0, 2}), Code::bad_pose);
+  EXPECT_EQ(code({-1, 0, 0, 0, 1, 0, 0, 0, 1}), Code::bad_pose);
+  EXPECT_EQ(code({}), Code::bad_pose);
+  EXPECT_EQ(code({kInfinity, 0, 0, 0, 1, 0, 0, 0, 1}), Code::bad_pose);
 }
 
 }  // namespace
