@@ -7,6 +7,7 @@
 #include "impinge/collide.hpp"
 #include "impinge/contacts.hpp"
 #include "impinge/devices.hpp"
+#include "impinge/impacts.hpp"
 #include "impinge/manifolds.hpp"
 #include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"

@@ -81,6 +81,9 @@ class Mesh {
   [[nodiscard]] std::span<const Point> vertices() const noexcept;
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const noexcept;
   [[nodiscard]] Precision precision() const noexcept;
+  /// The edges of its triangles: (larger, smaller) vertex, ascending, each once. A triangle's equal corners have none.
+  /// Found when first asked for, so that memory may run out (`std::bad_alloc`).
+  [[nodiscard]] std::span<const std::array<std::uint32_t, 2>> edges() const;
   /// Bounding sphere in the mesh's own frame: the smallest one, up to rounding. {0, 0, 0} and 0 without vertices in
   /// use.
   [[nodiscard]] Point sphere_center() const noexcept;

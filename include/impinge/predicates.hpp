@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"
 #include "impinge/options.hpp"
 #include "impinge/result.hpp"
@@ -41,5 +42,15 @@ std::optional<Kind> intersects(const Triangle& a, const Triangle& b);
 
 /// Whether two triangles share an area: both proper, coplanar, and their interiors meet.
 bool share_area(const Triangle& a, const Triangle& b);
+
+/// (5) The first time t in [0, 1] at which a vertex meets a face, or an edge an edge, if each point moves on a straight
+/// line from where it is in `from` (t = 0) to where it is in `to` (t = 1): between equal or neighbouring doubles, and
+/// {0, 0} if and only if they meet at the start. Nothing if they never meet. What is degenerate, or becomes so on the
+/// way, is the segment or point that it is. From the roots of a cubic (Provot, "Collision and self-collision handling
+/// in cloth model dedicated to design garments", 1997), isolated and compared exactly.
+std::optional<Interval> vertex_face_impact(const Point& vertex_from, const Triangle& face_from, const Point& vertex_to,
+                                           const Triangle& face_to);
+std::optional<Interval> edge_edge_impact(const Segment& a_from, const Segment& b_from, const Segment& a_to,
+                                         const Segment& b_to);
 
 }  // namespace impinge

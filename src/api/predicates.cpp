@@ -7,6 +7,7 @@
 #include "exact/orientation.hpp"
 #include "exact/segment.hpp"
 #include "exact/triangle_pair.hpp"
+#include "motion/impact.hpp"
 
 namespace impinge {
 
@@ -66,6 +67,19 @@ std::optional<Kind> intersects(const Triangle& a, const Triangle& b) {
 bool share_area(const Triangle& a, const Triangle& b) {
   const FloatEnvironment nearest;
   return exact::share_area(a, b);
+}
+
+std::optional<Interval> vertex_face_impact(const Point& vertex_from, const Triangle& face_from, const Point& vertex_to,
+                                           const Triangle& face_to) {
+  const FloatEnvironment nearest;
+  return motion::vertex_face_impact({vertex_from, face_from[0], face_from[1], face_from[2]},
+                                    {vertex_to, face_to[0], face_to[1], face_to[2]});
+}
+
+std::optional<Interval> edge_edge_impact(const Segment& a_from, const Segment& b_from, const Segment& a_to,
+                                         const Segment& b_to) {
+  const FloatEnvironment nearest;
+  return motion::edge_edge_impact({a_from[0], a_from[1], b_from[0], b_from[1]}, {a_to[0], a_to[1], b_to[0], b_to[1]});
 }
 
 }  // namespace impinge

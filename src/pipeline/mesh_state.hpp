@@ -7,6 +7,7 @@
 #include "core/mesh_data.hpp"
 #include "hierarchy/wide_tree.hpp"
 #include "impinge/mesh.hpp"
+#include "motion/features.hpp"
 #include "paper/obb_tree.hpp"
 #include "pipeline/mesh_pieces.hpp"
 
@@ -35,6 +36,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
   mutable MeshPiecesCache pieces_cache;
+  mutable motion::FeaturesCache features;
 };
 
 }  // namespace impinge

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "impinge/measures.hpp"
+#include "impinge/mesh.hpp"
+#include "impinge/result.hpp"
+
+/// When moving meshes meet: continuous collision detection, exactly. Vertices move on straight lines, from where one
+/// mesh has them at time 0 to where another with the same triangles has them at time 1: (1 - t) x0 + t x1 in real
+/// arithmetic.
+namespace impinge {
+
+/// Which kinds of features meet. Every other way in which triangles can come to touch is one of these too.
+enum class Feature : std::uint8_t {
+  vertex_face,  ///< a vertex of the first mesh and a face of the second; or, of a mesh with itself, any of it
+  face_vertex,  ///< a face of the first mesh and a vertex of the second
+  edge_edge,
+};
+
+/// A vertex and a face, or two edges, which share a point at some time. Closed sets: a face has its boundary, an edge
+/// its ends; a face or an edge that is degenerate, or becomes so on the way, is then the segment or point that it is.
+struct Impact {
+  Feature feature;
+  std::uint32_t a, b;  ///< a vertex or triangle by its index, an edge by its index in `Mesh::edges`
+  Interval time;       ///< holds the first time at which they meet; its ends are equal or neighbouring doubles
+  Point point;         ///< where, up to rounding
+  Point normal;        ///< there, of unit length, up to rounding: of the face, or at right angles to both edges; from b
+                       ///< to where a comes from. All zero where there is none
+};
+
+/// Which vertices of a mesh are one. Features that share a vertex meet always, and are not reported.
+enum class Adjacency : std::uint8_t {
+  by_index,
+  by_position,  ///< those too that are equal at both ends, as in files that repeat each triangle's corners; then the
+                ///< lowest index stands for all
+};
+
+struct MotionOptions {
+  bool earliest = false;  ///< find only the first impact, and of several with the same `time` the first in order
+  double end = 1;         ///< of the time that is looked at, 0 to 1
+  Adjacency adjacency = Adjacency::by_index;                        ///< of a mesh with itself
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many, in order
+  int threads = 0;                                                  ///< at most so many; 0: all there are
+  std::stop_token stop{};
+};
+
+struct Impacts {
+  std::vector<Impact> impacts;       ///< in order of feature, a, b
+  std::optional<Interval> earliest;  ///< the first `time` of all, those beyond the limit too; {0, 0} if and only if
+                                     ///< something touches at the start
+  bool truncated = false;            ///< more exist than the limit kept
+};
+
+/// A mesh at both ends of its way.
+struct Moving {
+  Mesh from, to;
+};
+
+/// All impacts between two meshes, or of a mesh with itself: none missed, none added. A mesh that is free of
+/// self-collision at time 0 and has no impact is free of it throughout (docs/motion.md).
+/// Culls by a tree of boxes at both ends: features that an axis separates at both ends, in the same order, never meet.
+/// Coordinates may be any finite doubles.
+/// Errors: `bad_mesh` (the two ends have different triangles or numbers of vertices), `bad_option`, `cancelled`.
+Result<Impacts> find_impacts(const Moving& a, const Moving& b, const MotionOptions& options = {});
+Result<Impacts> find_impacts(const Moving& mesh, const MotionOptions& options = {});
+
+}  // namespace impinge

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "motion/features.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace impinge::motion {
+
+Features::Features(std::vector<Corners> triangles)
+    : corners(std::move(triangles)), sides(corners.size()), care(corners.size()) {
+  struct Side {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t triangle;
+    std::uint8_t side;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> all;
+  all.reserve(3 * corners.size());
+  std::uint32_t vertices = 0;
+  for (std::uint32_t i = 0; i < corners.size(); ++i)
+    for (std::uint8_t k = 0; k < 3; ++k) {
+      const std::uint32_t one = corners[i][k], two = corners[i][(k + 1) % 3];
+      sides[i][k] = kNone;
+      if (one != two) all.push_back({{std::max(one, two), std::min(one, two)}, i, k});
+      vertices = std::max(vertices, one + 1);
+    }
+  std::sort(all.begin(), all.end());
+  for (const Side& side : all) {
+    if (edges.empty() || edges.back() != side.ends) {
+      edges.push_back(side.ends);
+      care[side.triangle] |= static_cast<std::uint8_t>(8 << side.side);
+    }
+    sides[side.triangle][side.side] = static_cast<std::uint32_t>(edges.size() - 1);
+  }
+  std::vector<bool> seen(vertices);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (seen[corners[i][k]]) continue;
+      seen[corners[i][k]] = true;
+      care[i] |= static_cast<std::uint8_t>(1 << k);
+    }
+}
+
+Features join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to) {
+  std::vector<std::uint32_t> order(from.size()), lowest(from.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](std::uint32_t i) {
+    return std::tuple(from[i].x, from[i].y, from[i].z, to[i].x, to[i].y, to[i].z);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return std::pair(place(i), i) < std::pair(place(j), j); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    lowest[order[i]] = i > 0 && place(order[i - 1]) == place(order[i]) ? lowest[order[i - 1]] : order[i];
+  std::vector<Corners> triangles = of.corners;
+  for (Corners& corners : triangles)
+    for (std::uint32_t& corner : corners) corner = lowest[corner];
+
+  Features joined(std::move(triangles));
+  // In order of the first of the edges that each was.
+  std::vector<std::uint32_t> first(joined.edges.size(), Features::kNone), by_name(joined.edges.size());
+  for (std::size_t i = 0; i < joined.sides.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::uint32_t edge = joined.sides[i][k]; edge != Features::kNone)
+        first[edge] = std::min(first[edge], of.sides[i][k]);
+  std::iota(by_name.begin(), by_name.end(), 0);
+  std::sort(by_name.begin(), by_name.end(), [&](std::uint32_t i, std::uint32_t j) { return first[i] < first[j]; });
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::uint32_t> now(joined.edges.size());
+  for (const std::uint32_t edge : by_name) {
+    now[edge] = static_cast<std::uint32_t>(edges.size());
+    edges.push_back(joined.edges[edge]);
+    joined.names.push_back(first[edge]);
+  }
+  joined.edges = std::move(edges);
+  for (Corners& sides : joined.sides)
+    for (std::uint32_t& edge : sides)
+      if (edge != Features::kNone) edge = now[edge];
+  return joined;
+}
+
+}  // namespace impinge::motion

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "motion/polynomial.hpp"
+
+#include <utility>
+
+namespace impinge::motion {
+
+bool Polynomial::is_zero() const {
+  for (int i = 0; i <= degree; ++i)
+    if (!coefficients[i].is_zero()) return false;
+  return true;
+}
+
+int Polynomial::sign(const Integer& s, const Integer& t) const {
+  Integer value = coefficients[degree], power = 1;  // Horner's scheme from the end of time, with s as the unit
+  for (int i = degree; i-- > 0;) {
+    power *= s;
+    value = value * t + coefficients[i] * power;
+  }
+  return value.sign();
+}
+
+int Polynomial::variations() const {
+  int changes = 0, last = 0;
+  for (int i = 0; i <= degree; ++i) {
+    const int sign = coefficients[i].sign();
+    changes += int{sign * last < 0};
+    if (sign != 0) last = sign;
+  }
+  return changes;
+}
+
+int Polynomial::first_sign() const {
+  for (int i = 0; i <= degree; ++i)
+    if (const int sign = coefficients[i].sign(); sign != 0) return sign;
+  return 0;
+}
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  Polynomial sum = a;
+  for (int i = 0; i <= b.degree; ++i) sum.coefficients[i] += b.coefficients[i];
+  return sum;
+}
+
+Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+  Polynomial difference = a;
+  for (int i = 0; i <= b.degree; ++i) difference.coefficients[i] -= b.coefficients[i];
+  return difference;
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  Polynomial product;
+  product.degree = a.degree + b.degree;
+  for (int i = 0; i <= a.degree; ++i)
+    for (int j = 0; j <= b.degree; ++j) product.coefficients[i + j] += a.coefficients[i] * b.coefficients[j];
+  return product;
+}
+
+// With s' + t' = 1 in the interval, 2^level t = first s' + (first + 1) t' and 2^level s is what is left of
+// 2^level (s' + t').
+Polynomial restricted(const Polynomial& p, const Dyadic& to) {
+  if (to.level == 0) return p;
+  const Integer whole = Integer(1) << to.level, second = to.first + 1;
+  const Polynomial t = linear(to.first, second), s = linear(whole - to.first, whole - second);
+  Polynomial result{{p.coefficients[p.degree]}, 0}, power{{Integer(1)}, 0};
+  for (int i = p.degree; i-- > 0;) {
+    power = power * s;
+    result = result * t + Polynomial{{p.coefficients[i]}, 0} * power;
+  }
+  return result;
+}
+
+Polynomial without_ends(Polynomial p) {
+  while (p.degree > 0 && p.coefficients[p.degree].is_zero()) --p.degree;
+  while (p.degree > 0 && p.coefficients[0].is_zero()) {
+    for (int i = 0; i < p.degree; ++i) p.coefficients[i] = p.coefficients[i + 1];
+    p.coefficients[p.degree--] = 0;
+  }
+  return p;
+}
+
+namespace {
+
+void trim(Polynomial& p) {
+  while (p.degree > 0 && p.coefficients[p.degree].is_zero()) --p.degree;
+}
+
+/// Leaves in `p` what is left of it, times powers of the divisor's leading coefficient, and returns the quotient,
+/// times such powers.
+Polynomial divide(Polynomial& p, const Polynomial& divisor) {
+  Polynomial quotient;
+  quotient.degree = p.degree - divisor.degree;
+  const Integer& leading = divisor.coefficients[divisor.degree];
+  for (int i = quotient.degree; i >= 0; --i) {
+    const Integer factor = p.coefficients[i + divisor.degree];
+    for (Integer& c : quotient.coefficients) c *= leading;
+    for (Integer& c : p.coefficients) c *= leading;
+    quotient.coefficients[i] = factor;
+    for (int j = 0; j <= divisor.degree; ++j) p.coefficients[i + j] -= factor * divisor.coefficients[j];
+  }
+  trim(p);
+  return quotient;
+}
+
+}  // namespace
+
+Polynomial common_divisor(Polynomial p, Polynomial q) {
+  trim(p);
+  trim(q);
+  if (p.degree < q.degree) std::swap(p, q);
+  while (!q.is_zero()) {
+    if (q.degree == 0) return {{Integer(1)}, 0};
+    divide(p, q);
+    std::swap(p, q);
+  }
+  return p;
+}
+
+Polynomial quotient(Polynomial p, const Polynomial& divisor) { return divide(p, divisor); }
+
+Polynomial derivative(const Polynomial& p) {
+  Polynomial result;
+  result.degree = p.degree - 1;
+  for (int i = 1; i <= p.degree; ++i) result.coefficients[i - 1] = i * p.coefficients[i];
+  return result;
+}
+
+}  // namespace impinge::motion

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "impinge/impacts.hpp"
+#include "impinge/predicates.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+using scenes::Random;
+using Row = std::tuple<Feature, std::uint32_t, std::uint32_t, double, double>;
+
+std::vector<Row> rows(const std::vector<Impact>& impacts) {
+  std::vector<Row> result;
+  for (const Impact& x : impacts) result.emplace_back(x.feature, x.a, x.b, x.time.lo, x.time.hi);
+  return result;
+}
+
+Impacts found(Result<Impacts> result) {
+  EXPECT_TRUE(result) << result.error().message;
+  return *std::move(result);
+}
+
+/// Every vertex against every face and every edge against every edge.
+std::vector<Row> brute_force(const Moving& a, const Moving& b, bool itself) {
+  std::vector<Row> result;
+  const auto add = [&](Feature feature, std::uint32_t i, std::uint32_t j, const std::optional<Interval>& time) {
+    if (time) result.emplace_back(feature, i, j, time->lo, time->hi);
+  };
+  const auto used = [](const Mesh& mesh) {
+    std::set<std::uint32_t> vertices;
+    for (const auto& triangle : mesh.triangles()) vertices.insert(triangle.begin(), triangle.end());
+    return vertices;
+  };
+  const auto vertex_against_faces = [&](const Moving& of, const Moving& faces, Feature feature) {
+    for (const std::uint32_t v : used(of.from))
+      for (std::uint32_t f = 0; f < faces.from.triangle_count(); ++f) {
+        const auto& c = faces.from.triangles()[f];
+        if (itself && (c[0] == v || c[1] == v || c[2] == v)) continue;
+        const auto face = [&](const Mesh& mesh) {
+          return Triangle{mesh.vertices()[c[0]], mesh.vertices()[c[1]], mesh.vertices()[c[2]]};
+        };
+        const bool swapped = feature == Feature::face_vertex;
+        add(feature, swapped ? f : v, swapped ? v : f,
+            vertex_face_impact(of.from.vertices()[v], face(faces.from), of.to.vertices()[v], face(faces.to)));
+      }
+  };
+  vertex_against_faces(a, b, Feature::vertex_face);
+  if (!itself) vertex_against_faces(b, a, Feature::face_vertex);
+  const auto edge = [](const Mesh& mesh, const std::array<std::uint32_t, 2>& e) {
+    return Segment{mesh.vertices()[e[0]], mesh.vertices()[e[1]]};
+  };
+  const auto first = a.from.edges(), second = b.from.edges();
+  for (std::uint32_t i = 0; i < first.size(); ++i)
+    for (std::uint32_t j = itself ? i + 1 : 0; j < second.size(); ++j) {
+      const auto &e = first[i], &f = second[j];
+      if (itself && (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1])) continue;
+      add(Feature::edge_edge, i, j, edge_edge_impact(edge(a.from, e), edge(b.from, f), edge(a.to, e), edge(b.to, f)));
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// A sheet of n x n squares whose vertices are on a lattice of `steps` in each unit, where `place` puts them.
+scenes::MeshData sheet(int n, const std::function<Point(double, double)>& place) {
+  scenes::MeshData mesh;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const Point p = place(i / double(n), j / double(n));
+      mesh.xyz.insert(mesh.xyz.end(), {p.x, p.y, p.z});
+    }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i * (n + 1) + j); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      mesh.triangles.insert(mesh.triangles.end(),
+                            {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+  return mesh;
+}
+
+double on_lattice(double x, double steps) { return std::round(x * steps) / steps; }
+
+/// A sheet that flutters: on a coarse lattice many vertices meet others exactly.
+Moving fluttering(Random& random, int n, double steps, double z, double squares = 0.6) {
+  const auto state = [&](double lift) {
+    return test::mesh_of(sheet(n, [&](double x, double y) {
+      const auto about = [&](double w, double by) { return on_lattice(w + random.uniform(-by, by), steps); };
+      return Point{about(x, squares / n), about(y, squares / n), about(lift, 0.2)};
+    }));
+  };
+  Mesh from = state(z);
+  return {std::move(from), state(-z)};
+}
+
+TEST(FindImpacts, OfTwoMeshesAreThoseOfEveryPairOfFeatures) {
+  test::Seeded seeded(20263);
+  std::size_t count = 0;
+  for (const double steps : {8.0, 64.0, 0x1p40})
+    for (int i = 0; i < 6; ++i) {
+      const int n = 2 + i % 4;
+      const Moving a = fluttering(seeded.random, n, steps, 0.3), b = fluttering(seeded.random, 5 - n % 2, steps, -0.1);
+      const auto expected = brute_force(a, b, false);
+      for (const int threads : {1, 2}) {
+        const Impacts impacts = found(find_impacts(a, b, {.threads = threads}));
+        EXPECT_EQ(expected, rows(impacts.impacts));
+        EXPECT_FALSE(impacts.truncated);
+      }
+      count += expected.size();
+    }
+  EXPECT_GT(count, 1000u);
+}
+
+TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
+  test::Seeded seeded(20264);
+  std::size_t count = 0;
+  for (const double steps : {8.0, 64.0, 0x1p40})
+    for (int i = 0; i < 5; ++i) {
+      const Moving mesh = fluttering(seeded.random, 2 + i, steps, 0.3, 1.5);
+      const auto expected = brute_force(mesh, mesh, true);
+      const Impacts impacts = found(find_impacts(mesh));
+      EXPECT_EQ(expected, rows(impacts.impacts));
+      count += expected.size();
+
+      // The first so many, the first of all, and those until some time.
+      const Impacts few = found(find_impacts(mesh, {.limit = expected.size() / 2}));
+      EXPECT_EQ(std::vector(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(expected.size() / 2)),
+                rows(few.impacts));
+      EXPECT_EQ(few.truncated, !expected.empty());
+      if (expected.empty()) continue;
+      const auto sooner = [](const Row& x, const Row& y) {
+        return std::tuple(std::get<3>(x), std::get<4>(x), x) < std::tuple(std::get<3>(y), std::get<4>(y), y);
+      };
+      const Row first = *std::min_element(expected.begin(), expected.end(), sooner);
+      for (const Impacts& x : {few, impacts}) {
+        EXPECT_EQ(x.earliest->lo, std::get<3>(first));
+        EXPECT_EQ(x.earliest->hi, std::get<4>(first));
+      }
+      EXPECT_EQ(rows(found(find_impacts(mesh, {.earliest = true})).impacts), std::vector{first});
+      for (const double end : {0.0, 0.25, std::get<4>(first), std::nextafter(std::get<3>(first), -1)}) {
+        if (end < 0) continue;
+        std::vector<Row> until;
+        std::copy_if(expected.begin(), expected.end(), std::back_inserter(until),
+                     [&](const Row& x) { return std::get<4>(x) <= end; });
+        EXPECT_EQ(rows(found(find_impacts(mesh, {.end = end})).impacts), until);
+      }
+    }
+  EXPECT_GT(count, 1000u);
+}
+
+TEST(FindImpacts, ByPositionTakeEqualVerticesForOne) {
+  test::Seeded seeded(20265);
+  const Moving whole = fluttering(seeded.random, 4, 16, 0.3, 1.5);
+  // The same with corners of its own for each triangle: vertex 3 i + k is corner k of triangle i.
+  const auto apart = [&](const Mesh& mesh) {
+    scenes::MeshData soup;
+    for (const auto& triangle : mesh.triangles())
+      for (const std::uint32_t v : triangle) {
+        const Point& p = mesh.vertices()[v];
+        soup.triangles.push_back(static_cast<std::uint32_t>(soup.xyz.size() / 3));
+        soup.xyz.insert(soup.xyz.end(), {p.x, p.y, p.z});
+      }
+    return test::mesh_of(soup);
+  };
+  const Moving soup{apart(whole.from), apart(whole.to)};
+  const Impacts expected = found(find_impacts(whole, {.adjacency = Adjacency::by_position})),
+                impacts = found(find_impacts(soup, {.adjacency = Adjacency::by_position}));
+  // By what they are: places do not depend on numbers.
+  const auto places = [](const Moving& mesh, const Impacts& all) {
+    std::vector<std::vector<std::tuple<double, double, double>>> result;
+    for (const Impact& x : all.impacts) {
+      std::vector<std::uint32_t> vertices;
+      if (x.feature == Feature::edge_edge) {
+        for (const std::uint32_t e : {x.a, x.b})
+          for (const std::uint32_t v : mesh.from.edges()[e]) vertices.push_back(v);
+      } else {
+        vertices.push_back(x.a);
+        for (const std::uint32_t v : mesh.from.triangles()[x.b]) vertices.push_back(v);
+      }
+      std::vector<std::tuple<double, double, double>> points{{double(x.feature != Feature::edge_edge), x.time.lo, 0}};
+      for (const std::uint32_t v : vertices) {
+        const Point& p = mesh.from.vertices()[v];
+        points.emplace_back(p.x, p.y, p.z);
+      }
+      std::sort(points.begin() + 1, points.end());
+      result.push_back(points);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  EXPECT_EQ(places(whole, expected), places(soup, impacts));
+  EXPECT_GT(expected.impacts.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(impacts.impacts.begin(), impacts.impacts.end(), [](const Impact& x, const Impact& y) {
+    return std::tie(x.feature, x.a, x.b) < std::tie(y.feature, y.a, y.b);
+  }));
+  // By index every triangle meets its neighbours all the time.
+  EXPECT_EQ(found(find_impacts(soup)).earliest->hi, 0);
+}
+
+TEST(FindImpacts, SayWhereAndAlongWhich) {
+  // A cube falls onto a plate that rises towards it: they meet half-way, face on face.
+  const auto cube = [](double z) { return test::mesh_of(scenes::box({0, 0, z}, {1, 1, z + 1})); };
+  const auto plate = [](double z) { return test::mesh_of(scenes::box({-1, -1, z - 1}, {2, 2, z})); };
+  const Impacts impacts = found(find_impacts({cube(3), cube(1)}, {plate(0), plate(2)}));
+  ASSERT_FALSE(impacts.impacts.empty());
+  EXPECT_EQ(impacts.earliest->lo, 0.75);
+  EXPECT_EQ(impacts.earliest->hi, 0.75);
+  int under = 0;
+  for (const Impact& x : impacts.impacts) {
+    if (x.feature != Feature::vertex_face || x.time.lo != 0.75) continue;
+    EXPECT_EQ(x.point.z, 1.5);
+    EXPECT_EQ(x.normal, (Point{0, 0, 1}));
+    ++under;
+  }
+  EXPECT_GE(under, 4);
+}
+
+TEST(FindImpacts, SayWhatIsWrong) {
+  const Mesh cube = test::mesh_of(scenes::cube()), fine = test::mesh_of(scenes::box({0, 0, 0}, {1, 1, 1}, 2));
+  const auto fails = [](const Result<Impacts>& result, Code code, const std::string& words) {
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, code);
+    EXPECT_NE(result.error().message.find(words), std::string::npos) << result.error().message;
+  };
+  fails(find_impacts({cube, fine}), Code::bad_mesh, "vertices at the start");
+  fails(find_impacts({cube, cube}, {cube, fine}), Code::bad_mesh, "the second mesh");
+  scenes::MeshData other = scenes::cube();
+  std::swap(other.triangles[3], other.triangles[4]);
+  fails(find_impacts({cube, test::mesh_of(other)}), Code::bad_mesh, "triangle 1 has other vertices");
+  fails(find_impacts({cube, cube}, {.end = 1.5}), Code::bad_option, "0 to 1");
+  fails(find_impacts({cube, cube}, {.threads = -1}), Code::bad_option, "threads");
+  std::stop_source stop;
+  stop.request_stop();
+  fails(find_impacts({fine, fine}, {.stop = stop.get_token()}), Code::cancelled, "stopped");
+  const Mesh empty = test::mesh_of({});
+  EXPECT_TRUE(found(find_impacts({empty, empty}, {cube, cube})).impacts.empty());
+  EXPECT_FALSE(found(find_impacts({empty, empty})).earliest);
+}
+
+}  // namespace
+}  // namespace impinge
