@@ -76,6 +76,12 @@ class Mesh {
   /// Errors: `bad_pose` (map not finite), `out_of_range` (a vertex is mapped to infinity).
   Result<Mesh> transformed(const Affine& map) const;
 
+  /// The same triangles with other vertices: `xyz` holds 3 finite coordinates for each vertex. Every answer is that of
+  /// a mesh created from these numbers, but the tree is this mesh's, refitted: it is made whole first, if it is not
+  /// yet. Parts that the deformation has made loose are made anew. (The backends "paper" and "raster" make their trees
+  /// anew.) Errors: `bad_mesh` (not as many coordinates, not finite).
+  Result<Mesh> deformed(std::span<const double> xyz) const;
+
   [[nodiscard]] std::size_t vertex_count() const noexcept;
   [[nodiscard]] std::size_t triangle_count() const noexcept;
   [[nodiscard]] std::span<const Point> vertices() const noexcept;

@@ -84,6 +84,9 @@ class Scene {
   Result<void> set_poses(std::span<const ObjectId> ids, std::span<const Pose> poses);
   /// Gives the object another shape; its id, its group, its filter and the pairs that ignore it stay. Errors: likewise.
   Result<void> set_mesh(ObjectId id, Mesh mesh, const Pose& pose = {});
+  /// Deforms the object's mesh, as `Mesh::deformed` does; other objects that share the mesh keep theirs. Errors:
+  /// `unknown_id`, and those of `Mesh::deformed`; the object then stays as it was.
+  Result<void> set_vertices(ObjectId id, std::span<const double> xyz);
   /// Forgets the object, its filter and the pairs that ignore it. Errors: `unknown_id`.
   Result<void> remove(ObjectId id);
   /// Leaves this pair out of every query from now on. Errors: `unknown_id`, `bad_option` (an object with itself).

@@ -50,33 +50,44 @@ void measure_triangles(MeshData& mesh) {
   mesh.sphere = scene::bounding_sphere(points);
 }
 
-template <class T>
-Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint32_t> triangles, Precision precision) {
-  const auto bad = [](std::string message) { return Error{Code::bad_mesh, std::move(message)}; };
-  if (xyz.size() % 3 != 0) return bad("the coordinates are " + std::to_string(xyz.size()) + ", not 3 a vertex");
-  if (triangles.size() % 3 != 0)
-    return bad("the indices are " + std::to_string(triangles.size()) + ", not 3 a triangle");
-  const std::size_t vertex_count = xyz.size() / 3, triangle_count = triangles.size() / 3;
-  if (triangle_count > std::numeric_limits<std::int32_t>::max())
-    return bad("the mesh has more than 2^31 - 1 triangles; cut it into several objects");
+Error bad_mesh(std::string message) { return {Code::bad_mesh, std::move(message)}; }
 
-  MeshData mesh;
-  mesh.precision = precision;
-  mesh.vertices.reserve(vertex_count);
-  for (std::size_t i = 0; i < vertex_count; ++i) {
+/// Three coordinates a vertex.
+template <class T>
+Result<std::vector<Vec3>> read_vertices(std::span<const T> xyz) {
+  std::vector<Vec3> vertices;
+  vertices.reserve(xyz.size() / 3);
+  for (std::size_t i = 0; i < xyz.size() / 3; ++i) {
     const Vec3 v{static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]),
                  static_cast<double>(xyz[3 * i + 2])};
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      return bad("vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
-    mesh.vertices.push_back(v);
+      return bad_mesh("vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
+    vertices.push_back(v);
   }
+  return vertices;
+}
+
+template <class T>
+Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint32_t> triangles, Precision precision) {
+  if (xyz.size() % 3 != 0) return bad_mesh("the coordinates are " + std::to_string(xyz.size()) + ", not 3 a vertex");
+  if (triangles.size() % 3 != 0)
+    return bad_mesh("the indices are " + std::to_string(triangles.size()) + ", not 3 a triangle");
+  const std::size_t vertex_count = xyz.size() / 3, triangle_count = triangles.size() / 3;
+  if (triangle_count > std::numeric_limits<std::int32_t>::max())
+    return bad_mesh("the mesh has more than 2^31 - 1 triangles; cut it into several objects");
+
+  auto vertices = read_vertices(xyz);
+  if (!vertices) return vertices.error();
+  MeshData mesh;
+  mesh.precision = precision;
+  mesh.vertices = *std::move(vertices);
   mesh.triangles.reserve(triangle_count);
   for (std::size_t i = 0; i < triangle_count; ++i) {
     mesh.triangles.push_back({triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]});
     for (const std::uint32_t v : mesh.triangles.back())
       if (v >= vertex_count)
-        return bad("triangle " + std::to_string(i) + " names vertex " + std::to_string(v) + ", but there are only " +
-                   std::to_string(vertex_count) + " (counted from 0)");
+        return bad_mesh("triangle " + std::to_string(i) + " names vertex " + std::to_string(v) +
+                        ", but there are only " + std::to_string(vertex_count) + " (counted from 0)");
   }
   return mesh;
 }
@@ -113,6 +124,26 @@ Result<Mesh> Mesh::transformed(const Affine& map) const {
         return Error{Code::out_of_range, "vertex " + std::to_string(i) + " is mapped beyond the range of double"};
     }
     return make(std::move(mesh), state_->config);
+  });
+}
+
+Result<Mesh> Mesh::deformed(std::span<const double> xyz) const {
+  return guarded([&]() -> Result<Mesh> {
+    const std::size_t n = vertex_count();
+    if (xyz.size() < 3 * n)
+      return bad_mesh("the coordinates end within vertex " + std::to_string(xyz.size() / 3) + ", but the mesh has " +
+                      std::to_string(n) + " vertices (counted from 0), 3 coordinates each");
+    if (xyz.size() > 3 * n)
+      return bad_mesh("there are coordinates of a vertex " + std::to_string(n) + ", but the mesh has only " +
+                      std::to_string(n) + " (counted from 0), 3 coordinates each");
+    auto vertices = read_vertices(xyz);
+    if (!vertices) return vertices.error();
+    MeshData mesh;
+    mesh.precision = state_->data.precision;
+    mesh.vertices = *std::move(vertices);
+    mesh.triangles = state_->data.triangles;
+    measure_triangles(mesh);
+    return Mesh(std::make_shared<const MeshState>(std::move(mesh), *state_, on_threads(0)));
   });
 }
 

@@ -115,6 +115,13 @@ Result<void> Scene::set_mesh(ObjectId id, Mesh mesh, const Pose& pose) {
   return {};
 }
 
+Result<void> Scene::set_vertices(ObjectId id, std::span<const double> xyz) {
+  if (auto known = state_->check(id); !known) return known;
+  auto mesh = state_->slots[id.index].mesh->deformed(xyz);
+  if (!mesh) return mesh.error();
+  return set_mesh(id, *std::move(mesh), state_->objects[id.index].pose);
+}
+
 Result<void> Scene::remove(ObjectId id) {
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "core/vec3.hpp"
+#include "hierarchy/carried_axes.hpp"
 #include "hierarchy/round_up.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -95,12 +96,83 @@ void write(const SoupTriangle* triangles, const Vec3& base, const SoupSource& so
   }
 }
 
+/// The middle of the box of `size` points, rows of x, y and z that are turned to the frame's axes in place. Those at 0
+/// are inside.
+HWY_INLINE void turn(double* points, std::size_t size, const Frame& frame, double* middle) {
+  const hn::CappedTag<double, 8> d;
+  auto lo_x = hn::Zero(d), lo_y = lo_x, lo_z = lo_x, hi_x = lo_x, hi_y = lo_x, hi_z = lo_x;
+  const auto entry = [&](int l, int i) HWY_ATTR { return hn::Set(d, frame.axes[l][i]); };
+  const auto xx = entry(0, 0), xy = entry(1, 0), xz = entry(2, 0), yx = entry(0, 1), yy = entry(1, 1), yz = entry(2, 1),
+             zx = entry(0, 2), zy = entry(1, 2), zz = entry(2, 2);
+  for (std::size_t j = 0; j < size; j += hn::Lanes(d)) {
+    const auto x = hn::Load(d, points + j), y = hn::Load(d, points + size + j), z = hn::Load(d, points + 2 * size + j);
+    const auto along = [&](auto ax, auto ay, auto az)
+                           HWY_ATTR { return hn::Add(hn::Add(hn::Mul(ax, x), hn::Mul(ay, y)), hn::Mul(az, z)); };
+    const auto u = along(xx, xy, xz), v = along(yx, yy, yz), w = along(zx, zy, zz);
+    hn::Store(u, d, points + j), hn::Store(v, d, points + size + j), hn::Store(w, d, points + 2 * size + j);
+    lo_x = hn::Min(lo_x, u), lo_y = hn::Min(lo_y, v), lo_z = hn::Min(lo_z, w);
+    hi_x = hn::Max(hi_x, u), hi_y = hn::Max(hi_y, v), hi_z = hn::Max(hi_z, w);
+  }
+  const auto between = [&](auto lo, auto hi) HWY_ATTR {
+    return 0.5 * (hn::GetLane(hn::MinOfLanes(d, lo)) + hn::GetLane(hn::MaxOfLanes(d, hi)));
+  };
+  middle[0] = between(lo_x, hi_x), middle[1] = between(lo_y, hi_y), middle[2] = between(lo_z, hi_z);
+}
+
+/// Everything but the bounds, from the mesh's doubles and the old leaf's axes.
+void rewrite(const WideLeaf& old, const SoupSource& source, WideLeaf& leaf, float* reach) {
+  const std::size_t count = leaf.count, stride = leaf.stride, size = 3 * stride;
+  auto* const rows = reinterpret_cast<float*>(&leaf + 1);
+  std::copy_n(old.ids(), stride, reinterpret_cast<std::uint32_t*>(rows + 9 * stride));
+  const Vec3 near = source.corner(leaf.ids()[0], 0);
+  const hn::CappedTag<double, 8> d;
+  const hn::Rebind<float, decltype(d)> df;
+  alignas(64) double points[3 * 3 * kMostTriangles];  // from there; beyond the last triangle, there
+  for (std::size_t i = 0; i < 3 * size; i += hn::Lanes(d)) hn::Store(hn::Zero(d), d, points + i);
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 v = source.corner(leaf.ids()[j], corner);
+      double* const to = points + corner * stride + j;
+      to[0] = v.x - near.x, to[size] = v.y - near.y, to[2 * size] = v.z - near.z;
+    }
+  }
+  carry_leaf_axes(old, points, leaf.frame);
+  double middle[3];
+  turn(points, size, leaf.frame, middle);
+
+  const auto& axes = leaf.frame.axes;
+  const double from[3] = {near.x, near.y, near.z};
+  double move[3];
+  for (int l = 0; l < 3; ++l) {
+    const double offset = axes[l][0] * middle[0] + axes[l][1] * middle[1] + axes[l][2] * middle[2];
+    leaf.frame.origin[l] = from[l] + offset;
+    move[l] = leaf.frame.origin[l] - from[l];
+  }
+  leaf.frame.origin[3] = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto shift = hn::Set(d, axes[0][i] * move[0] + axes[1][i] * move[1] + axes[2][i] * move[2]);
+    auto most = hn::Zero(df);
+    for (std::size_t j = 0; j < stride; j += hn::Lanes(d)) {
+      const auto is_used = hn::FirstN(df, j < count ? count - j : 0);
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto moved = hn::Sub(hn::Load(d, points + i * size + corner * stride + j), shift);
+        const auto rounded = hn::DemoteTo(df, moved);
+        most = hn::Max(most, hn::Abs(rounded));
+        hn::Store(hn::IfThenElse(is_used, rounded, hn::Set(df, WideLeaf::kNoTriangle)), df,
+                  rows + (3 * corner + i) * stride + j);
+      }
+    }
+    reach[i] = hn::GetLane(hn::MaxOfLanes(df, most));
+  }
+}
+
 }  // namespace impinge::hierarchy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace impinge::hierarchy {
 HWY_EXPORT(write);
+HWY_EXPORT(rewrite);
 namespace {
 
 /// Rows in whole vectors of the most lanes that a reader takes.
@@ -120,26 +192,46 @@ double inverse_defect(const Frame& frame) {
   return (std::sqrt(squares) + 0x1p-48) * (1 + 0x1p-18);
 }
 
+WideLeaf* new_leaf(std::uint32_t count, Arena& arena) {
+  const std::size_t stride = stride_for(count);
+  auto* const leaf = new (arena.allocate(sizeof(WideLeaf) + 10 * stride * sizeof(float))) WideLeaf;
+  leaf->count = count, leaf->stride = static_cast<std::uint32_t>(stride);
+  return leaf;
+}
+
+/// The bounds, by the largest coordinate on each axis.
+//
+// Let L be the largest of them. Made anew, a corner is rotated by three products and two sums in double from a
+// difference of at most 2 L, rounded once: less than 2^-50 L. Refitted, it and the origin are rotated from a corner of
+// the leaf, at most 2 sqrt 3 L and sqrt 3 L away: each is rounded once by the difference and five times by the
+// rotation, where no number is above sqrt 3 times as much, then once more by their difference: less than 64 * 2^-53 L.
+// Then each number is rounded to float, which is 2^-24 of it or, near nothing, 2^-150. Likewise 2^-k v may have been
+// rounded near nothing.
+void set_bounds(const float (&reach)[3], WideLeaf& leaf) {
+  const double largest = std::max({reach[0], reach[1], reach[2]});
+  const double error = (0x1p-24 + 0x1p-46) * largest + kNothing;
+  for (int i = 0; i < 3; ++i) leaf.half[i] = round_up(reach[i] + error);
+  leaf.error = round_up(error);
+  leaf.inverse_error = round_up(inverse_defect(leaf.frame) * norm(Vec3{reach[0], reach[1], reach[2]}));
+  leaf.frame.radius = round_up(largest + error);
+}
+
 }  // namespace
 
 const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& base, const SoupSource& source,
                           Arena& arena) {
-  const auto count = static_cast<std::uint32_t>(triangles.size());
-  const std::size_t stride = stride_for(count);
-  auto* const leaf = new (arena.allocate(sizeof(WideLeaf) + 10 * stride * sizeof(float))) WideLeaf;
-  leaf->count = count, leaf->stride = static_cast<std::uint32_t>(stride);
+  WideLeaf* const leaf = new_leaf(static_cast<std::uint32_t>(triangles.size()), arena);
   float reach[3];
   HWY_DYNAMIC_DISPATCH(write)(triangles.data(), base, source, *leaf, reach);
+  set_bounds(reach, *leaf);
+  return leaf;
+}
 
-  // The rotation in double is off by less than 2^-50 of the largest coordinate before it, which is at most twice the
-  // largest after it; then each number is rounded to float, which is 2^-24 of it or, near nothing, 2^-150. Likewise
-  // 2^-k v may have been rounded near nothing.
-  const double largest = std::max({reach[0], reach[1], reach[2]});
-  const double error = (0x1p-24 + 0x1p-48) * largest + kNothing;
-  for (int i = 0; i < 3; ++i) leaf->half[i] = round_up(reach[i] + error);
-  leaf->error = round_up(error);
-  leaf->inverse_error = round_up(inverse_defect(leaf->frame) * norm(Vec3{reach[0], reach[1], reach[2]}));
-  leaf->frame.radius = round_up(largest + error);
+const WideLeaf* refit_leaf(const WideLeaf& old, const SoupSource& source, Arena& arena) {
+  WideLeaf* const leaf = new_leaf(old.count, arena);
+  float reach[3];
+  HWY_DYNAMIC_DISPATCH(rewrite)(old, source, *leaf, reach);
+  set_bounds(reach, *leaf);
   return leaf;
 }
 

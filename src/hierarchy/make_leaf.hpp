@@ -17,4 +17,7 @@ inline constexpr std::uint32_t kMostTriangles = 256;
 const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& base, const SoupSource& source,
                           Arena& arena);
 
+/// The same triangles where the source has them now. The axes are those of the old leaf, carried along.
+const WideLeaf* refit_leaf(const WideLeaf& old, const SoupSource& source, Arena& arena);
+
 }  // namespace impinge::hierarchy

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/number.hpp"
 #include "hierarchy/arena.hpp"
 #include "hierarchy/make_leaf.hpp"
+#include "hierarchy/refit_node.hpp"
 #include "hierarchy/round_up.hpp"
 #include "hierarchy/triangle_soup.hpp"
 #include "hierarchy/wide_split.hpp"
@@ -47,7 +49,40 @@ int unit_exponent_of(const MeshData& mesh) {
 /// Together that is less than sqrt(3) u (2 |c| + 5 |d|), and |d| <= sqrt(3) reach but for less than a thousandth.
 double slack(double center, double reach) { return 0x1p-24 * (4 * center + 16 * reach) + kNothing; }
 
+/// Refitted triangles are split anew where they cost more than so many times what they did.
+constexpr float kLoose = 2;
+
+float half_surface(float x, float y, float z) { return x * y + y * z + z * x; }
+
+TreeRef ref_to(const WideLeaf* leaf) { return TreeRef(reinterpret_cast<std::uintptr_t>(leaf) | TreeRef::kLeafBit); }
+TreeRef ref_to(const WideNode* node) { return TreeRef(reinterpret_cast<std::uintptr_t>(node)); }
+TreeRef known_child(const WideNode& node, std::uint32_t lane) {
+  return TreeRef(node.child[lane].load(std::memory_order_acquire));
+}
+
+/// Calls `visit` with each leaf below, in the tree's order. All of it is made.
+template <class Visit>
+void visit_leaves(const TreeRef& ref, const Visit& visit) {
+  if (ref.is_leaf()) return visit(ref.leaf());
+  for (std::uint32_t lane = 0; lane < ref.node().size; ++lane) visit_leaves(known_child(ref.node(), lane), visit);
+}
+
 }  // namespace
+
+float surface_cost(const WideNode& node) {
+  float lo[3] = {-kNoBox, -kNoBox, -kNoBox}, hi[3] = {kNoBox, kNoBox, kNoBox}, sum = 0, triangles = 0;
+  for (std::uint32_t lane = 0; lane < node.size; ++lane) {
+    const auto count = static_cast<float>(node.count[lane]);
+    for (int i = 0; i < 3; ++i) {
+      lo[i] = std::min(lo[i], node.center[i][lane] - node.half[i][lane]);
+      hi[i] = std::max(hi[i], node.center[i][lane] + node.half[i][lane]);
+    }
+    sum += 4 * half_surface(node.half[0][lane], node.half[1][lane], node.half[2][lane]) * count;
+    triangles += count;
+  }
+  const float whole = half_surface(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
+  return whole > 0 ? sum / (whole * triangles) : 0;
+}
 
 struct WideTree::State {
   /// Triangles that become a node or a leaf.
@@ -75,6 +110,15 @@ struct WideTree::State {
   TreeRef make_root(const ForEach& for_each);
   TreeRef make(Range range, const ForEach& for_each);
   TreeRef make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each);
+  struct Refitted {
+    TreeRef ref;
+    /// By how much surface costs have grown since triangles were split, here times, in the mean, below.
+    float growth;
+    [[nodiscard]] bool is_loose() const { return growth > kLoose; }
+  };
+  using Leaves = std::vector<const WideLeaf*>;
+  Refitted refit(const TreeRef& old, Leaves& leaves, std::atomic<bool>& any_loose, const ForEach& for_each);
+  void make_soup(const TreeRef& old, WideNode& node);
   Range range_of(const WideNode& node, int lane) const;
 
   template <class Make>
@@ -148,7 +192,7 @@ TreeRef WideTree::State::make(Range range, const ForEach& for_each) {
     soup.reset();
     soup_size = 0;
   }
-  return TreeRef(reinterpret_cast<std::uintptr_t>(leaf) | TreeRef::kLeafBit);
+  return ref_to(leaf);
 }
 
 TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each) {
@@ -189,10 +233,81 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
     if (is_used) radius = std::max(radius, reach + margin);
   }
   node->frame.radius = round_up(radius);
-  return TreeRef(reinterpret_cast<std::uintptr_t>(node));
+  node->split_cost = surface_cost(*node);
+  return ref_to(node);
+}
+
+/// Refits all below an old node and appends the leaves. Of loose nodes, which their parents leave out, the boxes are
+/// right all the same.
+WideTree::State::Refitted WideTree::State::refit(const TreeRef& old, Leaves& leaves, std::atomic<bool>& any_loose,
+                                                 const ForEach& for_each) {
+  if (old.is_leaf()) {
+    leaves.push_back(refit_leaf(old.leaf(), source, arena));
+    return {ref_to(leaves.back()), 1};
+  }
+  const WideNode& was = old.node();
+  Leaves own[kWidth];
+  Refitted children[kWidth];
+  const std::uint32_t triangles = std::accumulate(was.count, was.count + was.size, 0u);
+  run_each(triangles > kLarge ? for_each : ForEach(), was.size, [&](std::size_t lane) {
+    children[lane] = refit(known_child(was, static_cast<std::uint32_t>(lane)), own[lane], any_loose, for_each);
+  });
+  RefittedChild refitted[kWidth];
+  for (std::size_t lane = 0; lane < was.size; ++lane) refitted[lane] = {children[lane].ref, own[lane]};
+  auto* const node = new (arena.allocate(sizeof(WideNode))) WideNode;
+  refit_node(was, refitted, *node);
+  node->split_cost = was.split_cost;
+  float below = 0;
+  for (std::size_t lane = 0; lane < was.size; ++lane) {
+    leaves.insert(leaves.end(), own[lane].begin(), own[lane].end());
+    const bool is_loose = children[lane].is_loose();
+    below += static_cast<float>(was.count[lane]) * (is_loose ? 1 : children[lane].growth);
+    if (!is_loose) continue;
+    node->child[lane].store(0, std::memory_order_relaxed);
+    any_loose.store(true, std::memory_order_relaxed);
+  }
+  const float cost = surface_cost(*node);
+  const float here = cost > 0 ? cost / was.split_cost : 1;  // infinite where it was flat, and is no more
+  return {ref_to(node), here * below / static_cast<float>(triangles)};
+}
+
+/// The soup of the parts that are not made, which `old` has made.
+void WideTree::State::make_soup(const TreeRef& old, WideNode& node) {
+  for (std::uint32_t lane = 0; lane < node.size; ++lane) {
+    const TreeRef was = known_child(old.node(), lane), is = known_child(node, lane);
+    if (is.is_made()) {
+      if (!is.is_leaf()) make_soup(was, is.node());
+      continue;
+    }
+    const std::span triangles(soup.get() + node.first[lane], node.count[lane]);
+    std::size_t i = 0;
+    visit_leaves(was, [&](const WideLeaf& leaf) {
+      for (std::uint32_t j = 0; j < leaf.count; ++j) triangles[i++].id = leaf.ids()[j];
+    });
+    write_corners(source, node.base, triangles);
+    not_in_leaves += triangles.size();
+  }
 }
 
 WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size) : state_(std::make_unique<State>(mesh, leaf_size)) {}
+WideTree::WideTree(WideTree& source, const MeshData& mesh, const ForEach& for_each)
+    : WideTree(mesh, source.state_->leaf_size) {
+  if (mesh.triangles.empty()) return;
+  source.build(for_each);
+  const TreeRef old(source.state_->root.load(std::memory_order_acquire));
+  std::atomic<bool> any_loose{false};
+  State::Leaves leaves;
+  const State::Refitted top = state_->refit(old, leaves, any_loose, for_each);
+  if (top.is_loose()) {
+    state_ = std::make_unique<State>(mesh, source.state_->leaf_size);
+    return;
+  }
+  state_->root.store(top.ref.bits(), std::memory_order_release);
+  if (!any_loose) return;
+  state_->soup_size = mesh.triangles.size();
+  state_->soup = std::make_unique_for_overwrite<SoupTriangle[]>(state_->soup_size);
+  state_->make_soup(old, top.ref.node());
+}
 WideTree::~WideTree() = default;
 
 TreeRef WideTree::root(MadeNodes& made, const ForEach& for_each) {

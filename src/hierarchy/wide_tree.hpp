@@ -56,7 +56,13 @@ struct alignas(64) WideNode {
   // For its children's making alone.
   std::uint32_t depth;
   Vec3 base;  ///< of the soup triangles below
+  // For refitting alone.
+  float split_cost;  ///< surface_cost() when its triangles were split
 };
+
+/// The surface of the children's boxes, by their triangles, in that of the box around all: how much of what meets the
+/// node meets a triangle's box below it.
+float surface_cost(const WideNode& node);
 
 inline const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 
@@ -65,6 +71,9 @@ inline const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.le
 class WideTree {
  public:
   WideTree(const MeshData& mesh, std::uint32_t leaf_size);
+  /// The tree of another mesh, wholly made, refitted to one of the same triangles with other vertices, from the bottom
+  /// up. Parts where this has made it loose are made anew, as walks reach them.
+  WideTree(WideTree& source, const MeshData& mesh, const ForEach& for_each = {});
   ~WideTree();
   WideTree(const WideTree&) = delete;
   WideTree& operator=(const WideTree&) = delete;

@@ -49,6 +49,7 @@ class ObbTree {
   /// The first of a node's two children, made now if need be (`made` counts both then). The node is not a leaf.
   std::uint32_t children(std::uint32_t index, hierarchy::MadeNodes& made);
 
+  [[nodiscard]] std::uint32_t leaf_size() const { return leaf_size_; }
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   /// What the tree holds in memory now.
   [[nodiscard]] std::size_t bytes() const;

@@ -23,6 +23,12 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
                    : data.triangles.size() <= kPlainDirect ? kPlainDirect
                                                            : kPlainLeafSize),
         wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize) {}
+  /// Of the same triangles as another, whose wide tree is refitted.
+  MeshState(MeshData numbers, const MeshState& source, const ForEach& for_each)
+      : data(std::move(numbers)),
+        config(source.config),
+        tree(data, source.tree.leaf_size()),
+        wide_tree(source.wide_tree, data, for_each) {}
 
   // Where the cost function is least (tests/schedule by counts, docs/performance.md by the clock). The paper's way
   // tests a mesh of up to kPlainDirect triangles directly, as one leaf. The wide tree, which measures distances too,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <thread>
 
@@ -88,8 +89,8 @@ void expect_true_frame(const Frame& frame) {
 /// Makes the whole tree and holds it against all that its headers promise, by exact arithmetic.
 class Inspection {
  public:
-  Inspection(const MeshData& mesh, std::uint32_t leaf_size)
-      : mesh_(mesh), leaf_size_(leaf_size), tree_(mesh, leaf_size), times_in_leaf_(mesh.triangles.size()) {}
+  Inspection(const MeshData& mesh, std::uint32_t leaf_size, WideTree& tree)
+      : mesh_(mesh), leaf_size_(leaf_size), tree_(tree), times_in_leaf_(mesh.triangles.size()) {}
 
   void run() {
     hierarchy::MadeNodes made;
@@ -97,8 +98,14 @@ class Inspection {
     EXPECT_EQ(made.nodes, 1u);
     EXPECT_EQ(tree_.root(made).bits(), root.bits());
     EXPECT_EQ(made.nodes, 1u);
-    ASSERT_NO_FATAL_FAILURE(inspect(root, static_cast<std::uint32_t>(times_in_leaf_.size()), made));
+    ASSERT_NO_FATAL_FAILURE(run_all(made));
     EXPECT_EQ(made.nodes, nodes_ + leaves_);
+  }
+
+  /// Of a tree of which some is made.
+  void run_all(hierarchy::MadeNodes& made) {
+    const TreeRef root = tree_.root(made);
+    ASSERT_NO_FATAL_FAILURE(inspect(root, static_cast<std::uint32_t>(times_in_leaf_.size()), made));
     EXPECT_EQ(times_in_leaf_, std::vector<std::uint32_t>(times_in_leaf_.size(), 1));
   }
 
@@ -196,7 +203,7 @@ class Inspection {
 
   const MeshData& mesh_;
   const std::uint32_t leaf_size_;
-  WideTree tree_;
+  WideTree& tree_;
   std::vector<std::uint32_t> times_in_leaf_;
   std::uint64_t nodes_ = 0, leaves_ = 0;
 };
@@ -205,7 +212,8 @@ void expect_true_tree(const scenes::MeshData& numbers, std::initializer_list<std
   const Mesh mesh = test::mesh_of(numbers);
   for (const std::uint32_t leaf_size : leaf_sizes) {
     SCOPED_TRACE("leaf size " + std::to_string(leaf_size));
-    ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(mesh), leaf_size).run());
+    WideTree tree(test::numbers_of(mesh), leaf_size);
+    ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(mesh), leaf_size, tree).run());
   }
 }
 void expect_true_trees(const scenes::MeshData& numbers) { expect_true_tree(numbers, {1, 2, 7, 8, 16, 64, 255, 256}); }
@@ -320,8 +328,7 @@ TEST(WideTree, HasAUnitOfAboutTheExtent) {
 struct Surface {
   double sum = 0, largest = 0;
 };
-Surface leaf_surface(const Mesh& mesh) {
-  WideTree tree(test::numbers_of(mesh), 16);
+Surface leaf_surface(WideTree& tree) {
   hierarchy::MadeNodes made;
   std::vector<TreeRef> open{tree.root(made)};
   Surface surface;
@@ -340,6 +347,11 @@ Surface leaf_surface(const Mesh& mesh) {
     }
   }
   return surface;
+}
+
+Surface leaf_surface(const Mesh& mesh) {
+  WideTree tree(test::numbers_of(mesh), 16);
+  return leaf_surface(tree);
 }
 
 /// All detail in a tiny part of the extent: single precision about the middle of it all would not tell it apart.
@@ -444,6 +456,111 @@ TEST(WideTree, IsTheSameOnEveryInstructionSet) {
     WideTree tree(test::numbers_of(mesh), 16);
     EXPECT_TRUE(test::bytes_of(tree) == expected);
   }
+}
+
+using Map = std::function<Vec3(const Vec3&)>;
+
+scenes::MeshData deformed(scenes::MeshData mesh, const Map& map) {
+  for (std::size_t i = 0; i < mesh.xyz.size(); i += 3) {
+    const Vec3 v = map({mesh.xyz[i], mesh.xyz[i + 1], mesh.xyz[i + 2]});
+    mesh.xyz[i] = v.x, mesh.xyz[i + 1] = v.y, mesh.xyz[i + 2] = v.z;
+  }
+  return mesh;
+}
+
+/// From nothing at all to what leaves no two vertices near each other, flat, far away, tiny and huge.
+std::vector<Map> deformations(scenes::Random& random) {
+  const auto noise = [&random](double size) {
+    return [&random, size](const Vec3& v) {
+      return v + Vec3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+    };
+  };
+  const auto twist = [](const Vec3& v) {
+    const double c = std::cos(2 * v.x), s = std::sin(2 * v.x);
+    return Vec3{v.x, c * v.y - s * v.z, s * v.y + c * v.z};
+  };
+  return {[](const Vec3& v) { return v; },
+          noise(0.01),
+          noise(1),
+          twist,
+          [](const Vec3& v) {
+            return Vec3{-v.x, v.y, v.z};
+          },
+          [](const Vec3& v) {
+            return Vec3{v.x, v.y, 0};
+          },
+          [](const Vec3& v) {
+            return Vec3{v.x, 2 * v.x, -v.x};
+          },
+          [](const Vec3&) {
+            return Vec3{0.1, -3, 1e6};
+          },
+          [](const Vec3& v) {
+            return Vec3{1e9 + v.x, v.y - 1e15, 0.5 * v.z};
+          },
+          [](const Vec3& v) { return 0x1p-340 * v; },
+          [](const Vec3& v) {
+            return Vec3{0x1p290 * v.x, 0x1p-340 * v.y, v.z};
+          },
+          [](const Vec3& v) { return std::exp2(100 * v.x) * v; }};
+}
+
+TEST(RefittedTree, IsTrueHoweverTheMeshIsDeformed) {
+  test::Seeded seeded(6);
+  scenes::MeshData line;
+  for (int i = 0; i < 300; ++i) line.add_triangle({i * 0.01, 0, 0, i * 0.01 + 0.01, 0, 0, i * 0.01, 0, 0});
+  for (const scenes::MeshData& numbers :
+       {scenes::torus_knot_of(968), scenes::cube(), scenes::triangle_soup(seeded.random, 300, 0.1),
+        scenes::degenerate_soup(seeded.random, 300, 2), scenes::sliver_soup(seeded.random, 100), line,
+        scenes::with_duplicates(scenes::cube(), 20)}) {
+    const Mesh mesh = test::mesh_of(numbers);
+    const std::vector<Map> maps = deformations(seeded.random);
+    for (const std::uint32_t leaf_size : {1u, 7u, 16u, 256u}) {
+      for (std::size_t i = 0; i < maps.size(); ++i) {
+        SCOPED_TRACE("leaf size " + std::to_string(leaf_size) + ", deformation " + std::to_string(i));
+        WideTree source(test::numbers_of(mesh), leaf_size);
+        const Mesh once = test::mesh_of(deformed(numbers, maps[i])),
+                   twice = test::mesh_of(deformed(deformed(numbers, maps[i]), maps[3]));
+        WideTree refitted(source, test::numbers_of(once)), again(refitted, test::numbers_of(twice));
+        hierarchy::MadeNodes made;
+        ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(once), leaf_size, refitted).run_all(made));
+        ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(twice), leaf_size, again).run_all(made));
+      }
+    }
+  }
+}
+
+/// What only turns keeps its boxes; what has become loose is made anew, as if it were a new mesh.
+TEST(RefittedTree, IsTight) {
+  test::Seeded seeded(7);
+  const scenes::MeshData knot = scenes::torus_knot_of(9612);
+  const Mesh mesh = test::mesh_of(knot);
+  const auto surfaces = [&](const scenes::MeshData& to) {
+    WideTree source(test::numbers_of(mesh), 16);
+    const Mesh moved = test::mesh_of(to);
+    WideTree refitted(source, test::numbers_of(moved));
+    return leaf_surface(refitted).sum / leaf_surface(moved).sum;
+  };
+  EXPECT_LT(surfaces(scenes::baked(knot, scenes::random_motion(seeded.random, 10))), 1.1);
+  const std::vector<Map> maps = deformations(seeded.random);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_LT(surfaces(deformed(knot, maps[i])), 2) << "deformation " << i;
+}
+
+TEST(RefittedTree, IsTheSameOnEveryInstructionSetAndByThreads) {
+  const scenes::MeshData knot = scenes::torus_knot_of(9612);
+  test::Seeded seeded(8);
+  const Mesh mesh = test::mesh_of(knot), moved = test::mesh_of(deformed(knot, deformations(seeded.random)[3]));
+  WideTree source(test::numbers_of(mesh), 16);
+  WideTree plain(source, test::numbers_of(moved));
+  const std::string expected = test::bytes_of(plain);
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    WideTree refitted(source, test::numbers_of(moved));
+    EXPECT_TRUE(test::bytes_of(refitted) == expected);
+  }
+  WideTree shared(source, test::numbers_of(moved),
+                  [](std::size_t count, const auto& body) { on_threads(count, body); });
+  EXPECT_TRUE(test::bytes_of(shared) == expected);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "impinge/collide.hpp"
+#include "impinge/impinge.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
@@ -133,6 +133,85 @@ TEST(Mesh, OfFloatsIsThatOfTheSameDoubles) {
   const Contacts expected = collide(of_doubles, {}, of_doubles, pose).value();
   EXPECT_FALSE(expected.triangles.empty());
   test::expect_same(expected, collide(of_floats, {}, of_floats, pose).value());
+}
+
+/// The mesh of these numbers, deformed from other ones.
+Mesh deformed_to(const scenes::MeshData& numbers, scenes::Random& random, std::uint32_t leaf_size = 0) {
+  scenes::MeshData before = numbers;
+  for (double& x : before.xyz) x = random.uniform(-1, 1);
+  return test::mesh_of(before, leaf_size).deformed(numbers.xyz).value();
+}
+
+TEST(Deformed, AnswersAsTheMeshOfTheSameNumbers) {
+  test::Seeded seeded(3);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random, 24)) {
+    SCOPED_TRACE(named.name);
+    const auto &a = named.scene.objects[0], &b = named.scene.objects[1];
+    for (const std::uint32_t leaf_size : {0u, 5u}) {
+      const auto meshes = test::meshes_of(named.scene, leaf_size);
+      const Mesh mesh_a = deformed_to(named.scene.meshes[a.mesh], seeded.random, leaf_size),
+                 mesh_b = deformed_to(named.scene.meshes[b.mesh], seeded.random, leaf_size);
+      for (const char* const backend : {"simd", "paper"}) {
+        const Options options{.threads = 1, .backend = backend};
+        const auto expected = collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose, options),
+                   found = collide(mesh_a, a.pose, mesh_b, b.pose, options);
+        ASSERT_TRUE(expected && found);
+        test::expect_same(*expected, *found);
+        EXPECT_EQ(test::listed(*found), test::brute_force(named.scene));
+      }
+      EXPECT_EQ(mesh_a.sphere_radius(), meshes[a.mesh].sphere_radius());
+    }
+  }
+}
+
+TEST(Deformed, MeasuresAndJudgesAsTheMeshOfTheSameNumbers) {
+  test::Seeded seeded(4);
+  const scenes::MeshData ball = scenes::uv_sphere(24, 16), knot = scenes::torus_knot_of(968);
+  for (const double x : {1.2, 2.5, 9.0}) {
+    for (const bool mild : {false, true}) {
+      scenes::MeshData before = ball;
+      for (double& c : before.xyz) c += mild ? 0.1 * std::sin(9 * c) : seeded.random.uniform(-1, 1);
+      const Mesh fresh = test::mesh_of(ball), other = test::mesh_of(knot);
+      const Mesh deformed = test::mesh_of(before).deformed(ball.xyz).value();
+      const Pose pose{.t = {x, 0.1, 0.2}};
+      const Nearest expected = distance(fresh, {}, other, pose).value(),
+                    found = distance(deformed, {}, other, pose).value();
+      EXPECT_NEAR(expected.distance, found.distance, expected.error + found.error);
+      EXPECT_EQ(expected.distance == 0, found.distance == 0);
+      EXPECT_EQ(closer_than(deformed, {}, other, pose, 0.5).value(), expected.distance < 0.5);
+      EXPECT_EQ(locate({0.1, 0.2, 0.3}, deformed).value(), Location::inside);
+      const ClashOptions options{.tolerance = 0.01, .clearance = 1, .regions = true};
+      const Clash judged = judge(fresh, {}, other, pose, options).value(),
+                  again = judge(deformed, {}, other, pose, options).value();
+      EXPECT_EQ(judged.verdict, again.verdict);
+      EXPECT_EQ(judged.contacts, again.contacts);
+      EXPECT_EQ(judged.regions.size(), again.regions.size());
+      const auto regions = contact_regions(fresh, {}, other, pose).value(),
+                 same = contact_regions(deformed, {}, other, pose).value();
+      ASSERT_EQ(regions.size(), same.size());
+      for (std::size_t i = 0; i < regions.size(); ++i) {
+        EXPECT_EQ(regions[i].triangles_a, same[i].triangles_a);
+        EXPECT_EQ(regions[i].triangles_b, same[i].triangles_b);
+        EXPECT_EQ(regions[i].lines, same[i].lines);
+      }
+    }
+  }
+}
+
+TEST(Deformed, NamesTheVertexThatIsWrong) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  std::vector<double> xyz = scenes::cube().xyz;
+  const std::string count = std::to_string(cube.vertex_count());
+  for (const double bad : {kNaN, kInfinity}) {
+    std::vector<double> with_bad = xyz;
+    with_bad[13] = bad;
+    expect_error(cube.deformed(with_bad), Code::bad_mesh, {"vertex 4", "finite"});
+  }
+  expect_error(cube.deformed(std::span(xyz).first(16)), Code::bad_mesh, {"vertex 5", count.c_str()});
+  expect_error(cube.deformed({}), Code::bad_mesh, {"vertex 0", count.c_str()});
+  xyz.push_back(1);
+  expect_error(cube.deformed(xyz), Code::bad_mesh, {("vertex " + count).c_str(), count.c_str()});
+  EXPECT_TRUE(test::mesh_of({}).deformed({}));
 }
 
 TEST(Transformed, IsThePoseBaked) {

@@ -170,6 +170,22 @@ TEST(Scene, MovesAsAFreshSceneWouldStand) {
   EXPECT_GT(contacts, 600u);
 }
 
+TEST(Scene, DeformsOneObjectAndNoOtherOfItsMesh) {
+  Scene scene;
+  const ObjectId first = scene.add(cube(), at(0)).value(), second = scene.add(cube(), at(1.5), 7).value();
+  std::vector<double> wide = scenes::cube().xyz;
+  for (std::size_t i = 0; i < wide.size(); i += 3) wide[i] *= 2;
+  ASSERT_TRUE(scene.set_vertices(first, wide));
+  const Mesh expected = test::mesh_of({wide, scenes::cube().triangles});
+  test::expect_same(collide(expected, at(0), cube(), at(1.5)).value(), scene.collide().value());
+  EXPECT_EQ(scene.pose(first)->t, at(0).t);
+  EXPECT_TRUE(scene.collide_with(cube(), at(3.5))->objects.empty());
+  wide[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(scene.set_vertices(second, wide).error().code, Code::bad_mesh);
+  EXPECT_EQ(scene.set_vertices({77, 0}, wide).error().code, Code::unknown_id);
+  test::expect_same(collide(expected, at(0), cube(), at(1.5)).value(), scene.collide().value());
+}
+
 TEST(Scene, TellsWhichObjectIsOutOfRange) {
   Scene scene;
   ASSERT_TRUE(scene.add(cube()));
