@@ -349,6 +349,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
       "in a table that --csv wrote, or in BCF (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth_precision);
+  command.add_flag("--volume", to.volumes, "find how much space two solids that overlap have in common");
   command.add_flag("--regions", to.regions,
                    "find the regions of contact, with place, area, normal and lines in the JSON");
   add_choice<GroupBy>(

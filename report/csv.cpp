@@ -76,7 +76,8 @@ std::string normal(const Row& row, double Point::*axis) {
 /// Nothing where nobody said what the files' unit is.
 std::string in_metres(const Conventions& conventions, double value, int power = 1) {
   if (!conventions.is_known) return "";
-  return number(power == 2 ? conventions.metres * conventions.metres * value : conventions.metres * value);
+  for (int i = 0; i < power; ++i) value *= conventions.metres;
+  return number(value);
 }
 std::string in_metres(const Conventions& conventions, const Point& at, double Point::*axis) {
   return conventions.is_known ? number(place_in_bcf(conventions, at).*axis) : "";
@@ -187,6 +188,14 @@ constexpr std::array kColumns{
     Column{"assignee", [](const Row& row) { return csv_cell(row.standing.decision.assignee); }},
     Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
     Column{"incomplete", [](const Row& row) { return incomplete_sides(row.review, row.pair); }},
+    Column{"volume",
+           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->volume) : ""; }},
+    Column{"volume_error",
+           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->error) : ""; }},
+    Column{"volume_m3",
+           [](const Row& row) {
+             return row.pair.overlap_volume ? in_metres(row.conventions, row.pair.overlap_volume->volume, 3) : "";
+           }},
 };
 
 /// Cells with commas between them, and the end of the line.

@@ -113,6 +113,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.clearance = review.options.clearance.value;
   options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
+  options.volumes = review.options.volumes;
   options.threads = review.options.threads;
   options.backend = review.options.backend;
   const bool has_tests = !review.plan.tests().empty();

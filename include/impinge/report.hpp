@@ -75,6 +75,7 @@ struct ReportOptions : SceneOptions, PageOptions {
   Length clearance;                 ///< as `ClashOptions::clearance`
   double depth_precision = 0.05;    ///< as `ClashOptions::depth_precision`
   bool regions = false;             ///< find regions of contact
+  bool volumes = false;             ///< as `ClashOptions::volumes`
   std::string backend = "simd";     ///< as `ClashOptions::backend`
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;  ///< test the parts of one IFC product against each other

@@ -61,6 +61,9 @@ export interface Pair {
   /** The pair fails at every tolerance below this; null: at every one. */
   fails_below?: number | null;
   overlap_depth?: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
+  /** Only of solids that overlap, where it was asked for. */
+  overlap_volume?: number | null;
+  overlap_volume_error?: number | null;
   distance?: number | null;
   distance_error?: number | null;
   nearest?: [Vec3, Vec3] | null;
@@ -94,6 +97,7 @@ export interface Settings {
   /** Null where depths were not measured. */
   depth_precision: number | null;
   regions: boolean;
+  volumes?: boolean;
   fail_on: string[];
   ignore?: unknown[];
   /** The report of an earlier run. */

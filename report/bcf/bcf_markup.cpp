@@ -29,7 +29,8 @@ struct Topic {
 
   [[nodiscard]] bool is_3_0() const { return review.options.bcf_version == BcfVersion::v3_0; }
   [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
-  [[nodiscard]] double square_metres(double area) const { return conventions.metres * conventions.metres * area; }
+  [[nodiscard]] double square_metres(double area) const { return conventions.metres * metres(area); }
+  [[nodiscard]] double cubic_metres(double volume) const { return conventions.metres * square_metres(volume); }
   [[nodiscard]] std::string label(int side) const {
     return fit(review.assembly.labels[clash.objects[static_cast<std::size_t>(side)]], 100);
   }
@@ -117,6 +118,8 @@ std::string description(const Topic& topic) {
   if (clash.overlap_depth)
     text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
                         interval(clash.overlap_depth->b_in_a));
+  if (clash.overlap_volume)
+    text += fmt::format("Volume in common: {:.6g}\n", topic.cubic_metres(clash.overlap_volume->volume));
   if (std::isinf(clash.fails_below))
     text += "Fails at every tolerance\n";
   else if (clash.verdict < Verdict::touching)

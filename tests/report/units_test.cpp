@@ -37,14 +37,16 @@ class Units : public testing::Test {
  protected:
   void run(const std::vector<std::string>& more) {
     const Ended ended = impinge(
-        folder, joined({"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--quiet"}, more));
+        folder,
+        joined({"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--volume", "--quiet"}, more));
     ASSERT_EQ(ended.code, 1) << ended.err;
     std::vector<Topic> topics = read_bcf(folder.read("out.bcf"));
     ASSERT_EQ(topics.size(), 1U);
     topic = std::move(topics[0]);
     description = topic.topic().child("Description").text().get();
     row = rows_of(folder.read("out.csv")).at(0);
-    region = json::parse(folder.read("out.json")).at("pairs").at(0).at("regions").at(0);
+    pair = json::parse(folder.read("out.json")).at("pairs").at(0);
+    region = pair.at("regions").at(0);
   }
   /// The shared cube's middle is the middle of all symmetry: the cubes change places by a reflection in that point.
   /// Each has a corner 1 m deep in the other, and their surfaces meet in 6 edges of it.
@@ -65,6 +67,8 @@ class Units : public testing::Test {
       EXPECT_GE(depths[least + 1], edge - near);
       EXPECT_LT(depths[least + 1], 1.1 * edge);
     }
+    const double volume = edge * edge * edge;
+    EXPECT_NEAR(numbers(description, R"(Volume in common: (\S+)\n)").at(0), volume, 1e-5 * volume);
     const bool is_known = description.find("Nobody said the unit") == std::string::npos;
     EXPECT_NEAR(numbers(topic.topic().child("Title").text().get(), R"(, (\S+) (?:mm|\(unit unknown\))$)").at(0),
                 edge * (is_known ? 1000 : 1), 0.1 * edge * (is_known ? 1000 : 1));
@@ -74,6 +78,7 @@ class Units : public testing::Test {
     EXPECT_NEAR(number(row.at("depth_m")), edge, 0.1 * edge);
     EXPECT_NEAR(number(row.at("length_m")), 6 * edge, 60 * near);
     EXPECT_NEAR(number(row.at("area_m2")), place[3], 1e-5 * edge * edge);
+    EXPECT_NEAR(number(row.at("volume_m3")), volume, 1e-5 * volume);
     // All that is drawn is on the shared cube.
     std::size_t lines = 0;
     for (const pugi::xml_node& line : topic.view().child("Lines")) {
@@ -90,13 +95,15 @@ class Units : public testing::Test {
     // The other columns are what the JSON has.
     EXPECT_EQ(number(row.at("y")), region.at("centroid").at(1).get<double>());
     EXPECT_EQ(number(row.at("length")), region.at("length").get<double>());
+    EXPECT_EQ(number(row.at("volume")), pair.at("overlap_volume").get<double>());
+    EXPECT_EQ(number(row.at("volume_error")), pair.at("overlap_volume_error").get<double>());
   }
   [[nodiscard]] bool is_guessed() const { return description.find("Nobody said the unit") != std::string::npos; }
   Folder folder;
   Topic topic;
   std::string description;
   Row row;
-  json region;
+  json pair, region;
 };
 
 TEST_F(Units, OfImportedFilesAreKnown) {
