@@ -127,7 +127,7 @@ std::string foreign_format(const std::filesystem::path& file) {
 }
 
 /// Multiplies every coordinate: vertices by the formula of a pose, so that meshes stay shared and answers do not
-/// depend on who scales; the poses' shifts by one product each.
+/// depend on who scales; the shifts of poses, nodes and tracks by one product each.
 Result<void> scale_model(Model& model, double scale, const Source& source) {
   std::unordered_map<const MeshState*, Mesh> scaled;
   for (Object& object : model.objects) {
@@ -146,6 +146,13 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
         return file_error(source, sentence("object '", object.name, "', scaled, is too far away"));
     }
   }
+  const auto scale_all = [&](auto& lengths) {
+    for (double& length : lengths) length *= scale;
+  };
+  for (Node& node : model.nodes) scale_all(node.local.t), scale_all(node.translation);
+  for (Animation& animation : model.animations)
+    for (Track& track : animation.tracks)
+      if (track.property == Track::Property::translation) scale_all(track.values);
   return {};
 }
 
