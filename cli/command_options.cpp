@@ -67,7 +67,7 @@ void add_json(CLI::App& command, std::optional<std::string>& json, const std::st
 
 void add_output(CLI::App& command, const std::string& name, std::optional<std::string>& file,
                 const std::string& about) {
-  command.add_option(name, file, about)->type_name(name == "--csv" ? "FILE|-" : "FILE");
+  command.add_option(name, file, about)->type_name(name == "--csv" || name == "--matrix" ? "FILE|-" : "FILE");
 }
 
 void add_threads(CLI::App& command, int& threads) {
@@ -289,6 +289,8 @@ void complete(ClashArguments& to, bool fail_on_given) {
 
 void add_exports(CLI::App& command, ClashArguments& to) {
   add_output(command, "--csv", to.csv, "write a table for spreadsheets, a row for each pair; includes --regions");
+  add_output(command, "--matrix", to.matrix,
+             "write a table of how many pairs fail between each two files, IFC classes and storeys");
   add_output(command, "--bcf", to.bcf,
              "write BCF for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
              "--regions");

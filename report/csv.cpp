@@ -233,10 +233,20 @@ Result<void> write_csv(Sink& sink, const Review& review) {
                   ++rank, review.ids[i], place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
-  for (const std::string& file : review.assembly.skipped)
+  const Assembly& assembly = review.assembly;
+  const auto write_note = [&](std::string_view verdict, const std::string& note, const std::string& file = {}) {
     sink.write(line([&](const Column& column) {
-      return column.name == "verdict" ? "skipped" : column.name == "a_file" ? csv_cell(file) : std::string();
+      return column.name == "verdict"  ? std::string(verdict)
+             : column.name == "note"   ? csv_cell(note)
+             : column.name == "a_file" ? csv_cell(file)
+                                       : std::string();
     }));
+  };
+  const std::size_t unread = assembly.missing.size() - assembly.skipped.size();  // the skipped ones come last
+  for (std::size_t i = 0; i < unread; ++i) write_note("missing", assembly.missing[i]);
+  for (std::size_t i = 0; i < assembly.skipped.size(); ++i)
+    write_note("skipped", assembly.missing[unread + i], assembly.skipped[i]);
+  for (const std::string& warning : assembly.alignment) write_note("warning", warning);
   for (const Resolved& gone : review.resolved) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;

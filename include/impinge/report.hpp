@@ -172,6 +172,7 @@ Result<Report> review(Assembly assembly, const ReportOptions& options);
 /// `stop`. The formats are described in docs/reports.md; the page needs its program (`./dev page`).
 Result<void> write_json(const Report& report, const std::string& file);
 Result<void> write_csv(const Report& report, const std::string& file);
+Result<void> write_matrix(const Report& report, const std::string& file);
 Result<void> write_bcf(const Report& report, const std::string& file);
 Result<void> write_gltf(const Report& report, const std::string& file);
 Result<void> write_page(const Report& report, const std::string& file);

@@ -113,6 +113,8 @@ export interface Report {
   pairs: Pair[];
   /** What of the files is not in the parts. */
   missing?: string[];
+  /** What was done about the files' units and axes, and what speaks against it. */
+  warnings?: string[];
   counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
   resolved?: Resolved[];
   /** All that were read, by pairs' ids or by names of parts, also those that match no pair. */
@@ -179,7 +181,8 @@ export function readReport(): Report {
       throw new BlockError(`The report cannot be read: its pair ${i} names no two parts of it, or no verdict.`);
     }
   });
-  report.missing = (Array.isArray(report.missing) ? report.missing : []).map(String);
+  for (const key of ['missing', 'warnings'] as const)
+    report[key] = (Array.isArray(report[key]) ? report[key] : []).map(String);
   report.resolved = (report.resolved ?? []).filter((r) => r.a && r.b && kVerdicts.includes(r.verdict));
   return report;
 }

@@ -105,6 +105,19 @@ std::string regions(const Topic& topic) {
   return text;
 }
 
+/// What of the files is in no answer, and what speaks against their units: lines, so many at most.
+std::string about_files(const Assembly& assembly) {
+  constexpr std::size_t kMostSentences = 5;
+  std::vector<std::string> all = assembly.missing;
+  all.insert(all.end(), assembly.alignment.begin(), assembly.alignment.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostSentences); ++i)
+    text += fmt::format("{}: {}\n", i < assembly.missing.size() ? "Not read" : "Warning", printable(all[i]));
+  if (all.size() > kMostSentences)
+    text += fmt::format("{} in the JSON\n", counted(all.size() - kMostSentences, "more warning"));
+  return text;
+}
+
 /// What is known of the pair, a line for each thing.
 std::string description(const Topic& topic) {
   const Clash& clash = topic.clash;
@@ -132,6 +145,7 @@ std::string description(const Topic& topic) {
         !left_out.empty())
       text += fmt::format("{} is incomplete: {}\n", side == 0 ? "A" : "B", printable(left_out));
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
+  text += about_files(topic.review.assembly);
   text += "Lengths and places are in metres with Z up, as in the viewpoint.";
   if (!topic.conventions.is_known) text += " Nobody said the unit of the files: it is taken for the metre (--unit).";
   return text;

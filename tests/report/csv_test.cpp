@@ -40,8 +40,11 @@ class Csv : public testing::Test {
 
 TEST_F(Csv, SaysWhatTheJsonSaysWorstFirst) {
   const Ended run = impinge(folder, {"clash", "a.off", "b.off", "small.off", "big.off", "f.off", "g.off", "--clearance",
-                                     "3.7", "--csv", "out.csv", "--json", "out.json", "--quiet"});
+                                     "3.7", "--csv", "out.csv", "--json", "out.json", "--matrix", "m.csv", "--quiet"});
   EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(folder.read("m.csv"),
+            "by,a,b,pairs,fail\r\nfile,a.off,b.off,1,1\r\nfile,big.off,small.off,1,1\r\n"
+            "file,f.off,g.off,1,0\r\n");
   EXPECT_TRUE(folder.read("out.csv").starts_with(kHead));
   const std::vector<Row> rows = rows_of(folder.read("out.csv"));
   const json answer = json::parse(folder.read("out.json"));
@@ -116,9 +119,17 @@ TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
 
 TEST_F(Csv, AndTheJsonSayWhatAnIfcFileSaysOfItsParts) {
   folder.write("two.ifc", ifc_of_two_walls());
-  EXPECT_EQ(impinge(folder, {"clash", "two.ifc", "a.off", "--csv", "t.csv", "--json", "t.json", "--quiet"}).code, 1);
+  EXPECT_EQ(impinge(folder,
+                    {"clash", "two.ifc", "a.off", "--csv", "t.csv", "--json", "t.json", "--matrix", "m.csv", "--quiet"})
+                .code,
+            1);
+  EXPECT_EQ(folder.read("m.csv"),
+            "by,a,b,pairs,fail\r\nfile,two.ifc,two.ifc,1,1\r\n"
+            "class,IfcBuildingElementProxy,IfcBuildingElementProxy,1,1\r\n"
+            "storey,\"Level 1, north\",\"Level 1, north\",1,1\r\n");
   const std::vector<Row> rows = rows_of(folder.read("t.csv"));
-  ASSERT_EQ(rows.size(), 1U);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].at("verdict"), "warning") << "about the unit of a.off";
   const json walls = json::parse(R"([
       {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house","site":"site","material":["brick","mortar"]},
       {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house","site":"site","material":"steel"},

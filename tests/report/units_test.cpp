@@ -181,6 +181,29 @@ TEST_F(Units, OfAllFilesAreBroughtToThatOfTheCall) {
   EXPECT_EQ(json::parse(folder.read("out.json")).at("counts").at("duplicate"), 1) << ended.out;
   EXPECT_NE(ended.out.find("depth (m)"), std::string::npos) << ended.out;
   EXPECT_NE(ended.err.find("cube.off does not say its unit and is taken to be in m"), std::string::npos) << ended.err;
+  // That, and what was not read, is said in every document.
+  folder.write("bad.off", "OFF");
+  const std::vector<std::string> words{
+      "cube.off", "bad.off", "two.ifc", "--unit",  "m",      "--json",   "out.json",
+      "--csv",    "out.csv", "--bcf",   "out.bcf", "--html", "out.html", "--skip-unreadable",
+      "--force",  "--quiet"};
+  const Ended whole = impinge(folder, joined({"clash"}, words));
+  const json answer = json::parse(folder.read("out.json"));
+  const std::string skipped = answer.at("missing").at(0), warning = answer.at("warnings").at(0);
+  EXPECT_EQ(whole.err, "impinge: " + skipped + "\n");
+  EXPECT_TRUE(skipped.starts_with("skipped: bad.off"));
+  EXPECT_NE(ended.err.find("impinge: " + warning + "\n"), std::string::npos) << warning;
+  const std::vector<Row> rows = rows_of(folder.read("out.csv"));
+  ASSERT_GE(rows.size(), 2U);
+  const Row &of_file = rows[rows.size() - 2], &of_unit = rows.back();
+  EXPECT_EQ(std::tuple(of_file.at("verdict"), of_file.at("a_file"), of_file.at("note")),
+            std::tuple("skipped", "bad.off", skipped));
+  EXPECT_EQ(std::tuple(of_unit.at("verdict"), of_unit.at("note")), std::tuple("warning", warning));
+  for (const Topic& each : read_bcf(folder.read("out.bcf"))) {
+    const std::string text = each.topic().child("Description").text().get();
+    EXPECT_NE(text.find("Not read: " + skipped + "\nWarning: " + warning + "\n"), std::string::npos) << text;
+  }
+  EXPECT_NE(folder.read("out.html").find(R"("warnings":["cube.off does not say its unit)"), std::string::npos);
   EXPECT_EQ(
       impinge(folder, {"clash", "cube.off", "two.ifc", "--unit", "m", "--scale", "cube.off=1"}).err.find("cube.off"),
       std::string::npos);
