@@ -34,7 +34,7 @@ struct CheckArguments : SceneOptions, OutputArguments {
 };
 
 struct ClashArguments : ReportOptions, OutputArguments {
-  std::optional<std::string> html, csv, bcf, gltf;                  ///< "-" is standard output
+  std::optional<std::string> html, csv, matrix, bcf, gltf;          ///< "-" is standard output
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< rows of the table
 };
 

@@ -89,6 +89,7 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
   if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
   if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
   if (auto ordered = documents.order(kCsv, arguments.csv); !ordered) return ordered.error();
+  if (auto ordered = documents.order(kMatrix, arguments.matrix); !ordered) return ordered.error();
   if (auto ordered = documents.order(kBcf, arguments.bcf); !ordered) return ordered.error();
   if (auto ordered = documents.order(kGltf, arguments.gltf); !ordered) return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
@@ -116,6 +117,8 @@ Result<bool> clash(const ClashArguments& given, const std::stop_token& stop) {
       if (auto kept = check_replaced(*place, decisions, *review); !kept) return kept.error();
   const auto csv = [&](Sink& sink) { return write_csv(sink, *review); };
   if (auto written = documents.write(kCsv, csv); !written) return written.error();
+  const auto matrix = [&](Sink& sink) { return write_matrix(sink, *review); };
+  if (auto written = documents.write(kMatrix, matrix); !written) return written.error();
   const auto gltf = [&](Sink& sink) { return write_gltf(sink, *review); };
   if (auto written = documents.write(kGltf, gltf); !written) return written.error();
   if (arguments.bcf)

@@ -62,6 +62,13 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
   if (std::ranges::any_of(pairs, [](const Clash& pair) { return pair.overlap_depth.has_value(); }))
     add("depth" + unit, number,
         [](const Clash& pair, const Standing&) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; });
+  if (arguments.volumes) {
+    const auto& metres = review.assembly.unit_in_metres;
+    add("volume" + (metres ? fmt::format(" ({}^3)", unit_name(*metres)) : ""), number,
+        [](const Clash& pair, const Standing&) {
+          return pair.overlap_volume ? fmt::format("{:.4g}", pair.overlap_volume->volume) : kNothing;
+        });
+  }
   if (arguments.clearance.value > 0)
     add("distance" + unit, number, [](const Clash& pair, const Standing&) {
       return pair.nearest ? length_text(pair.nearest->distance) : kNothing;

@@ -67,7 +67,7 @@ void add_json(CLI::App& command, std::optional<std::string>& json, const std::st
 
 void add_output(CLI::App& command, const std::string& name, std::optional<std::string>& file,
                 const std::string& about) {
-  command.add_option(name, file, about)->type_name(name == "--csv" ? "FILE|-" : "FILE");
+  command.add_option(name, file, about)->type_name(name == "--csv" || name == "--matrix" ? "FILE|-" : "FILE");
 }
 
 void add_threads(CLI::App& command, int& threads) {
@@ -289,6 +289,8 @@ void complete(ClashArguments& to, bool fail_on_given) {
 
 void add_exports(CLI::App& command, ClashArguments& to) {
   add_output(command, "--csv", to.csv, "write a table for spreadsheets, a row for each pair; includes --regions");
+  add_output(command, "--matrix", to.matrix,
+             "write a table of how many pairs fail between each two files, IFC classes and storeys");
   add_output(command, "--bcf", to.bcf,
              "write BCF for BIM tools: a topic with viewpoint and picture for each pair that fails; includes "
              "--regions");
@@ -349,6 +351,7 @@ void add_clash(CLI::App& command, ClashArguments& to) {
       "in a table that --csv wrote, or in BCF (docs/triage.md); it is only read");
   begin_group(command, "What is told of it");
   add_depth(command, to.depth_precision);
+  command.add_flag("--volume", to.volumes, "find how much space two solids that overlap have in common");
   command.add_flag("--regions", to.regions,
                    "find the regions of contact, with place, area, normal and lines in the JSON");
   add_choice<GroupBy>(

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
+#include <memory>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,19 +22,27 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 Result<Assembly> read_assembly(const SceneOptions& options, ProgressLine& line, const std::stop_token& stop) {
   constexpr double kMega = 1e6;
   const std::vector<std::string>& files = options.files;
-  std::vector<double> ends;  // of each file, in megabytes of all of them
+  std::vector<double> sizes;  // in megabytes
   for (const std::string& file : files) {
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(file, unknown);
-    ends.push_back((ends.empty() ? 0 : ends.back()) + (unknown ? 0 : static_cast<double>(bytes) / kMega));
+    sizes.push_back(unknown ? 0 : static_cast<double>(bytes) / kMega);
   }
   SceneOptions stoppable = options;
   stoppable.stop = stop;
-  return report::read_assembly(stoppable, [&](std::size_t i) {
-    // Of a single file nobody knows how far it is read.
-    const Work work = files.size() > 1 ? Work{i == 0 ? 0 : ends[i - 1], ends.back()} : Work();
-    line.phase(
-        fmt::format("reading {} ({} of {})", printable(files[i]), i + 1, files.size()), [work] { return work; }, "MB");
+  // Of a single file nobody knows how far it is read.
+  const double total = files.size() > 1 ? std::accumulate(sizes.begin(), sizes.end(), 0.0) : 0;
+  const auto done = std::make_shared<std::atomic<double>>(0);  // the line outlives the reading
+  return report::read_assembly(stoppable, [&](std::size_t i, bool is_read) {
+    if (is_read)
+      *done += sizes[i];
+    else
+      line.phase(
+          fmt::format("reading {} ({} of {})", printable(files[i]), i + 1, files.size()),
+          [done, total] {
+            return Work{*done, total};
+          },
+          "MB");
   });
 }
 

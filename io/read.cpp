@@ -127,7 +127,7 @@ std::string foreign_format(const std::filesystem::path& file) {
 }
 
 /// Multiplies every coordinate: vertices by the formula of a pose, so that meshes stay shared and answers do not
-/// depend on who scales; the poses' shifts by one product each.
+/// depend on who scales; the shifts of poses, nodes and tracks by one product each.
 Result<void> scale_model(Model& model, double scale, const Source& source) {
   std::unordered_map<const MeshState*, Mesh> scaled;
   for (Object& object : model.objects) {
@@ -146,11 +146,25 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
         return file_error(source, sentence("object '", object.name, "', scaled, is too far away"));
     }
   }
+  const auto scale_all = [&](auto& lengths) {
+    for (double& length : lengths) length *= scale;
+  };
+  for (Node& node : model.nodes) scale_all(node.local.t), scale_all(node.translation);
+  for (Animation& animation : model.animations)
+    for (Track& track : animation.tracks)
+      if (track.property == Track::Property::translation) scale_all(track.values);
   return {};
 }
 
-/// Units of files are products of several numbers, each of them rounded.
-constexpr double kUnitRounding = 1e-12;
+Result<void> bring_to_unit(Model& model, double metres, const Source& source) {
+  if (!model.unit_in_metres) return {};
+  const double scale = *model.unit_in_metres / metres;
+  model.unit_in_metres = metres;
+  // Units of files are products of several numbers, each of them rounded: where it is the same, meshes stay as they
+  // are.
+  constexpr double kUnitRounding = 1e-12;
+  return std::abs(scale - 1) < kUnitRounding ? Result<void>() : scale_model(model, scale, source);
+}
 
 Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOptions& options) {
   const std::string label = file.string(), name = file.stem().string();
@@ -171,17 +185,14 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
     model = import_file(file, source, options);
   }
   if (!model) return model;
-  double scale = options.scale;
-  if (scale != 1) {
+  Result<void> scaled;
+  if (options.scale != 1) {
     model->unit_in_metres.reset();
-  } else if (options.unit_in_metres && model->unit_in_metres) {
-    scale = *model->unit_in_metres / *options.unit_in_metres;
-    // The same unit by other roundings; its meshes stay as they are.
-    if (std::abs(scale - 1) < kUnitRounding) scale = 1;
-    model->unit_in_metres = options.unit_in_metres;
+    scaled = scale_model(*model, options.scale, source);
+  } else if (options.unit_in_metres) {
+    scaled = bring_to_unit(*model, *options.unit_in_metres, source);
   }
-  if (scale == 1) return model;
-  if (const Result<void> scaled = scale_model(*model, scale, source); !scaled) return scaled.error();
+  if (!scaled) return scaled.error();
   return model;
 }
 
@@ -189,6 +200,11 @@ Result<Model> read_unguarded(const std::filesystem::path& file, const ReadOption
 
 Result<Model> read(const std::filesystem::path& file, const ReadOptions& options) {
   return guarded([&] { return read_unguarded(file, options); });
+}
+
+Result<void> bring_to_unit(Model& model, double metres, const std::filesystem::path& file) {
+  const std::string label = file.string(), name = file.stem().string();
+  return guarded([&] { return bring_to_unit(model, metres, Source{label, name}); });
 }
 
 }  // namespace impinge::io

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <utility>
 
 #include "report/conventions.hpp"
+#include "report/share.hpp"
 #include "report/text.hpp"
 #include "report/units.hpp"
 
@@ -70,6 +73,36 @@ std::vector<std::string> check_units(const SceneOptions& options, const std::vec
   return unit_warnings(units, unit);
 }
 
+/// The models, each in its own unit. After an error that is not skipped later files may be `cancelled`, but none
+/// before.
+std::vector<Result<io::Model>> read_files(const SceneOptions& options, const FileProgress& progress) {
+  const std::size_t count = options.files.size();
+  std::vector<Result<io::Model>> readings(count, interrupted());
+  std::vector<std::stop_source> stops(count);
+  const auto stop_from = [&](std::size_t first) {
+    for (std::size_t i = first; i < count; ++i) stops[i].request_stop();
+  };
+  const std::stop_callback stop_all(options.stop, [&] { stop_from(0); });
+  std::mutex one_call;
+  share(count, options.threads, [&](std::size_t i) {
+    const auto tell = [&](bool is_read) {
+      const std::scoped_lock lock(one_call);
+      progress(i, is_read);
+    };
+    if (stops[i].stop_requested()) return;
+    tell(false);
+    io::ReadOptions read;
+    read.max_file_bytes = options.max_file_bytes;
+    read.scale = scale_of(options, options.files[i]).value_or(1);
+    read.property_sets = options.property_sets;
+    read.stop = stops[i].get_token();
+    readings[i] = io::read(options.files[i], read);
+    if (!readings[i] && !options.skip_unreadable) stop_from(i + 1);
+    tell(true);
+  });
+  return readings;
+}
+
 }  // namespace
 
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models) {
@@ -95,27 +128,27 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
   return assembly;
 }
 
-Result<Assembly> read_assembly(const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file) {
+Result<Assembly> read_assembly(const SceneOptions& options, const FileProgress& progress) {
+  std::vector<Result<io::Model>> readings = read_files(options, progress);
+  if (options.stop.stop_requested()) return interrupted();
+  std::optional<double> unit = options.unit_in_metres;
+  for (const Result<io::Model>& model : readings)
+    if (!unit && model) unit = model->unit_in_metres;
+  if (unit)
+    share(readings.size(), options.threads, [&](std::size_t i) {
+      if (!readings[i]) return;
+      if (const auto brought = io::bring_to_unit(*readings[i], *unit, options.files[i]); !brought)
+        readings[i] = brought.error();
+    });
   std::vector<io::Model> models;
   std::vector<std::string> skipped, missing;
-  std::optional<double> unit = options.unit_in_metres;
-  for (const std::string& file : options.files) {
-    begin_file(models.size());
-    io::ReadOptions read;
-    read.max_file_bytes = options.max_file_bytes;
-    read.scale = scale_of(options, file).value_or(1);
-    read.property_sets = options.property_sets;
-    read.unit_in_metres = unit;
-    read.stop = options.stop;
-    Result<io::Model> model = io::read(file, read);
-    if (options.stop.stop_requested()) return interrupted();
-    if (!model) {
-      if (!options.skip_unreadable || skipped.size() + 1 == options.files.size()) return model.error();
-      skipped.push_back(file), missing.push_back("skipped: " + model.error().message);
-      model = io::Model();
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!readings[i]) {
+      const Error& error = readings[i].error();
+      if (!options.skip_unreadable || skipped.size() + 1 == options.files.size()) return error;
+      skipped.push_back(options.files[i]), missing.push_back("skipped: " + error.message);
     }
-    if (!unit) unit = model->unit_in_metres;
-    models.push_back(*std::move(model));
+    models.push_back(readings[i] ? *std::move(readings[i]) : io::Model());
   }
   std::vector<std::string> alignment = bring_to_first_axes(options.files, models);
   for (std::string& warning : check_units(options, models, unit)) alignment.push_back(std::move(warning));

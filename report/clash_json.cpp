@@ -16,6 +16,7 @@ Json json_settings(const ReportOptions& options) {
           {"clearance", options.clearance.value},
           {"depth_precision", json_finite(options.depth_precision)},
           {"regions", options.regions},
+          {"volumes", options.volumes},
           {"fail_on", words_of(options.fail_on)},
           {"ignore", options.ignored},
           {"between", options.between ? Json{options.between->first, options.between->second} : Json()},
@@ -84,6 +85,10 @@ Json json_pair(const Review& review, std::size_t number) {
             {"overlap_depth", json_depth(pair.overlap_depth)}};
   json.update(json_triage(review, number));
   if (options.clearance.value > 0) json.update(json_distance(pair.nearest));
+  if (options.volumes) {
+    json["overlap_volume"] = pair.overlap_volume ? Json(pair.overlap_volume->volume) : Json();
+    json["overlap_volume_error"] = pair.overlap_volume ? Json(pair.overlap_volume->error) : Json();
+  }
   if (!options.regions) return json;
   Json& regions = json["regions"] = Json::array();
   for (std::size_t i = 0; i < pair.regions.size(); ++i)

@@ -76,7 +76,8 @@ std::string normal(const Row& row, double Point::*axis) {
 /// Nothing where nobody said what the files' unit is.
 std::string in_metres(const Conventions& conventions, double value, int power = 1) {
   if (!conventions.is_known) return "";
-  return number(power == 2 ? conventions.metres * conventions.metres * value : conventions.metres * value);
+  for (int i = 0; i < power; ++i) value *= conventions.metres;
+  return number(value);
 }
 std::string in_metres(const Conventions& conventions, const Point& at, double Point::*axis) {
   return conventions.is_known ? number(place_in_bcf(conventions, at).*axis) : "";
@@ -187,6 +188,14 @@ constexpr std::array kColumns{
     Column{"assignee", [](const Row& row) { return csv_cell(row.standing.decision.assignee); }},
     Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
     Column{"incomplete", [](const Row& row) { return incomplete_sides(row.review, row.pair); }},
+    Column{"volume",
+           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->volume) : ""; }},
+    Column{"volume_error",
+           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->error) : ""; }},
+    Column{"volume_m3",
+           [](const Row& row) {
+             return row.pair.overlap_volume ? in_metres(row.conventions, row.pair.overlap_volume->volume, 3) : "";
+           }},
 };
 
 /// Cells with commas between them, and the end of the line.
@@ -224,10 +233,20 @@ Result<void> write_csv(Sink& sink, const Review& review) {
                   ++rank, review.ids[i], place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
-  for (const std::string& file : review.assembly.skipped)
+  const Assembly& assembly = review.assembly;
+  const auto write_note = [&](std::string_view verdict, const std::string& note, const std::string& file = {}) {
     sink.write(line([&](const Column& column) {
-      return column.name == "verdict" ? "skipped" : column.name == "a_file" ? csv_cell(file) : std::string();
+      return column.name == "verdict"  ? std::string(verdict)
+             : column.name == "note"   ? csv_cell(note)
+             : column.name == "a_file" ? csv_cell(file)
+                                       : std::string();
     }));
+  };
+  const std::size_t unread = assembly.missing.size() - assembly.skipped.size();  // the skipped ones come last
+  for (std::size_t i = 0; i < unread; ++i) write_note("missing", assembly.missing[i]);
+  for (std::size_t i = 0; i < assembly.skipped.size(); ++i)
+    write_note("skipped", assembly.missing[unread + i], assembly.skipped[i]);
+  for (const std::string& warning : assembly.alignment) write_note("warning", warning);
   for (const Resolved& gone : review.resolved) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;

@@ -203,6 +203,7 @@ std::size_t node_of(Document& document, const Review& review, std::size_t pair, 
               {"fails", standing.fails},
               {"fails_below", json_finite(clash.fails_below)},
               {"depth", clash.overlap_depth ? Json(depth_of(clash)) : Json()},
+              {"volume", clash.overlap_volume ? Json(clash.overlap_volume->volume) : Json()},
               {"distance", clash.nearest ? Json(clash.nearest->distance) : Json()},
               {"a", json_part(assembly, clash.objects[0])},
               {"b", json_part(assembly, clash.objects[1])}};

@@ -182,6 +182,7 @@ Json json_unit(const std::optional<double>& metres) {
 
 void write_missing(JsonDocument& document, const Assembly& assembly) {
   if (!assembly.missing.empty()) document.member("missing", assembly.missing);
+  if (!assembly.alignment.empty()) document.member("warnings", assembly.alignment);
 }
 
 std::array<std::uint64_t, 3> count_row(const Contacts& contacts, std::size_t row) {

@@ -95,8 +95,11 @@ Result<FilePair> files_between(const Review& review) {
   if (!review.options.between) return FilePair();
   const std::vector<std::string>& files = review.assembly.files;
   const auto number = [&](const std::string& file) -> Result<std::uint32_t> {
-    if (std::ranges::count(files, file) == 1)
-      return static_cast<std::uint32_t>(std::ranges::find(files, file) - files.begin());
+    const auto count = std::ranges::count(files, file);
+    if (count == 1) return static_cast<std::uint32_t>(std::ranges::find(files, file) - files.begin());
+    if (count > 1)
+      return Error{Code::bad_option, fmt::format("--between {}: {} of the files to read have this name; name each once",
+                                                 printable(file), count)};
     return Error{Code::bad_option, fmt::format("--between {}: it is none of the files to read; the nearest is '{}'",
                                                printable(file), printable(nearest_text(file, files)))};
   };
@@ -113,6 +116,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.clearance = review.options.clearance.value;
   options.depth_precision = review.options.depth_precision;
   options.regions = review.options.regions;
+  options.volumes = review.options.volumes;
   options.threads = review.options.threads;
   options.backend = review.options.backend;
   const bool has_tests = !review.plan.tests().empty();

@@ -74,6 +74,10 @@ Result<void> write_csv(const Report& report, const std::string& file) {
   return write_file(file, kCsv, [&](Sink& sink) { return write_csv(sink, report.internal()); });
 }
 
+Result<void> write_matrix(const Report& report, const std::string& file) {
+  return write_file(file, kMatrix, [&](Sink& sink) { return write_matrix(sink, report.internal()); });
+}
+
 Result<void> write_bcf(const Report& report, const std::string& file) {
   const Review& review = report.internal();
   return write_file(file, kBcf, [&](Sink& sink) { return write_bcf(sink, review, topics_of(review), [] {}); });

@@ -36,8 +36,8 @@ mode_t usual_mode() {
 }  // namespace
 
 const DocumentKind kJson{"--json", "JSON", ".json"}, kPage{"--html", "page", ".html"},
-    kCsv{"--csv", "table of clashes", ".csv"}, kBcf{"--bcf", "BCF", ".bcf", ".bcfzip"},
-    kGltf{"--gltf", "binary glTF", ".glb"};
+    kCsv{"--csv", "table of clashes", ".csv"}, kMatrix{"--matrix", "table of counts", ".csv"},
+    kBcf{"--bcf", "BCF", ".bcf", ".bcfzip"}, kGltf{"--gltf", "binary glTF", ".glb"};
 
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
 

@@ -24,6 +24,10 @@ Result<void> write_view_json(Sink& sink, const Assembly& assembly);
 /// After a row of names a row for each pair, worst first, and for what is gone: RFC 4180, UTF-8 (docs/reports.md).
 Result<void> write_csv(Sink& sink, const Review& review);
 
+/// How many pairs there are, and how many fail, between each two files, IFC classes and storeys: a row for each two
+/// that have any, as long as there are several.
+Result<void> write_matrix(Sink& sink, const Review& review);
+
 /// A text as a cell: one printable line, which no spreadsheet takes for a formula, in quotes where it needs them.
 std::string csv_cell(std::string_view text);
 /// The text of a cell, out of its quotes, without the apostrophe that kept it from being a formula.

@@ -61,6 +61,7 @@ struct ClashOptions {
   /// How wide the interval of a depth may be, relative to the depth, of what fails; infinity: verdicts alone.
   double depth_precision = 0.05;
   bool regions = false;               ///< find regions of contact
+  bool volumes = false;               ///< find how much space solids that overlap have in common
   int threads = 0;                    ///< at most so many; 0: all there are
   std::string_view backend = "simd";  ///< what finds contacts, as `Options::backend`; the answer is the same
   /// With `find_clashes`: fills the empty list with the terms on which objects a < b are judged, one `Clash` for each;
@@ -96,6 +97,9 @@ struct Clash {
   /// `hi`; of the lesser of the two, and of what does not fail, only narrow enough to say so. Nothing for two surfaces,
   /// for parts of which neither is known to reach in, and where verdicts alone are asked for.
   std::optional<OverlapDepth> overlap_depth;
+  /// With `volumes`, as `overlap_volume` finds it, of two parts whose pieces are all solid and that overlap, if only
+  /// within the tolerance. Nothing for others, and where `overlap_volume` refuses them.
+  std::optional<OverlapVolume> overlap_volume;
   /// With `regions`, within `tolerance`, of automatic ones within 2^-20 of the largest |world coordinate| at least;
   /// exact ones where `contact_regions` would refuse so many pairs.
   std::vector<Region> regions;

@@ -116,6 +116,11 @@ struct ReadOptions {
 /// line or byte, and the mend), `bad_option` (scale), `cancelled`, `out_of_memory`.
 Result<Model> read(const std::filesystem::path& file, const ReadOptions& options = {});
 
+/// Brings a model whose unit is known to the one of so many metres, as `read` does by `ReadOptions::unit_in_metres`;
+/// another stays as it is. Errors: `bad_file` (coordinates too large for it; the sentence names `file`),
+/// `out_of_memory`; the model is of no use then.
+Result<void> bring_to_unit(Model& model, double metres, const std::filesystem::path& file);
+
 /// The readers alone, on bytes in memory; `name` stands for the file in messages, and for each object that it gives no
 /// name.
 Result<Model> read_obj(std::string_view bytes, std::string_view name);

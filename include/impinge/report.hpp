@@ -75,6 +75,7 @@ struct ReportOptions : SceneOptions, PageOptions {
   Length clearance;                 ///< as `ClashOptions::clearance`
   double depth_precision = 0.05;    ///< as `ClashOptions::depth_precision`
   bool regions = false;             ///< find regions of contact
+  bool volumes = false;             ///< as `ClashOptions::volumes`
   std::string backend = "simd";     ///< as `ClashOptions::backend`
   FailOn fail_on{.penetration = true, .inside = true};
   bool within_products = false;  ///< test the parts of one IFC product against each other
@@ -118,10 +119,14 @@ struct Assembly {
 /// The objects of several files, as they were read.
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models);
 
-/// Reads `options.files`, whose units are brought to that of the options; `begin_file` is called with the number of
-/// each before it is read. Errors: those of `io::read`; with `skip_unreadable` only if no file can be read.
+/// Called with the number of each file before it is read, and after: one call at a time, but from several threads and
+/// in no order. It must not throw.
+using FileProgress = std::function<void(std::size_t file, bool is_read)>;
+
+/// Reads `options.files`, several at once, whose units are brought to that of the options. Errors: those of `io::read`,
+/// of several the first file's; with `skip_unreadable` only if no file can be read.
 Result<Assembly> read_assembly(
-    const SceneOptions& options, const std::function<void(std::size_t file)>& begin_file = [](std::size_t) {});
+    const SceneOptions& options, const FileProgress& progress = [](std::size_t, bool) {});
 
 struct Review;  // internal
 
@@ -167,6 +172,7 @@ Result<Report> review(Assembly assembly, const ReportOptions& options);
 /// `stop`. The formats are described in docs/reports.md; the page needs its program (`./dev page`).
 Result<void> write_json(const Report& report, const std::string& file);
 Result<void> write_csv(const Report& report, const std::string& file);
+Result<void> write_matrix(const Report& report, const std::string& file);
 Result<void> write_bcf(const Report& report, const std::string& file);
 Result<void> write_gltf(const Report& report, const std::string& file);
 Result<void> write_page(const Report& report, const std::string& file);

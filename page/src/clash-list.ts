@@ -202,6 +202,7 @@ export class ClashList {
     const span = clash.pair?.span;
     const regions = clash.pair?.regions?.length ?? 0;
     if (span) side.append(el('small', {}, spanText(span)));
+    else if (!Number.isNaN(clash.volume)) side.append(el('small', {}, 'volume '), numberOf(clash.volume));
     else if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
     return side;
@@ -220,6 +221,7 @@ export function sentenceOf(clash: Clash, place: string): string {
   const [a, b] = clash.names.map((name) => nameText(name, 80));
   const parts = [`${a} ${verbOf(clash)} ${b}`];
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
+  if (!Number.isNaN(clash.volume)) parts.push(`volume ${rounded(clash.volume)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
   if (clash.pair?.span) parts.push(spanText(clash.pair.span));
   return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;

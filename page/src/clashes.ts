@@ -21,6 +21,8 @@ export interface Clash {
   depth: number;
   /** It fails at every tolerance below this; infinite: at every one. NaN where it is not known. */
   failsBelow: number;
+  /** What both parts fill, NaN if it was not measured. */
+  volume: number;
   distance: number;
   /** Sum of the areas of all regions, NaN without regions. */
   area: number;
@@ -31,7 +33,7 @@ const collator = new Intl.Collator('en', { numeric: true });
 /** No two texts are equal. */
 const compareTexts = (p: string, q: string): number => collator.compare(p, q) || Number(p > q) - Number(p < q);
 
-export type SortKey = 'rank' | 'depth' | 'distance' | 'area' | 'name';
+export type SortKey = 'rank' | 'depth' | 'volume' | 'distance' | 'area' | 'name';
 
 /** What parts are told apart by. */
 export type Trait = 'class' | 'storey' | 'file';
@@ -126,6 +128,7 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
   parts: [a, b],
   depth: NaN,
   failsBelow: NaN,
+  volume: NaN,
   distance: NaN,
   area: NaN,
   text: `${searchText(a)}\n${searchText(b)}`,
@@ -140,6 +143,7 @@ function ofPair(report: Report, pair: Pair): Clash {
     second,
     depth: depthOf(pair),
     failsBelow: pair.fails_below === null ? Infinity : (pair.fails_below ?? NaN),
+    volume: pair.overlap_volume ?? NaN,
     distance: pair.distance ?? NaN,
     area: pair.regions ? pair.regions.reduce((sum, region) => sum + region.area, 0) : NaN,
   };
@@ -259,6 +263,7 @@ export function sortClashes(clashes: Clash[], key: SortKey): Clash[] {
   const by: Record<SortKey, (x: Clash, y: Clash) => number> = {
     rank: () => 0,
     depth: (x, y) => compare(x.depth, y.depth, -1),
+    volume: (x, y) => compare(x.volume, y.volume, -1),
     distance: (x, y) => compare(x.distance, y.distance, 1),
     area: (x, y) => compare(x.area, y.area, -1),
     name: (x, y) => collator.compare(x.names[0], y.names[0]) || collator.compare(x.names[1], y.names[1]),

@@ -61,6 +61,9 @@ export interface Pair {
   /** The pair fails at every tolerance below this; null: at every one. */
   fails_below?: number | null;
   overlap_depth?: { a_in_b: Interval | null; b_in_a: Interval | null } | null;
+  /** Only of solids that overlap, where it was asked for. */
+  overlap_volume?: number | null;
+  overlap_volume_error?: number | null;
   distance?: number | null;
   distance_error?: number | null;
   nearest?: [Vec3, Vec3] | null;
@@ -94,6 +97,7 @@ export interface Settings {
   /** Null where depths were not measured. */
   depth_precision: number | null;
   regions: boolean;
+  volumes?: boolean;
   fail_on: string[];
   ignore?: unknown[];
   /** The report of an earlier run. */
@@ -109,6 +113,8 @@ export interface Report {
   pairs: Pair[];
   /** What of the files is not in the parts. */
   missing?: string[];
+  /** What was done about the files' units and axes, and what speaks against it. */
+  warnings?: string[];
   counts: (Record<Verdict, number> & { fail: number; candidates: number }) | null;
   resolved?: Resolved[];
   /** All that were read, by pairs' ids or by names of parts, also those that match no pair. */
@@ -175,7 +181,8 @@ export function readReport(): Report {
       throw new BlockError(`The report cannot be read: its pair ${i} names no two parts of it, or no verdict.`);
     }
   });
-  report.missing = (Array.isArray(report.missing) ? report.missing : []).map(String);
+  for (const key of ['missing', 'warnings'] as const)
+    report[key] = (Array.isArray(report[key]) ? report[key] : []).map(String);
   report.resolved = (report.resolved ?? []).filter((r) => r.a && r.b && kVerdicts.includes(r.verdict));
   return report;
 }

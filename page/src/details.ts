@@ -193,6 +193,10 @@ export class Details {
     const rows: [string, Value | null][] = [
       ['Depth of A in B', first ? interval(first) : null],
       ['Depth of B in A', second ? interval(second) : null],
+      [
+        'Volume in common',
+        pair.overlap_volume != null ? [numberOf(pair.overlap_volume), ' ± ', numberOf(pair.overlap_volume_error)] : null,
+      ],
       ['Distance', pair.distance != null ? [numberOf(pair.distance), ' ± ', numberOf(pair.distance_error)] : null],
       ['Area of contact', clash.area > 0 ? [numberOf(clash.area)] : null],
     ];

@@ -147,6 +147,7 @@ export class Filters {
     ];
     // A motion comes without distances and areas.
     if (isMotion) sorts.splice(2, 2);
+    if (this.report.settings?.volumes) sorts.splice(2, 0, ['volume', 'by volume']);
     const groups: [GroupKey, string][] = [
       ['none', 'no groups'],
       ['part', 'in parts'],

@@ -93,7 +93,7 @@ function stepsFact({ animation }: Motion): Fact {
 
 const kMostLeftOut = 3;
 
-/** What the answer is not about: sentences, and what they are called. */
+/** What the answer is not about, or may be wrong for: sentences, and what they are called. */
 function leftOutFacts(what: string, list: string[]): Fact[] {
   const told = (text: string): Fact => [el('span', { class: 'left-out bad' }, `${what}: ${text}`)];
   const facts = list.slice(0, kMostLeftOut).map((text) => told(nameText(text, 300)));
@@ -142,6 +142,7 @@ export function showSummary(
   const facts: (Fact | null)[] = [
     ...leftOutFacts('not read', report.missing ?? []),
     ...leftOutFacts('left out', motion?.left_out ?? []),
+    ...leftOutFacts('warning', report.warnings ?? []),
     motion && stepsFact(motion),
     partFacts(report, motion),
     motion && motion.animation.name ? ['animation ', nameOf(motion.animation.name, 60)] : null,

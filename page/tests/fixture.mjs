@@ -83,6 +83,7 @@ const kSettings = {
   clearance: 0.5,
   depth_precision: 0.05,
   regions: true,
+  volumes: true,
   fail_on: ['penetration', 'inside'],
   ignore: [],
   within_products: false,
@@ -155,7 +156,7 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
   ];
   objects[3].incomplete = 'its <b>lid</b> is left out';
   const pairs = [];
-  const put = (a, b, verdict, { depth, distance, areas = [], ...more } = {}) => {
+  const put = (a, b, verdict, { depth, volume, distance, areas = [], ...more } = {}) => {
     const centre = middle(a, b);
     const given = {
       a,
@@ -167,6 +168,8 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
       fails: ['duplicate', 'inside', 'penetrating', 'crossing'].includes(verdict),
       fails_below: depth ? depth * 0.95 : verdict === 'touching' || verdict === 'apart' ? 0 : null,
       overlap_depth: depth ? { a_in_b: [depth * 0.99, depth], b_in_a: [depth * 0.9, depth * 0.95] } : null,
+      overlap_volume: volume ?? null,
+      overlap_volume_error: volume ? 1e-10 : null,
       distance: distance ?? null,
       distance_error: distance ? 1e-12 : null,
       nearest: distance ? [centre, centre.map((c, k) => c + (k === 0 ? distance : 0))] : null,
@@ -185,12 +188,12 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
     };
     pairs.push(pairOf(given));
   };
-  put(0, 3, 'penetrating', { depth: 0.51234567, areas: [2, 0.5] });
+  put(0, 3, 'penetrating', { depth: 0.51234567, volume: 0.125, areas: [2, 0.5] });
   put(0, 1, 'touching', { areas: [1.5], note: 'they overlap by no more than the tolerance' });
-  put(1, 3, 'penetrating', { depth: 1.25, areas: [0.25] });
+  put(1, 3, 'penetrating', { depth: 1.25, volume: 0.0625, areas: [0.25] });
   put(2, 4, 'penetrating', { depth: 0.75, areas: [8] });
   put(3, 5, 'crossing', { fails_below: 0.6, areas: [3, 1] });
-  put(4, 6, 'inside', { depth: 0.6, fails_below: 3, inner: 6, areas: [] });
+  put(4, 6, 'inside', { depth: 0.6, volume: 4.5, fails_below: 3, inner: 6, areas: [] });
   put(5, 6, 'apart', { distance: 0.4 });
   put(7, 8, 'apart', { distance: 0.1 });
   put(7, 9, 'duplicate', { areas: [0.125] });

@@ -94,6 +94,7 @@ describe('the list of clashes', () => {
 
   for (const [key, by] of [
     ['depth', (x, y) => last(depth(x), depth(y), -1)],
+    ['volume', (x, y) => last(x.overlap_volume ?? NaN, y.overlap_volume ?? NaN, -1)],
     ['distance', (x, y) => last(x.distance ?? NaN, y.distance ?? NaN, 1)],
     ['area', (x, y) => area(y) - area(x)],
   ]) {
@@ -451,7 +452,7 @@ describe('the list of clashes', () => {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
-    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123$/);
+    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123, volume 0.125$/);
     await page.locator('#details-body .part-link button').first().click();
     assert.match(await page.textContent('#details-body'), /materialbrick, mortar/);
     await choose(rankOf(report.pairs[1]));

@@ -112,10 +112,12 @@ describe('the page', () => {
 
   test('what could not be read of the files is said on top, and if the model was simplified', async () => {
     const missing = [`a.dae: ${kMarkup}`];
+    const warnings = ['b.stl may be in mm'];
     const { page, close } = await browser.open(
-      compose({ report: { ...report, missing }, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
+      compose({ report: { ...report, missing, warnings }, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
     );
-    assert.deepEqual(await page.locator('#facts .left-out').allTextContents(), [`not read: a.dae: ${kMarkup}`]);
+    const said = [`not read: a.dae: ${kMarkup}`, 'warning: b.stl may be in mm'];
+    assert.deepEqual(await page.locator('#facts .left-out').allTextContents(), said);
     assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles; figures/);
     await close();
     const more = await browser.open(

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <thread>
 
 #include "report/bcf/bcf_xml.hpp"
 #include "report/bcf/snapshot.hpp"
 #include "report/bcf/zip.hpp"
+#include "report/share.hpp"
 #include "report/writers.hpp"
 
 namespace impinge::report {
@@ -49,18 +48,6 @@ std::array<Member, 3> files_of(const Review& review, std::size_t pair, std::size
   return {Member{id + "/markup.bcf", markup_of(review, pair, rank)},
           Member{id + "/viewpoint.bcfv", viewpoint_of(review, pair, view, scenery.lines, conventions)},
           Member{id + "/snapshot.png", png_of(draw(scenery, view)), false}};
-}
-
-/// Calls `work(i)` for each number below `count`, on several threads.
-void share(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  const std::size_t all = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
-  std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < std::min(all, count); ++i) helpers.emplace_back(run);
-  run();
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct Topic {
 
   [[nodiscard]] bool is_3_0() const { return review.options.bcf_version == BcfVersion::v3_0; }
   [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
-  [[nodiscard]] double square_metres(double area) const { return conventions.metres * conventions.metres * area; }
+  [[nodiscard]] double square_metres(double area) const { return conventions.metres * metres(area); }
+  [[nodiscard]] double cubic_metres(double volume) const { return conventions.metres * square_metres(volume); }
   [[nodiscard]] std::string label(int side) const {
     return fit(review.assembly.labels[clash.objects[static_cast<std::size_t>(side)]], 100);
   }
@@ -104,6 +105,19 @@ std::string regions(const Topic& topic) {
   return text;
 }
 
+/// What of the files is in no answer, and what speaks against their units: lines, so many at most.
+std::string about_files(const Assembly& assembly) {
+  constexpr std::size_t kMostSentences = 5;
+  std::vector<std::string> all = assembly.missing;
+  all.insert(all.end(), assembly.alignment.begin(), assembly.alignment.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostSentences); ++i)
+    text += fmt::format("{}: {}\n", i < assembly.missing.size() ? "Not read" : "Warning", printable(all[i]));
+  if (all.size() > kMostSentences)
+    text += fmt::format("{} in the JSON\n", counted(all.size() - kMostSentences, "more warning"));
+  return text;
+}
+
 /// What is known of the pair, a line for each thing.
 std::string description(const Topic& topic) {
   const Clash& clash = topic.clash;
@@ -117,6 +131,8 @@ std::string description(const Topic& topic) {
   if (clash.overlap_depth)
     text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
                         interval(clash.overlap_depth->b_in_a));
+  if (clash.overlap_volume)
+    text += fmt::format("Volume in common: {:.6g}\n", topic.cubic_metres(clash.overlap_volume->volume));
   if (std::isinf(clash.fails_below))
     text += "Fails at every tolerance\n";
   else if (clash.verdict < Verdict::touching)
@@ -129,6 +145,7 @@ std::string description(const Topic& topic) {
         !left_out.empty())
       text += fmt::format("{} is incomplete: {}\n", side == 0 ? "A" : "B", printable(left_out));
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
+  text += about_files(topic.review.assembly);
   text += "Lengths and places are in metres with Z up, as in the viewpoint.";
   if (!topic.conventions.is_known) text += " Nobody said the unit of the files: it is taken for the metre (--unit).";
   return text;

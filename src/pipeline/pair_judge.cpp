@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "clash/overlap_volume.hpp"
 #include "clash/regions/regions.hpp"
 #include "core/local_frame.hpp"
 #include "exact/orientation.hpp"
@@ -95,6 +96,11 @@ Clash PairJudge::judge(const ClashTerms& terms) {
       nearest_ = Within{terms.clearance, nearest(terms.clearance)};
     clash.nearest = nearest_->nearest;
   }
+  const bool overlap = clash.verdict < Verdict::touching || clash.note == Note::overlap_within_tolerance;
+  if (options_.volumes && overlap && are_solid()) {
+    if (!volume_) volume_ = clash::overlap_volume(a_.placed, b_.placed, options_.stop);
+    clash.overlap_volume = *volume_;
+  }
   if (options_.regions && clash.verdict != Verdict::apart) {
     if (!found.regions) found.regions = find_regions(found.applied.of_regions);
     clash.regions = *found.regions;
@@ -102,12 +108,17 @@ Clash PairJudge::judge(const ClashTerms& terms) {
   return clash;
 }
 
-bool PairJudge::are_plain() const {
-  const auto may_be = [](const Part& part) {
+/// Whether all pieces of both are.
+bool PairJudge::are_solid() const {
+  const auto is_solid = [](const Part& part) {
     const std::array<std::uint32_t, 3>& pieces = part.facts.pieces;
     return pieces[0] > 0 && pieces[1] == 0 && pieces[2] == 0;
   };
-  return may_be(a_) && may_be(b_) && a_.exact(options_.stop).is_plain && b_.exact(options_.stop).is_plain;
+  return is_solid(a_) && is_solid(b_);
+}
+
+bool PairJudge::are_plain() const {
+  return are_solid() && a_.exact(options_.stop).is_plain && b_.exact(options_.stop).is_plain;
 }
 
 /// Coordinates are doubles with 53 bits, of which sums and products in a few steps leave some 42. Outlines of regions

@@ -46,6 +46,7 @@ class PairJudge {
   };
 
   [[nodiscard]] Applied applied(const std::optional<double>& tolerance) const;
+  [[nodiscard]] bool are_solid() const;
   [[nodiscard]] bool are_plain() const;
   Clash judge(const ClashTerms& terms);
   Found& find(const Applied& applied);
@@ -65,6 +66,7 @@ class PairJudge {
   std::vector<double> levels_;             ///< the tolerances that `reach_` was searched for
   std::optional<clash::PairReach> reach_;
   std::vector<Found> found_;
+  std::optional<std::optional<OverlapVolume>> volume_;
   std::optional<Within> nearest_;
 };
 

@@ -28,6 +28,7 @@ PreviousClashes::PreviousClashes(const std::vector<Placed>& objects, std::vector
                                  std::vector<JudgedPair> pairs, const ClashOptions& options)
     : depth_precision_(options.depth_precision),
       regions_(options.regions),
+      volumes_(options.volumes),
       parts_(std::move(parts)),
       pairs_(std::move(pairs)) {
   objects_.reserve(objects.size());
@@ -37,7 +38,8 @@ PreviousClashes::PreviousClashes(const std::vector<Placed>& objects, std::vector
 }
 
 std::vector<Placed> PreviousClashes::forget_changed(const std::vector<Placed>& objects, const ClashOptions& options) {
-  if (depth_precision_ != options.depth_precision || regions_ != options.regions) pairs_.clear();
+  if (depth_precision_ != options.depth_precision || regions_ != options.regions || volumes_ != options.volumes)
+    pairs_.clear();
   std::vector<Placed> others = objects;
   is_unchanged_.assign(objects.size(), 0);
   for (std::size_t i = 0; i < std::min(objects.size(), objects_.size()); ++i) {

@@ -55,7 +55,7 @@ class PreviousClashes {
   }
 
   double depth_precision_ = 0;
-  bool regions_ = false;
+  bool regions_ = false, volumes_ = false;
   std::vector<PlacedMesh> objects_;  ///< by object, as the next two
   std::vector<Part> parts_;
   std::vector<std::uint8_t> is_unchanged_;

@@ -121,6 +121,7 @@ TEST(ClashMemory, ChangesNoAnswerWhateverMoves) {
           break;
         case 4:
           options.regions = frame == 4;
+          options.volumes = frame == 12;
           stage.add_again(pick(random, stage.size()));
           break;
         case 6:

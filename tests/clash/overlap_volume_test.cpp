@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -108,6 +109,51 @@ TEST(OverlapVolume, CountsCavitiesAndTurnedPartsAsTheyAre) {
   expect_volume(0, plug, {}, scenes::box({11, 2, 2}, {12, 8, 9}), {});
   EXPECT_EQ(overlap_volume(test::mesh_of(scenes::opened(plug)), {}, test::mesh_of(plug), {}).error().code,
             Code::bad_mesh);
+}
+
+/// What a clash says of it, by formulae.
+TEST(OverlapVolume, IsToldOfSolidsThatOverlapWhereItIsAskedFor) {
+  const MeshData a = scenes::box({0, 0, 0}, {4, 2, 2});
+  MeshData cracked = scenes::unshared(scenes::box({3, 1, 1}, {6, 3, 3}, 3));
+  cracked.xyz[2] += 1e-4;
+  struct Case {
+    MeshData b;
+    Verdict verdict;
+    std::optional<double> volume;
+    double tolerance = 1e-5;
+  };
+  const std::vector<Case> cases{
+      {scenes::box({3, 1, 1}, {6, 3, 3}), Verdict::penetrating, 1},
+      {scenes::box({1, 0.5, 0.5}, {2, 1, 1.5}), Verdict::inside, 0.5},
+      {scenes::box({-1, -1, -1}, {9, 9, 9}), Verdict::inside, 16},
+      {a, Verdict::duplicate, 16},
+      {scenes::box({3.75, 0, 0}, {6, 2, 2}), Verdict::penetrating, 1},
+      {scenes::box({3.75, 0, 0}, {6, 2, 2}), Verdict::touching, 1, 0.5},
+      {scenes::box({4, 0, 0}, {6, 2, 2}), Verdict::touching, std::nullopt},
+      {scenes::box({4, 0, 0}, {6, 2, 2}), Verdict::touching, std::nullopt, 0.5},
+      {scenes::box({5, 0, 0}, {6, 2, 2}), Verdict::apart, std::nullopt},
+      {cracked, Verdict::penetrating, std::nullopt},
+      {scenes::sheet({3, 6}, {1, 3}, 1), Verdict::crossing, std::nullopt},
+  };
+  test::Seeded seeded(5);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& [b, verdict, volume, tolerance] = cases[i];
+    for (const double far : {0.0, 10.0, 1e4}) {
+      SCOPED_TRACE(testing::Message() << "case " << i << ", " << far << " away");
+      const Pose pose = far == 0 ? Pose{} : scenes::random_motion(seeded.random, far);
+      ClashOptions options{.tolerance = tolerance, .volumes = true};
+      const auto found = judge(test::mesh_of(a), pose, test::mesh_of(b), pose, options);
+      ASSERT_TRUE(found) << found.error().message;
+      EXPECT_EQ(found->verdict, verdict);
+      ASSERT_EQ(found->overlap_volume.has_value(), volume.has_value());
+      if (volume) {
+        EXPECT_LE(std::abs(found->overlap_volume->volume - *volume), found->overlap_volume->error + 1e-12 * (1 + far));
+        EXPECT_LE(found->overlap_volume->error, 1e-6);
+      }
+      options.volumes = false;
+      EXPECT_FALSE(judge(test::mesh_of(a), pose, test::mesh_of(b), pose, options)->overlap_volume);
+    }
+  }
 }
 
 }  // namespace

@@ -68,6 +68,11 @@ inline void expect_same(const Clash& p, const Clash& q) {
     EXPECT_EQ(text(p.overlap_depth->a_in_b), text(q.overlap_depth->a_in_b));
     EXPECT_EQ(text(p.overlap_depth->b_in_a), text(q.overlap_depth->b_in_a));
   }
+  ASSERT_EQ(p.overlap_volume.has_value(), q.overlap_volume.has_value());
+  if (p.overlap_volume) {
+    EXPECT_EQ(p.overlap_volume->volume, q.overlap_volume->volume);
+    EXPECT_EQ(p.overlap_volume->error, q.overlap_volume->error);
+  }
   ASSERT_EQ(p.regions.size(), q.regions.size());
   for (std::size_t i = 0; i < p.regions.size(); ++i) expect_same(p.regions[i], q.regions[i]);
 }

@@ -43,6 +43,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                                          {"clearance", 0.0},
                                          {"depth_precision", 0.05},
                                          {"regions", false},
+                                         {"volumes", false},
                                          {"fail_on", {"penetration", "inside"}},
                                          {"ignore", json::array()},
                                          {"between", nullptr},

@@ -67,6 +67,9 @@ TEST_F(Ignore, BetweenLooksAtTwoFilesAlone) {
   EXPECT_EQ(found("pair.gltf", "plate.off"), "verdict   part   part\ntouching  plate  lid\ntouching  plate  rim");
   EXPECT_EQ(found("plate.off", "bolt.off"),
             "impinge: --between bolt.off: it is none of the files to read; the nearest is 'bolt_1.off'\n");
+  EXPECT_EQ(
+      impinge(folder, {"clash", "plate.off", "bolt_1.off", "plate.off", "--between", "plate.off", "bolt_1.off"}).err,
+      "impinge: --between plate.off: 2 of the files to read have this name; name each once\n");
 }
 
 TEST_F(Ignore, RefusesAPairThatIsNone) {

@@ -145,6 +145,13 @@ TEST_F(Motion, OptionsSayWhatIsAClash) {
   for (const double tolerance : {0.1, 0.2})
     expect_moment(report({"--tolerance", fmt::format("{}", tolerance)}).at("spans").at(0).at("from"), 2 + tolerance,
                   1e-5);
+  // The file is in metres.
+  for (const char* const tolerance : {"200", "0.2 m", "20 cm"}) {
+    const json in_mm = report({"--tolerance", tolerance, "--unit", "mm"});
+    EXPECT_EQ(in_mm.at("unit").at("name"), "mm");
+    EXPECT_NEAR(in_mm.at("settings").at("tolerance"), 200, 1e-9);
+    expect_moment(in_mm.at("spans").at(0).at("from"), 2.2, 1e-5);
+  }
 }
 
 TEST_F(Motion, OneOfSeveralAnimationsIsChosen) {

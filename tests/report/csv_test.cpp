@@ -22,7 +22,8 @@ const std::string kHead =
     "a_in_b_most,b_in_a_least,b_in_a_most,distance,distance_error,regions,area,length,x,y,z,normal_x,normal_y,"
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
     "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,"
-    "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee,unit,incomplete\r\n";
+    "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee,unit,incomplete,"
+    "volume,volume_error,volume_m3\r\n";
 
 class Csv : public testing::Test {
  protected:
@@ -39,8 +40,11 @@ class Csv : public testing::Test {
 
 TEST_F(Csv, SaysWhatTheJsonSaysWorstFirst) {
   const Ended run = impinge(folder, {"clash", "a.off", "b.off", "small.off", "big.off", "f.off", "g.off", "--clearance",
-                                     "3.7", "--csv", "out.csv", "--json", "out.json", "--quiet"});
+                                     "3.7", "--csv", "out.csv", "--json", "out.json", "--matrix", "m.csv", "--quiet"});
   EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(folder.read("m.csv"),
+            "by,a,b,pairs,fail\r\nfile,a.off,b.off,1,1\r\nfile,big.off,small.off,1,1\r\n"
+            "file,f.off,g.off,1,0\r\n");
   EXPECT_TRUE(folder.read("out.csv").starts_with(kHead));
   const std::vector<Row> rows = rows_of(folder.read("out.csv"));
   const json answer = json::parse(folder.read("out.json"));
@@ -115,9 +119,17 @@ TEST_F(Csv, AnyNameStaysInItsCellAndRunsNothing) {
 
 TEST_F(Csv, AndTheJsonSayWhatAnIfcFileSaysOfItsParts) {
   folder.write("two.ifc", ifc_of_two_walls());
-  EXPECT_EQ(impinge(folder, {"clash", "two.ifc", "a.off", "--csv", "t.csv", "--json", "t.json", "--quiet"}).code, 1);
+  EXPECT_EQ(impinge(folder,
+                    {"clash", "two.ifc", "a.off", "--csv", "t.csv", "--json", "t.json", "--matrix", "m.csv", "--quiet"})
+                .code,
+            1);
+  EXPECT_EQ(folder.read("m.csv"),
+            "by,a,b,pairs,fail\r\nfile,two.ifc,two.ifc,1,1\r\n"
+            "class,IfcBuildingElementProxy,IfcBuildingElementProxy,1,1\r\n"
+            "storey,\"Level 1, north\",\"Level 1, north\",1,1\r\n");
   const std::vector<Row> rows = rows_of(folder.read("t.csv"));
-  ASSERT_EQ(rows.size(), 1U);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].at("verdict"), "warning") << "about the unit of a.off";
   const json walls = json::parse(R"([
       {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house","site":"site","material":["brick","mortar"]},
       {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house","site":"site","material":"steel"},

@@ -37,14 +37,16 @@ class Units : public testing::Test {
  protected:
   void run(const std::vector<std::string>& more) {
     const Ended ended = impinge(
-        folder, joined({"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--quiet"}, more));
+        folder,
+        joined({"clash", "--bcf", "out.bcf", "--csv", "out.csv", "--json", "out.json", "--volume", "--quiet"}, more));
     ASSERT_EQ(ended.code, 1) << ended.err;
     std::vector<Topic> topics = read_bcf(folder.read("out.bcf"));
     ASSERT_EQ(topics.size(), 1U);
     topic = std::move(topics[0]);
     description = topic.topic().child("Description").text().get();
     row = rows_of(folder.read("out.csv")).at(0);
-    region = json::parse(folder.read("out.json")).at("pairs").at(0).at("regions").at(0);
+    pair = json::parse(folder.read("out.json")).at("pairs").at(0);
+    region = pair.at("regions").at(0);
   }
   /// The shared cube's middle is the middle of all symmetry: the cubes change places by a reflection in that point.
   /// Each has a corner 1 m deep in the other, and their surfaces meet in 6 edges of it.
@@ -65,6 +67,8 @@ class Units : public testing::Test {
       EXPECT_GE(depths[least + 1], edge - near);
       EXPECT_LT(depths[least + 1], 1.1 * edge);
     }
+    const double volume = edge * edge * edge;
+    EXPECT_NEAR(numbers(description, R"(Volume in common: (\S+)\n)").at(0), volume, 1e-5 * volume);
     const bool is_known = description.find("Nobody said the unit") == std::string::npos;
     EXPECT_NEAR(numbers(topic.topic().child("Title").text().get(), R"(, (\S+) (?:mm|\(unit unknown\))$)").at(0),
                 edge * (is_known ? 1000 : 1), 0.1 * edge * (is_known ? 1000 : 1));
@@ -74,6 +78,7 @@ class Units : public testing::Test {
     EXPECT_NEAR(number(row.at("depth_m")), edge, 0.1 * edge);
     EXPECT_NEAR(number(row.at("length_m")), 6 * edge, 60 * near);
     EXPECT_NEAR(number(row.at("area_m2")), place[3], 1e-5 * edge * edge);
+    EXPECT_NEAR(number(row.at("volume_m3")), volume, 1e-5 * volume);
     // All that is drawn is on the shared cube.
     std::size_t lines = 0;
     for (const pugi::xml_node& line : topic.view().child("Lines")) {
@@ -90,13 +95,15 @@ class Units : public testing::Test {
     // The other columns are what the JSON has.
     EXPECT_EQ(number(row.at("y")), region.at("centroid").at(1).get<double>());
     EXPECT_EQ(number(row.at("length")), region.at("length").get<double>());
+    EXPECT_EQ(number(row.at("volume")), pair.at("overlap_volume").get<double>());
+    EXPECT_EQ(number(row.at("volume_error")), pair.at("overlap_volume_error").get<double>());
   }
   [[nodiscard]] bool is_guessed() const { return description.find("Nobody said the unit") != std::string::npos; }
   Folder folder;
   Topic topic;
   std::string description;
   Row row;
-  json region;
+  json pair, region;
 };
 
 TEST_F(Units, OfImportedFilesAreKnown) {
@@ -174,6 +181,29 @@ TEST_F(Units, OfAllFilesAreBroughtToThatOfTheCall) {
   EXPECT_EQ(json::parse(folder.read("out.json")).at("counts").at("duplicate"), 1) << ended.out;
   EXPECT_NE(ended.out.find("depth (m)"), std::string::npos) << ended.out;
   EXPECT_NE(ended.err.find("cube.off does not say its unit and is taken to be in m"), std::string::npos) << ended.err;
+  // That, and what was not read, is said in every document.
+  folder.write("bad.off", "OFF");
+  const std::vector<std::string> words{
+      "cube.off", "bad.off", "two.ifc", "--unit",  "m",      "--json",   "out.json",
+      "--csv",    "out.csv", "--bcf",   "out.bcf", "--html", "out.html", "--skip-unreadable",
+      "--force",  "--quiet"};
+  const Ended whole = impinge(folder, joined({"clash"}, words));
+  const json answer = json::parse(folder.read("out.json"));
+  const std::string skipped = answer.at("missing").at(0), warning = answer.at("warnings").at(0);
+  EXPECT_EQ(whole.err, "impinge: " + skipped + "\n");
+  EXPECT_TRUE(skipped.starts_with("skipped: bad.off"));
+  EXPECT_NE(ended.err.find("impinge: " + warning + "\n"), std::string::npos) << warning;
+  const std::vector<Row> rows = rows_of(folder.read("out.csv"));
+  ASSERT_GE(rows.size(), 2U);
+  const Row &of_file = rows[rows.size() - 2], &of_unit = rows.back();
+  EXPECT_EQ(std::tuple(of_file.at("verdict"), of_file.at("a_file"), of_file.at("note")),
+            std::tuple("skipped", "bad.off", skipped));
+  EXPECT_EQ(std::tuple(of_unit.at("verdict"), of_unit.at("note")), std::tuple("warning", warning));
+  for (const Topic& each : read_bcf(folder.read("out.bcf"))) {
+    const std::string text = each.topic().child("Description").text().get();
+    EXPECT_NE(text.find("Not read: " + skipped + "\nWarning: " + warning + "\n"), std::string::npos) << text;
+  }
+  EXPECT_NE(folder.read("out.html").find(R"("warnings":["cube.off does not say its unit)"), std::string::npos);
   EXPECT_EQ(
       impinge(folder, {"clash", "cube.off", "two.ifc", "--unit", "m", "--scale", "cube.off=1"}).err.find("cube.off"),
       std::string::npos);

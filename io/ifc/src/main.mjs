@@ -5,6 +5,7 @@
 //
 // Reads an IFC file by web-ifc and writes its products to standard output, as io/import_stream.hpp describes; those of
 // property sets only if asked for. It is started by impinge-import, which sets the limits.
+import { setFlagsFromString } from 'node:v8';
 import { FileProblem, readFile } from './file.mjs';
 import * as frames from './frames.mjs';
 import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
@@ -278,6 +279,9 @@ async function run(path, withSets) {
   warnOfCurves(model);
 }
 
+// V8 compiles each WebAssembly function once more, to faster code, when it has run so many bytes: by default so soon that
+// a usual file waits longer for that than it gains. Where V8 knows no such setting, it says so and goes on.
+setFlagsFromString('--wasm-tiering-budget=2000000000');
 const major = Number(process.versions.node.split('.')[0]);
 frames.begin();
 if (major < kOldestNode) {
