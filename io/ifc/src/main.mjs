@@ -10,9 +10,9 @@ import * as frames from './frames.mjs';
 import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
 import { keepBodies, mendProfiles } from './mend.mjs';
 import { Properties } from './properties.mjs';
-import { shapeOf } from './shapes.mjs';
+import { kGaps, shapeOf } from './shapes.mjs';
 import { Placements, Structure } from './structure.mjs';
-import { unitInMetres } from './units.mjs';
+import { metresInLength } from './units.mjs';
 
 const kOldestNode = 18;
 // Names in a sentence about several products.
@@ -76,11 +76,12 @@ class Importer {
   #meshes = new Map();
   #written = 0;
   #keys = new Set();
-  // Geometries, and what web-ifc said when it made them.
-  #incomplete = new Map();
+  // Geometries, and what web-ifc said when it made them, or what keeps it from making them rightly.
+  #incomplete;
 
-  constructor(model, withSets) {
+  constructor(model, withSets, incomplete) {
     this.#model = model;
+    this.#incomplete = incomplete;
     this.#structure = new Structure(model);
     this.#properties = new Properties(model, withSets);
     this.#placements = new Placements(model);
@@ -95,7 +96,7 @@ class Importer {
     } catch (trap) {
       this.#remarks.add(
         'that web-ifc cannot draw, and that are left out',
-        `${label} (${trap.message ?? 'an exception of web-ifc'})`,
+        `${label} (it stopped: ${trap.message ?? 'an exception'})`,
       );
       await this.#model.reopen();
       return undefined;
@@ -105,9 +106,19 @@ class Importer {
   // What web-ifc said while the bodies were made, then or for an earlier product that shows them too.
   #complaintAbout(bodies) {
     const said = this.#model.takeSaid().find((line) => /error|warn/i.test(line));
-    if (said) for (const { geometry } of bodies) this.#incomplete.set(geometry, said);
-    const words = said ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
-    return words?.replace(/^(\[[^\]]*\])+ */, '');
+    const plain = said && this.#plain(said);
+    if (plain) for (const { geometry } of bodies) this.#incomplete.set(geometry, plain);
+    return plain ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
+  }
+
+  // In the words of who wrote the file: web-ifc names a line that it does not draw by its number.
+  #plain(said) {
+    const words = said.replace(/^(\[[^\]]*\])+ */, '');
+    if (!/^un(expected|supported)/i.test(words)) return `web-ifc says '${words}'`;
+    const line = Number(/\d+$/.exec(words)?.[0]);
+    const name = line > 0 ? this.#model.classOf(line) : '';
+    this.#model.takeSaid();
+    return `web-ifc does not draw its ${/^Ifc/.test(name) ? name : words.replace(/^\w+ (.*?) type.*/, 'kind of $1')}`;
   }
 
   #keyOf(name, title, guid) {
@@ -140,6 +151,10 @@ class Importer {
     if (!bodies) return;
     const lost = [];
     const complaint = this.#complaintAbout(bodies);
+    if (bodies.length === 0) {
+      this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
+      return;
+    }
     if (complaint) {
       this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
       lost.push(complaint);
@@ -149,10 +164,7 @@ class Importer {
       this.#remarks.add('with bodies in no finite place, which are left out', label);
       lost.push('a body is in no finite place');
     }
-    if (drawn.length === 0) {
-      if (bodies.length === 0) this.#remarks.add('without a body that web-ifc can draw', label);
-      return;
-    }
+    if (drawn.length === 0) return;
     const mesh = this.#meshFor(drawn, label, lost);
     if (mesh.number === undefined) return;
     this.#writeObject({ line, name, title, guid, attributes, ...mesh });
@@ -169,8 +181,10 @@ class Importer {
     }
     const { number, problems } = this.#meshes.get(shape.key);
     for (const problem of new Set(problems)) {
-      this.#remarks.add(`with ${problem}, which is left out`, label);
-      lost.push(`${problem} is left out`);
+      if (problem === kGaps && lost.length > 0) continue;
+      if (problem === kGaps) this.#remarks.add('with an incomplete shape', `${label} (${problem})`);
+      else this.#remarks.add(`with ${problem}, which is left out`, label);
+      lost.push(problem === kGaps ? problem : `${problem} is left out`);
     }
     return { number, world: shape.world };
   }
@@ -228,27 +242,6 @@ function warnOfCurves(model) {
       `Circles are drawn by ${kChords} chords, which lie up to ${deviation.toPrecision(3)} within the largest, of radius ${Number(largest.toPrecision(6))}.`,
     );
   }
-  // Radii and slopes, in the schemas' order behind the lengths that all have.
-  const soft = [
-    ['I', 7],
-    ['ASYMMETRICI', 7],
-    ['L', 7],
-    ['U', 7],
-    ['T', 7],
-    ['Z', 7],
-    ['C', 7],
-  ].flatMap(([letter, place]) =>
-    model.ofClass(`IFC${letter}SHAPEPROFILEDEF`).filter((line) =>
-      model
-        .attributes(line)
-        .slice(place, place + 3)
-        .some((value) => numberOf(value) > 0),
-    ),
-  );
-  if (soft.length > 0)
-    frames.warning(
-      `${soft.length} profiles have fillets, rounded edges or slopes, which may be drawn sharp or bevelled.`,
-    );
   if (splines.length > 0)
     frames.warning(
       `${splines.length} B-spline curves or surfaces are drawn by flat pieces; how far these stray is not known.`,
@@ -262,17 +255,18 @@ function checkSchema(schema) {
 }
 
 async function run(path, withSets) {
+  let incomplete;
   const model = await Model.open(readFile(path), (opened) => {
     checkSchema(opened.schema());
-    mendProfiles(opened);
+    incomplete = mendProfiles(opened);
   });
-  const metres = unitInMetres(model);
+  const metres = metresInLength(model);
   if (metres) frames.unit(metres);
   else frames.warning('The file does not say its unit of length.');
   frames.exactPlaces();
   const products = model.products();
   if (products.length === 0) throw new FileProblem('the file holds no product; export the building with its elements');
-  const importer = new Importer(model, withSets);
+  const importer = new Importer(model, withSets, incomplete);
   for (const product of products) await importer.write(product);
   importer.finish();
   warnOfCurves(model);

@@ -8,6 +8,13 @@
 const kMostDefect = 1e-9;
 // Of equal shapes in other places the bodies' places to each other differ by rounding alone.
 const kPlacePrecision = 1e9;
+// Four times a 32-bit float's rounding, of the largest coordinate.
+const kRounding = 2 ** -22;
+
+// What may be wrong with a body; the first two are left out.
+export const kEmpty = 'a body without triangles';
+export const kNotFinite = 'a body with coordinates that are not finite';
+export const kGaps = 'its advanced B-rep is drawn with gaps between faces';
 
 // From web-ifc's columns, with Y up, to the file's axes: its x y z is our x -z y. Signs and places alone change.
 export function inFileAxes(m) {
@@ -87,32 +94,79 @@ function firstAlike(vertices) {
   return first;
 }
 
-// Adds a geometry to a mesh, mapped, its triangles turned over if asked; false if a coordinate is not finite, and then
-// nothing is added.
+// Whether as many triangles run along each edge one way as the other: sums of a hash of each edge, once added and once
+// taken away, are then zero, and otherwise as good as never.
+function isClosed(corners, numbers) {
+  let [one, other] = [0, 0];
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [numbers[corners[t + k]], numbers[corners[t + ((k + 1) % 3)]]];
+      if (a === b) continue;
+      const [low, high] = a < b ? [a, b] : [b, a];
+      let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul(high + 1, 0x85ebca6b);
+      hash = Math.imul(hash ^ (hash >>> 15), 0xc2b2ae35);
+      hash ^= hash >>> 13;
+      const second = Math.imul(hash, 0x27d4eb2f) ^ low;
+      one = (one + (a < b ? hash : -hash)) | 0;
+      other = (other + (a < b ? second : -second)) | 0;
+    }
+  }
+  return one === 0 && other === 0;
+}
+
+// Joins vertices that rounding alone parts, as it does where faces of advanced B-reps meet: `numbers` of those that go
+// together become equal. Sorted by x, only those a little further on are compared.
+function joinNear(vertices, numbers) {
+  let largest = 0;
+  for (let v = 0; v < vertices.length; v += 6) {
+    largest = Math.max(largest, Math.abs(vertices[v]), Math.abs(vertices[v + 1]), Math.abs(vertices[v + 2]));
+  }
+  const near = largest * kRounding;
+  const alone = [...numbers.keys()].filter((v) => numbers[v] === v).sort((a, b) => vertices[6 * a] - vertices[6 * b]);
+  alone.forEach((v, i) => {
+    if (numbers[v] !== v) return;
+    for (let j = i + 1; j < alone.length; ++j) {
+      const [at, other] = [6 * v, 6 * alone[j]];
+      if (vertices[other] - vertices[at] > near) break;
+      const isNear = [1, 2].every((k) => Math.abs(vertices[other + k] - vertices[at + k]) <= near);
+      if (isNear && numbers[alone[j]] === alone[j]) numbers[alone[j]] = v;
+    }
+  });
+  for (let v = 0; v < numbers.length; ++v) numbers[v] = numbers[numbers[v]];
+}
+
+// Adds a geometry to a mesh, mapped, its triangles turned over if asked. Returns what is wrong with it; where a coordinate is
+// not finite, nothing is added.
 function append(mesh, { vertices, corners }, m, turned) {
   for (let v = 0; v < vertices.length; v += 6) {
-    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return false;
+    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return kNotFinite;
   }
   const first = firstAlike(vertices);
-  const numbers = new Uint32Array(first.length);
+  let isWhole = isClosed(corners, first);
+  if (!isWhole) {
+    joinNear(vertices, first);
+    isWhole = isClosed(corners, first);
+  }
+  const numbers = new Int32Array(first.length).fill(-1);
   for (let i = 0; i < first.length; ++i) {
-    if (first[i] !== i) {
-      numbers[i] = numbers[first[i]];
-      continue;
+    const v = first[i];
+    if (numbers[v] < 0) {
+      numbers[v] = mesh.xyz.length / 3;
+      const [x, y, z] = [vertices[6 * v], vertices[6 * v + 1], vertices[6 * v + 2]];
+      for (let r = 0; r < 12; r += 4) mesh.xyz.push(m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
     }
-    numbers[i] = mesh.xyz.length / 3;
-    const [x, y, z] = [vertices[6 * i], vertices[6 * i + 1], vertices[6 * i + 2]];
-    for (let r = 0; r < 12; r += 4) mesh.xyz.push(m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
+    numbers[i] = numbers[v];
   }
   const [second, third] = turned ? [2, 1] : [1, 2];
   for (let t = 0; t + 2 < corners.length; t += 3) {
-    mesh.triangles.push(numbers[corners[t]], numbers[corners[t + second]], numbers[corners[t + third]]);
+    const [a, b, c] = [numbers[corners[t]], numbers[corners[t + second]], numbers[corners[t + third]]];
+    if (a !== b && b !== c && c !== a) mesh.triangles.push(a, b, c);
   }
-  return true;
+  return isWhole ? undefined : kGaps;
 }
 
 // One mesh for the bodies of a product, all in the frame of the first: { key, world, make() }. Products with the same key
-// have the same mesh; `make` gives its numbers, and which bodies are left out, empty or not finite.
+// have the same mesh; `make` gives its numbers, and what is wrong with bodies: kEmpty, kNotFinite or kGaps.
 export function shapeOf(bodies, model) {
   const places = bodies.map((body) => inFileAxes(body.matrix));
   const frame = frameOf(places[0]);
@@ -130,9 +184,13 @@ export function shapeOf(bodies, model) {
     const problems = [];
     bodies.forEach(({ geometry }, i) => {
       const numbers = model.geometry(geometry);
-      if (numbers.corners.length < 3) problems.push('a body without triangles');
-      else if (!append(mesh, numbers, relative[i], hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0))
-        problems.push('a body with coordinates that are not finite');
+      const problem =
+        numbers.corners.length < 3
+          ? kEmpty
+          : append(mesh, numbers, relative[i], hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0);
+      // Of other kinds of bodies, open ones may be meant.
+      const isMeant = problem === kGaps && !model.classOf(geometry).startsWith('IfcAdvancedBrep');
+      if (problem && !isMeant) problems.push(problem);
     });
     return { ...mesh, problems };
   };
