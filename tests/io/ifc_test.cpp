@@ -302,8 +302,9 @@ TEST(Ifc, FilesThatAreNoneAreErrors) {
               HasSubstr("case.ifc: the file is cut off: its last line, 'END-ISO-10303-21;', is missing"));
   EXPECT_THAT(problem("Dear Sir or Madam"), HasSubstr("this is no IFC file"));
   EXPECT_THAT(problem("<?xml version=\"1.0\"?><ifcXML/>"), HasSubstr("IFC as XML"));
-  for (const auto& [schema, words] :
-       {std::pair("AUTOMOTIVE_DESIGN", "STEP of another kind"), {"IFC1.5", "another version"}}) {
+  for (const auto& [schema, words] : {std::pair("AUTOMOTIVE_DESIGN", "STEP of another kind"),
+                                      {"IFC1.5", "another version"},
+                                      {"", "names no schema"}}) {
     std::string other = good;
     other.replace(other.find("IFC4'"), 4, schema);
     EXPECT_THAT(problem(other), HasSubstr(words));
@@ -312,6 +313,34 @@ TEST(Ifc, FilesThatAreNoneAreErrors) {
   const std::size_t data = empty.find("DATA;\n") + 6;
   empty.erase(data, empty.find("ENDSEC;", data) - data);
   EXPECT_THAT(problem(empty), HasSubstr("the file holds no product"));
+}
+
+TEST(Ifc, BrokenLinesAreSaid) {
+  const std::string good = good_text();
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    const TemporaryFolder folder;
+    return read(folder.write("case.ifc", text));
+  };
+  for (const auto& [from, to, words] : std::vector<std::array<std::string, 3>>{
+           {"IFCEXTRUDEDAREASOLID(", "IFCEXTRUDEDAREASOLID(#99999,", "(the file lacks its line #99999)"},
+           {",1.,1.)", ",1e400,1.)", "with bodies in no finite place"},
+           {"IFCLOCALPLACEMENT($,",
+            "IFCLOCALPLACEMENT(" +
+                good.substr(good.rfind('#', good.find("=IFCLOCAL")),
+                            good.find("=IFCLOCAL") - good.rfind('#', good.find("=IFCLOCAL"))) +
+                ",",
+            "whose placement depends on itself"}})
+    EXPECT_THAT(error_of(with(from, to)),
+                testing::AllOf(HasSubstr("no product has a shape that can be drawn: products"), HasSubstr(words),
+                               HasSubstr("'box' (IfcBuilding")));
+  // A line that is not needed for the shape, and what a reader by recursion would not survive.
+  const Model lost = model_of(with("IFCPRODUCTDEFINITIONSHAPE($,$,(", "IFCPRODUCTDEFINITIONSHAPE($,$,(#99999,"));
+  ASSERT_EQ(lost.objects.size(), 1u);
+  EXPECT_EQ(lost.objects[0].incomplete, "the file lacks its line #99999");
+  EXPECT_EQ(model_of(with("DATA;\n", "DATA;\n#9999=IFCLABEL(" + std::string(200'000, '(') + ");\n")).objects.size(),
+            1u);
 }
 
 /// A ZIP archive of one member, packed as one stored block of deflate (RFC 1951, 3.2.4).

@@ -35,12 +35,20 @@ class Remarks {
     this.#kinds.get(kind).push(label);
   }
 
-  write() {
-    for (const [kind, labels] of this.#kinds) {
+  #sentences() {
+    return [...this.#kinds].map(([kind, labels]) => {
       const named = labels.slice(0, kMostNamed).join(', ');
       const more = labels.length > kMostNamed ? ` and ${labels.length - kMostNamed} more` : '';
-      frames.missing(`Products ${kind}, ${labels.length}: ${named}${more}.`);
-    }
+      return `${kind}, ${labels.length}: ${named}${more}`;
+    });
+  }
+
+  first() {
+    return this.#sentences()[0];
+  }
+
+  write() {
+    for (const sentence of this.#sentences()) frames.missing(`Products ${sentence}.`);
   }
 }
 
@@ -114,11 +122,14 @@ class Importer {
   // In the words of who wrote the file: web-ifc names a line that it does not draw by its number.
   #plain(said) {
     const words = said.replace(/^(\[[^\]]*\])+ */, '');
-    if (!/^un(expected|supported)/i.test(words)) return `web-ifc says '${words}'`;
+    const absent = /Invalid ExpressID (\d+)/.exec(words);
+    if (absent) return `the file lacks its line #${absent[1]}`;
+    const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
+    if (!what) return `web-ifc says '${words}'`;
     const line = Number(/\d+$/.exec(words)?.[0]);
     const name = line > 0 ? this.#model.classOf(line) : '';
     this.#model.takeSaid();
-    return `web-ifc does not draw its ${/^Ifc/.test(name) ? name : words.replace(/^\w+ (.*?) type.*/, 'kind of $1')}`;
+    return `web-ifc does not draw its ${/^Ifc/.test(name) ? name : `kind of ${what}`}`;
   }
 
   #keyOf(name, title, guid) {
@@ -213,8 +224,16 @@ class Importer {
     for (const [key, value] of properties) if (key && value) frames.property(key, value);
   }
 
+  // Errors: FileProblem, of a file with nothing to draw.
   finish() {
     this.#remarks.write();
+    if (this.#written > 0) return;
+    const about = this.#remarks.first();
+    throw new FileProblem(
+      about
+        ? `no product has a shape that can be drawn: products ${about}; export the building with its elements' bodies`
+        : 'the file holds no product that one could bump into; export the building with its elements',
+    );
   }
 }
 
@@ -250,6 +269,7 @@ function warnOfCurves(model) {
 
 function checkSchema(schema) {
   if (/^IFC(2X2|2X3|4)/i.test(schema)) return;
+  if (!schema) throw new FileProblem('its header names no schema (FILE_SCHEMA); export it as IFC2x3, IFC4 or IFC4x3');
   const what = /^IFC/i.test(schema) ? 'another version of IFC' : 'not IFC, but STEP of another kind';
   throw new FileProblem(`its schema '${schema.slice(0, 80)}' is ${what}; export it as IFC2x3, IFC4 or IFC4x3`);
 }
