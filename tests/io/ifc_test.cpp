@@ -202,6 +202,7 @@ TEST(Ifc, PropertiesAreOfTheProductItsTypeAndWhatItIsRelatedTo) {
   for (const auto& [kind, name] : {std::pair("IFCSYSTEM", "Supply"), {"IFCGROUP", "Phase 1"}})
     related("IFCRELASSIGNSTOGROUP", wall,
             "$," + step.line(std::string(kind) + "('" + step.guid() + "',$,'" + name + "',$,$)"));
+  related("IFCRELASSOCIATESCLASSIFICATION", wall, step.line("IFCCLASSIFICATIONREFERENCE($,'Ss_25','Walls',$,$,$)"));
   // A list that holds itself, and twice.
   const std::string other = step.product("other", step.placement("$", step.origin), step.shape(shown));
   const std::string before = step.line("IFCMATERIAL('sand',$,$)");
@@ -224,15 +225,52 @@ TEST(Ifc, PropertiesAreOfTheProductItsTypeAndWhatItIsRelatedTo) {
     return properties;
   };
   using Properties = std::vector<std::pair<std::string, std::string>>;
-  Properties expected{{"class", "IfcWall"}, {"Tag", "T1"},        {"storey", "Level 1"}, {"building", "House"},
-                      {"site", "Site"},     {"type", "WT01"},     {"material", "brick"}, {"material", "wool"},
-                      {"layer", "A-WALL"},  {"system", "Supply"}, {"group", "Phase 1"}};
+  Properties expected{{"class", "IfcWall"},
+                      {"Tag", "T1"},
+                      {"storey", "Level 1"},
+                      {"building", "House"},
+                      {"site", "Site"},
+                      {"PredefinedType", "STANDARD"},
+                      {"type", "WT01"},
+                      {"material", "brick"},
+                      {"material", "wool"},
+                      {"classification", "Ss_25"},
+                      {"classification", "Walls"},
+                      {"layer", "A-WALL"},
+                      {"system", "Supply"},
+                      {"group", "Phase 1"}};
   EXPECT_EQ(rest(false), expected);
   for (const auto& more : Properties{{"Pset_WallCommon.FireRating", "2HR"},
                                      {"Pset_WallCommon.Width", "0.25"},
                                      {"Pset_WallCommon.IsExternal", "TRUE"}})
     expected.push_back(more);
   EXPECT_EQ(rest(true), expected);
+}
+
+/// By the schemas: in IFC2x3 some classes have another enumeration in its place.
+TEST(Ifc, PredefinedTypesAndAssembliesAreProperties) {
+  const auto said = [](const Object& object, std::string_view name) {
+    for (const auto& [key, value] : object.properties)
+      if (key == name) return value;
+    return std::string();
+  };
+  for (const char* schema : {"IFC2X3", "IFC4"}) {
+    SCOPED_TRACE(schema);
+    Step step(schema);
+    const std::string shape = step.shape(step.shown(step.extruded(step.rectangle(1, 1), 1)));
+    const std::string at = step.placement("$", step.origin);
+    const std::string beam = step.product("a", at, shape, "IFCSLAB", ",'T',.ROOF.");
+    step.product("b", at, shape, "IFCBUILDINGELEMENTPROXY", ",'T',.ELEMENT.");
+    step.product("c", at, shape, "IFCCOVERING", ",'T',.NOTDEFINED.");
+    const std::string frame = step.product("Frame", at, "$", "IFCELEMENTASSEMBLY", ",'T',.SITE.,.TRUSS.");
+    step.line("IFCRELAGGREGATES('" + step.guid() + "',$,$,$," + frame + ",(" + beam + "))");
+    const Model model = read_ifc(step);
+    ASSERT_EQ(names_of(model), (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ(said(model.objects[0], "PredefinedType"), "ROOF");
+    EXPECT_EQ(said(model.objects[1], "PredefinedType"), schema == std::string("IFC4") ? "ELEMENT" : "");
+    EXPECT_EQ(said(model.objects[2], "PredefinedType"), "");
+    EXPECT_EQ(said(model.objects[0], "assembly"), "Frame");
+  }
 }
 
 TEST(Ifc, WhatIsNotDrawnIsNamed) {

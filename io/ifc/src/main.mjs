@@ -24,7 +24,8 @@ const kNoParts =
 // What products are in, and what that is called among their properties.
 const kPlaces = { IfcSpace: 'space', IfcBuildingStorey: 'storey', IfcBuilding: 'building', IfcSite: 'site' };
 // Those that hold others, and need no shape of their own.
-const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|Tunnel)/;
+const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|MarinePart|Tunnel)/;
+const placeOf = (name) => kPlaces[name] ?? (kSpatial.test(name) ? 'facility' : 'assembly');
 
 // Products of which the same is to be said.
 class Remarks {
@@ -218,8 +219,8 @@ class Importer {
       ['Tag', /^Ifc(Site|Building$|BuildingStorey)/.test(name) ? '' : textOf(attributes[7])],
       ['Description', textOf(attributes[3])],
       ['ObjectType', textOf(attributes[4])],
-      ...wholes.map((whole) => [kPlaces[this.#model.classOf(whole)], this.#structure.nameOf(whole)]),
-      ...this.#properties.of(line, referenceOf(attributes[6])),
+      ...wholes.map((whole) => [placeOf(this.#model.classOf(whole)), this.#structure.nameOf(whole)]),
+      ...this.#properties.of(line, name, attributes),
     ];
     for (const [key, value] of properties) if (key && value) frames.property(key, value);
   }
