@@ -344,6 +344,33 @@ TEST(IfcShape, AdvancedBrepsAreRightOrSaidToBeIncomplete) {
   EXPECT_THAT(model.missing, ElementsAre(HasSubstr("'dome' (")));
 }
 
+/// A tetrahedron with a face on a line: around it all other faces meet, unless one of them is missing.
+TEST(IfcShape, FacesWithoutAnAreaTakeNothingFromAClosedBody) {
+  Step s;
+  std::vector<std::string> points;
+  for (const Point& p : {Point{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 5}, {1, 0, 0}, {2, 0, 0}})
+    points.push_back(s.point(p));
+  for (const char* name : {"closed", "open"}) {
+    std::string faces;
+    for (const std::vector<std::size_t>& loop :
+         {std::vector<std::size_t>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 4, 5, 1}, {0, 3, 2}}) {
+      if (name == std::string("open") && loop.back() == 2) continue;
+      std::string corners;
+      for (const std::size_t i : loop) corners += (corners.empty() ? "" : ",") + points[i];
+      faces += (faces.empty() ? "" : ",") +
+               s.line("IFCFACE((" + s.line("IFCFACEOUTERBOUND(" + s.line("IFCPOLYLOOP((" + corners + "))") + ",.T.)") +
+                      "))");
+    }
+    s.solid(name, s.line("IFCFACETEDBREP(" + s.line("IFCCLOSEDSHELL((" + faces + "))") + ")"));
+  }
+  const Model model = read_ifc(s);
+  ASSERT_EQ(model.objects.size(), 2u);
+  EXPECT_NEAR(volume_of(model.objects[0]), 10, 1e-5);
+  EXPECT_EQ(model.objects[0].incomplete, "");
+  EXPECT_EQ(model.objects[1].incomplete, "a face without an area is left out");
+  EXPECT_THAT(model.missing, ElementsAre(HasSubstr("'open' (")));
+}
+
 TEST(IfcShape, PlacesMayBeLeftOut) {
   Step step;
   step.solid("p", step.line("IFCEXTRUDEDAREASOLID(" + step.line("IFCRECTANGLEPROFILEDEF(.AREA.,$,$,4.,3.)") + ",$," +

@@ -10,13 +10,19 @@ import * as frames from './frames.mjs';
 import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
 import { keepBodies, mendProfiles } from './mend.mjs';
 import { Properties } from './properties.mjs';
-import { kGaps, shapeOf } from './shapes.mjs';
+import { shapeOf } from './shapes.mjs';
 import { Placements, Structure } from './structure.mjs';
 import { metresInLength } from './units.mjs';
 
 const kOldestNode = 18;
 // Names in a sentence about several products.
-const kMostNamed = 5;
+const kMostNamed = 20;
+
+const kNoArea = 'a face without an area is left out';
+const kGaps = 'its advanced B-rep is drawn with gaps between faces';
+// What helps where web-ifc's drawing fails.
+const kAdvice = "Export these elements' geometry as triangles or flat faces (tessellation, faceted B-rep).";
+const kUndrawn = /incomplete shape|web-ifc/;
 
 // Products that nobody can bump into: what is cut away, rooms, lines of drawings, of analysis and of axes.
 const kNoParts =
@@ -49,7 +55,8 @@ class Remarks {
   }
 
   write() {
-    for (const sentence of this.#sentences()) frames.missing(`Products ${sentence}.`);
+    for (const sentence of this.#sentences())
+      frames.missing(`Products ${sentence}.${kUndrawn.test(sentence.split(':')[0]) ? ` ${kAdvice}` : ''}`);
   }
 }
 
@@ -125,6 +132,7 @@ class Importer {
     const words = said.replace(/^(\[[^\]]*\])+ */, '');
     const absent = /Invalid ExpressID (\d+)/.exec(words);
     if (absent) return `the file lacks its line #${absent[1]}`;
+    if (words.startsWith('No basis found')) return kNoArea;
     const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
     if (!what) return `web-ifc says '${words}'`;
     const line = Number(/\d+$/.exec(words)?.[0]);
@@ -162,14 +170,10 @@ class Importer {
     const bodies = await this.#bodiesOf(line, label);
     if (!bodies) return;
     const lost = [];
-    const complaint = this.#complaintAbout(bodies);
+    let complaint = this.#complaintAbout(bodies);
     if (bodies.length === 0) {
       this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
       return;
-    }
-    if (complaint) {
-      this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
-      lost.push(complaint);
     }
     const drawn = bodies.filter(({ matrix }) => matrix.every(Number.isFinite));
     if (drawn.length < bodies.length) {
@@ -179,6 +183,13 @@ class Importer {
     if (drawn.length === 0) return;
     const mesh = this.#meshFor(drawn, label, lost);
     if (mesh.number === undefined) return;
+    // Around a face without an area that is left out all others meet.
+    if (complaint === kNoArea && mesh.isClosed) complaint = undefined;
+    if (!complaint && mesh.hasGaps) complaint = kGaps;
+    if (complaint) {
+      this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
+      lost.push(complaint);
+    }
     this.#writeObject({ line, name, title, guid, attributes, ...mesh });
     if (lost.length > 0) frames.incomplete(lost.join('; '));
   }
@@ -186,19 +197,17 @@ class Importer {
   #meshFor(bodies, label, lost) {
     const shape = shapeOf(bodies, this.#model);
     if (!this.#meshes.has(shape.key)) {
-      const { xyz, triangles, problems } = shape.make();
+      const { xyz, triangles, ...about } = shape.make();
       const number = triangles.length > 0 ? this.#written++ : undefined;
       if (number !== undefined) frames.mesh(xyz, triangles);
-      this.#meshes.set(shape.key, { number, problems });
+      this.#meshes.set(shape.key, { number, ...about });
     }
-    const { number, problems } = this.#meshes.get(shape.key);
+    const { number, problems, isClosed, hasGaps } = this.#meshes.get(shape.key);
     for (const problem of new Set(problems)) {
-      if (problem === kGaps && lost.length > 0) continue;
-      if (problem === kGaps) this.#remarks.add('with an incomplete shape', `${label} (${problem})`);
-      else this.#remarks.add(`with ${problem}, which is left out`, label);
-      lost.push(problem === kGaps ? problem : `${problem} is left out`);
+      this.#remarks.add(`with ${problem}, which is left out`, label);
+      lost.push(`${problem} is left out`);
     }
-    return { number, world: shape.world };
+    return { number, isClosed, hasGaps, world: shape.world };
   }
 
   #writeObject({ line, name, title, guid, attributes, number, world }) {

@@ -11,11 +11,6 @@ const kPlacePrecision = 1e9;
 // Four times a 32-bit float's rounding, of the largest coordinate.
 const kRounding = 2 ** -22;
 
-// What may be wrong with a body; the first two are left out.
-export const kEmpty = 'a body without triangles';
-export const kNotFinite = 'a body with coordinates that are not finite';
-export const kGaps = 'its advanced B-rep is drawn with gaps between faces';
-
 // From web-ifc's columns, with Y up, to the file's axes: its x y z is our x -z y. Signs and places alone change.
 export function inFileAxes(m) {
   const row = (r, sign) => [0, 1, 2, 3].map((c) => sign * m[4 * c + r]);
@@ -97,18 +92,22 @@ function firstAlike(vertices) {
 // Whether as many triangles run along each edge one way as the other: sums of a hash of each edge, once added and once
 // taken away, are then zero, and otherwise as good as never.
 function isClosed(corners, numbers) {
-  let [one, other] = [0, 0];
+  let one = 0;
+  let other = 0;
   for (let t = 0; t + 2 < corners.length; t += 3) {
+    let a = numbers[corners[t + 2]];
     for (let k = 0; k < 3; ++k) {
-      const [a, b] = [numbers[corners[t + k]], numbers[corners[t + ((k + 1) % 3)]]];
-      if (a === b) continue;
-      const [low, high] = a < b ? [a, b] : [b, a];
-      let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul(high + 1, 0x85ebca6b);
+      const b = numbers[corners[t + k]];
+      const low = a < b ? a : b;
+      let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul((a < b ? b : a) + 1, 0x85ebca6b);
       hash = Math.imul(hash ^ (hash >>> 15), 0xc2b2ae35);
       hash ^= hash >>> 13;
       const second = Math.imul(hash, 0x27d4eb2f) ^ low;
-      one = (one + (a < b ? hash : -hash)) | 0;
-      other = (other + (a < b ? second : -second)) | 0;
+      // Nothing of an edge between one vertex and itself.
+      const sign = a < b ? 1 : a > b ? -1 : 0;
+      one = (one + sign * hash) | 0;
+      other = (other + sign * second) | 0;
+      a = b;
     }
   }
   return one === 0 && other === 0;
@@ -135,38 +134,67 @@ function joinNear(vertices, numbers) {
   for (let v = 0; v < numbers.length; ++v) numbers[v] = numbers[numbers[v]];
 }
 
-// Adds a geometry to a mesh, mapped, its triangles turned over if asked. Returns what is wrong with it; where a coordinate is
-// not finite, nothing is added.
-function append(mesh, { vertices, corners }, m, turned) {
+// A geometry's { xyz, triangles }, mapped, its triangles turned over if asked, and whether they are closed; undefined where a
+// coordinate is not finite.
+function mapped({ vertices, corners }, m, turned) {
   for (let v = 0; v < vertices.length; v += 6) {
-    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return kNotFinite;
+    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return undefined;
   }
   const first = firstAlike(vertices);
-  let isWhole = isClosed(corners, first);
-  if (!isWhole) {
+  let closed = isClosed(corners, first);
+  if (!closed) {
     joinNear(vertices, first);
-    isWhole = isClosed(corners, first);
+    closed = isClosed(corners, first);
   }
   const numbers = new Int32Array(first.length).fill(-1);
+  const xyz = new Float64Array(3 * first.length);
+  let count = 0;
   for (let i = 0; i < first.length; ++i) {
     const v = first[i];
     if (numbers[v] < 0) {
-      numbers[v] = mesh.xyz.length / 3;
-      const [x, y, z] = [vertices[6 * v], vertices[6 * v + 1], vertices[6 * v + 2]];
-      for (let r = 0; r < 12; r += 4) mesh.xyz.push(m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
+      const x = vertices[6 * v];
+      const y = vertices[6 * v + 1];
+      const z = vertices[6 * v + 2];
+      for (let r = 0; r < 3; ++r) {
+        xyz[3 * count + r] = m[4 * r] * x + m[4 * r + 1] * y + m[4 * r + 2] * z + m[4 * r + 3];
+      }
+      numbers[v] = count++;
     }
     numbers[i] = numbers[v];
   }
-  const [second, third] = turned ? [2, 1] : [1, 2];
+  const triangles = new Uint32Array(corners.length);
+  let end = 0;
   for (let t = 0; t + 2 < corners.length; t += 3) {
-    const [a, b, c] = [numbers[corners[t]], numbers[corners[t + second]], numbers[corners[t + third]]];
-    if (a !== b && b !== c && c !== a) mesh.triangles.push(a, b, c);
+    const a = numbers[corners[t]];
+    const b = numbers[corners[t + (turned ? 2 : 1)]];
+    const c = numbers[corners[t + (turned ? 1 : 2)]];
+    if (a === b || b === c || c === a) continue;
+    triangles[end] = a;
+    triangles[end + 1] = b;
+    triangles[end + 2] = c;
+    end += 3;
   }
-  return isWhole ? undefined : kGaps;
+  return { xyz: xyz.subarray(0, 3 * count), triangles: triangles.subarray(0, end), closed };
+}
+
+// The meshes as one.
+function joined(parts) {
+  if (parts.length === 1) return parts[0];
+  const sum = (name) => parts.reduce((length, part) => length + part[name].length, 0);
+  const mesh = { xyz: new Float64Array(sum('xyz')), triangles: new Uint32Array(sum('triangles')) };
+  let [vertices, corners] = [0, 0];
+  for (const { xyz, triangles } of parts) {
+    mesh.xyz.set(xyz, 3 * vertices);
+    for (let i = 0; i < triangles.length; ++i) mesh.triangles[corners + i] = triangles[i] + vertices;
+    vertices += xyz.length / 3;
+    corners += triangles.length;
+  }
+  return mesh;
 }
 
 // One mesh for the bodies of a product, all in the frame of the first: { key, world, make() }. Products with the same key
-// have the same mesh; `make` gives its numbers, and what is wrong with bodies: kEmpty, kNotFinite or kGaps.
+// have the same mesh; `make` gives its numbers, which bodies are left out, as sentences' parts, whether all are closed, and
+// whether one of them should be and is not.
 export function shapeOf(bodies, model) {
   const places = bodies.map((body) => inFileAxes(body.matrix));
   const frame = frameOf(places[0]);
@@ -177,22 +205,31 @@ export function shapeOf(bodies, model) {
     .map(({ geometry }, i) => [geometry, ...relative[i].map((n) => Math.round(n * kPlacePrecision) + 0)].join(' '))
     .join(';');
   const make = () => {
-    const mesh = { xyz: [], triangles: [] };
     // web-ifc turns the triangles of a geometry over where it is mirrored. Where it is shown both ways, they are as one of
     // these needs them.
     const hasMirrored = relative.some((m) => determinant(m) < 0);
     const problems = [];
+    const parts = [];
+    let hasGaps = false;
     bodies.forEach(({ geometry }, i) => {
       const numbers = model.geometry(geometry);
-      const problem =
-        numbers.corners.length < 3
-          ? kEmpty
-          : append(mesh, numbers, relative[i], hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0);
+      if (numbers.corners.length < 3) {
+        problems.push('a body without triangles');
+        return;
+      }
+      const turned = hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0;
+      const part = mapped(numbers, relative[i], turned);
+      if (!part) {
+        problems.push('a body with coordinates that are not finite');
+        return;
+      }
+      parts.push(part);
       // Of other kinds of bodies, open ones may be meant.
-      const isMeant = problem === kGaps && !model.classOf(geometry).startsWith('IfcAdvancedBrep');
-      if (problem && !isMeant) problems.push(problem);
+      if (!part.closed) hasGaps ||= model.classOf(geometry).startsWith('IfcAdvancedBrep');
     });
-    return { ...mesh, problems };
+    const areClosed = problems.length === 0 && parts.every(({ closed }) => closed);
+    const { xyz, triangles } = joined(parts);
+    return { xyz, triangles, problems, isClosed: areClosed, hasGaps };
   };
   return { key, world: [...frame, 0, 0, 0, 1], make };
 }
