@@ -205,19 +205,23 @@ void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::option
     sink.write(fmt::format("({} more are incomplete; --json lists them.)\n", grouped(parts.size() - kMostLines)));
 }
 
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
-                    std::optional<std::size_t> width) {
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts,
+                    const std::optional<double>& unit_in_metres, Sink& sink, std::optional<std::size_t> width) {
+  const std::string unit = unit_in_metres ? unit_name(*unit_in_metres) : "";
   std::size_t others = 0;
   for (const PartClass kind : {PartClass::surface, PartClass::cracked})
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].facts.part_class != kind || ++others > kMostLines) continue;
       const std::string name = cut(labels[i], width);
       sink.write(kind == PartClass::surface
-                     ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i]))
+                     ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i], unit))
                      : fmt::format("{} is cracked: {}\n", name, counted(parts[i].facts.open_edges, "open edge")));
     }
   if (others > kMostLines)
     sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(others - kMostLines)));
+  const auto is_surface = [](const Part& part) { return part.facts.part_class == PartClass::surface; };
+  if (std::ranges::any_of(parts, is_surface))
+    sink.write("Surfaces have no inside: what lies wholly within one is not found.\n");
 }
 
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
@@ -228,7 +232,7 @@ void print_review(const Review& review, const ClashArguments& arguments, Sink& s
     if (const std::string& sentence = review.assembly.objects[i].incomplete; !sentence.empty())
       incomplete.push_back({review.assembly.labels[i], sentence});
   print_incomplete(incomplete, sink, width);
-  print_surfaces(review.assembly.labels, review.parts, sink, width);
+  print_surfaces(review.assembly.labels, review.parts, review.assembly.unit_in_metres, sink, width);
   const auto is_other = [](const Part& part) { return part.facts.part_class != PartClass::solid; };
   if (!incomplete.empty() || std::ranges::any_of(review.parts, is_other)) sink.write("\n");
   sink.write(summary(review, arguments));

@@ -302,17 +302,18 @@ void add_exports(CLI::App& command, ClashArguments& to) {
              "the worst N pairs at most become topics of the BCF (default: 1000)")
       ->needs("--bcf");
   to.date.clear();  // SOURCE_DATE_EPOCH says it where the option does not
-  const auto take_date = [&to](const std::string& text) {
-    const std::optional<std::string> date = parse_date(text);
-    if (!date) refuse(fmt::format("--date takes now, or a date such as 2024-05-31, not '{}'", text));
-    to.date = *date;
+  const auto add_date = [&command](const std::string& option, std::string& date, const std::string& help) {
+    const auto take = [option, &date](const std::string& text) {
+      const std::optional<std::string> taken = parse_date(text);
+      if (!taken) refuse(fmt::format("{} takes now, or a date such as 2024-05-31, not '{}'", option, text));
+      date = *taken;
+    };
+    command.add_option_function<std::string>(option, take, help)->type_name("DATE")->needs("--bcf");
   };
-  command
-      .add_option_function<std::string>("--date", take_date,
-                                        "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: "
-                                        "SOURCE_DATE_EPOCH, or now)")
-      ->type_name("DATE")
-      ->needs("--bcf");
+  add_date("--date", to.date,
+           "of the BCF's topics: now, 2024-05-31 or 2024-05-31T16:30:00Z (default: SOURCE_DATE_EPOCH, or now)");
+  add_date("--due", to.due, "by when the BCF's topics are to be done, such as 2024-06-14");
+  command.add_option("--stage", to.stage, "of the project, in the BCF's topics")->type_name("NAME")->needs("--bcf");
   command.add_option("--author", to.author, "of the BCF's topics and comments (default: impinge)")
       ->type_name("NAME")
       ->check([](const std::string& text) {

@@ -147,7 +147,7 @@ void print_file(const FileFacts& facts, Sink& out) {
     labels.push_back(printable(object.name));
     parts.push_back(*object.part);
   }
-  print_surfaces(labels, parts, out, width);
+  print_surfaces(labels, parts, facts.unit_in_metres, out, width);
 }
 
 }  // namespace

@@ -21,10 +21,10 @@
 /// What the commands print of their answers.
 namespace impinge::cli {
 
-/// A line for each of the first few parts that are no solids, surfaces first, and how many more there are. Labels are
-/// printable, and cut where the width of a line is known.
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts, Sink& sink,
-                    std::optional<std::size_t> width);
+/// A line for each of the first few parts that are no solids, surfaces first, how many more there are, and what
+/// surfaces hide. Labels are printable, and cut where the width of a line is known.
+void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts,
+                    const std::optional<double>& unit_in_metres, Sink& sink, std::optional<std::size_t> width);
 
 /// A part whose shape the reader knows to be incomplete, and what is left out of it.
 struct Incomplete {

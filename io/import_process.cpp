@@ -43,6 +43,11 @@ std::string cause_of(const ChildReport& report, const ReadOptions& options) {
       return sentence("the importer used up the time limit of ", options.time_limit.count(),
                       " s; raise the limit if the file is good");
     }
+    if (signal == SIGKILL) {
+      return sentence(
+          "the importer was killed", last_words(report.said),
+          "; the machine ran out of memory, or somebody ended it: close other programs, or split the model");
+    }
     return sentence("the importer stopped (signal ", signal, ", ", strsignal(signal), ") on this file",
                     last_words(report.said), "; the file is probably broken, or needs a newer importer");
   }

@@ -67,7 +67,7 @@ Result<Model> make_model(const Source& source, Parts&& parts) {
     model.warnings.push_back(sentence(
         triangulator.fanned(),
         " concave polygons could not be cut into ears, because their outlines cross themselves or are too long; they "
-        "became fans, which may cover more than the polygon: triangulate them where the file is made."));
+        "became fans, which may cover more than the polygon: export the file with triangulated faces."));
   }
   precision.report(model.warnings);
   make_names_unique(model.objects);

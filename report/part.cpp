@@ -40,8 +40,10 @@ std::string place(const Point& point, double size) {
                      short_coordinate(point.z, size));
 }
 
-std::string first_at(const std::optional<Segment>& edge, double size) {
-  return edge ? fmt::format(", first at {}-{}", place((*edge)[0], size), place((*edge)[1], size)) : "";
+std::string in(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
+
+std::string first_at(const std::optional<Segment>& edge, double size, std::string_view unit) {
+  return edge ? fmt::format(", first at {}-{}{}", place((*edge)[0], size), place((*edge)[1], size), in(unit)) : "";
 }
 
 }  // namespace
@@ -60,16 +62,20 @@ std::string coordinate(double value, double size) {
   return text;
 }
 
-std::string facts_text(const Part& part) {
+std::string facts_text(const Part& part, std::string_view unit) {
   const PartFacts& facts = part.facts;
   std::vector<std::string> texts;
   if (facts.open_edges > 0)
-    texts.push_back(counted(facts.open_edges, "open edge") + first_at(facts.open_edge, part.size));
+    texts.push_back(counted(facts.open_edges, "open edge") + first_at(facts.open_edge, part.size, unit));
   if (facts.unclear_edges > 0)
-    texts.push_back(counted(facts.unclear_edges, "unclear edge") + first_at(facts.unclear_edge, part.size));
+    texts.push_back(facts.unclear_edges == facts.open_edges
+                        ? "at none of them can inside be told from outside"
+                        : fmt::format("at {} of them inside cannot be told from outside{}",
+                                      grouped(facts.unclear_edges), first_at(facts.unclear_edge, part.size, unit)));
   if (facts.self_crossings > 0) {
     texts.push_back(counted(facts.self_crossings, "self-crossing"));
-    if (part.crossing_near) texts.back() += fmt::format(", first near {}", place(*part.crossing_near, part.size));
+    if (part.crossing_near)
+      texts.back() += fmt::format(", first near {}{}", place(*part.crossing_near, part.size), in(unit));
   }
   if (facts.turned > 0) texts.push_back(counted(facts.turned, "triangle") + " turned");
   return texts.empty() ? "it encloses nothing" : fmt::format("{}", fmt::join(texts, "; "));

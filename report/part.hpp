@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "impinge/clash.hpp"
 
@@ -19,9 +20,10 @@ struct Part {
 /// The facts that the library found, with places. `facts` must be those of this placed mesh.
 Part describe(const PartFacts& facts, const Mesh& mesh, const Pose& pose);
 
-/// What a plain solid has not: "12 open edges, first at (0 0 1)-(1 0 1); 2 unclear edges, first at (0 0 1)-(1 0 1);
-/// 2 self-crossings, first near (0.5 0 0); 1 triangle turned".
-std::string facts_text(const Part& part);
+/// What a plain solid has not: "12 open edges, first at (0 0 1)-(1 0 1) mm; at 2 of them inside cannot be told
+/// from outside, first at (0 0 1)-(1 0 2) mm; 2 self-crossings, first near (0.5 0 0) mm; 1 triangle turned". Places are
+/// in the unit, whose name comes behind them, "" where it is not known.
+std::string facts_text(const Part& part, std::string_view unit = {});
 
 /// A coordinate to a ten-thousandth of the object's size: the rest is noise to the eye.
 std::string coordinate(double value, double size);

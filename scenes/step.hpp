@@ -28,8 +28,8 @@ inline std::string step_number(double value) {
 /// An IFC file as STEP text: its lines, each with a number. Lengths are in the file's unit.
 class Step {
  public:
-  /// GlobalIds count on from `guids`.
-  explicit Step(std::string schema = "IFC4", const StepUnit& unit = kMetre, int guids = 0)
+  /// GlobalIds count on from `guids`; angles are in degrees if asked, or else in radians.
+  explicit Step(std::string schema = "IFC4", const StepUnit& unit = kMetre, int guids = 0, bool degrees = false)
       : schema_(std::move(schema)), guids_(guids) {
     origin = axes({0, 0, 0});
     context = line("IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5," + origin + ",$)");
@@ -38,7 +38,12 @@ class Step {
       const std::string measure = line("IFCMEASUREWITHUNIT(" + unit.measure + "," + length + ")");
       length = line("IFCCONVERSIONBASEDUNIT($,.LENGTHUNIT.,'UNIT'," + measure + ")");
     }
-    const std::string units = line("IFCUNITASSIGNMENT((" + length + "))");
+    std::string angle = line("IFCSIUNIT(*,.PLANEANGLEUNIT.,$,.RADIAN.)");
+    if (degrees) {
+      const std::string measure = line("IFCMEASUREWITHUNIT(IFCPLANEANGLEMEASURE(0.017453292519943295)," + angle + ")");
+      angle = line("IFCCONVERSIONBASEDUNIT($,.PLANEANGLEUNIT.,'DEGREE'," + measure + ")");
+    }
+    const std::string units = line("IFCUNITASSIGNMENT((" + length + "," + angle + "))");
     project = line("IFCPROJECT('" + guid() + "',$,'p',$,$,$,$,(" + context + ")," + units + ")");
     const std::string site = spatial("IFCSITE", "Site", "$,$,$,$,$");
     building_ = spatial("IFCBUILDING", "House", "$,$,$");

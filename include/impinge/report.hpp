@@ -87,6 +87,8 @@ struct ReportOptions : SceneOptions, PageOptions {
   GroupBy group_by = GroupBy::none;
   std::string date = "1970-01-01T00:00:00Z";  ///< of the BCF's topics, in UTC
   std::string author = "impinge";             ///< of the BCF's topics and comments
+  std::string due;                            ///< of the BCF's topics, as `date`; "" for none
+  std::string stage;                          ///< of the project, in the BCF's topics; "" for none
   BcfVersion bcf_version = BcfVersion::v2_1;
   std::uint64_t topics = 1'000;  ///< of the BCF, at most
 };

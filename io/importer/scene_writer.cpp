@@ -193,7 +193,7 @@ std::string write_scene(const char* file, io::ImportWriter& writer) {
   if (!scene || !scene->mRootNode) return "it cannot cut the polygons into triangles";
   if (const std::uint64_t found = triangles_in(*scene); found < expected) {
     writer.missing(io::sentence("assimp could not cut every polygon: ", expected - found, " of ", expected,
-                                " triangles are missing; triangulate the mesh where the file is made."));
+                                " triangles are missing; export the file with triangulated faces."));
   }
   if (const SomeParts bent = bent_parts(*scene); bent.count > 0)
     writer.missing(reshaped_sentence(bent, "bones", "Apply the skin"));

@@ -16,7 +16,7 @@ import {
   verbOf,
   verdictName,
 } from './clashes';
-import { byId, el, nameOf, numberOf } from './dom';
+import { byId, el, lengthOf, nameOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
@@ -191,8 +191,8 @@ export class ClashList {
 
   private mainFigure(clash: Clash): HTMLElement {
     const main = el('span', { class: 'main' });
-    if (!Number.isNaN(clash.depth)) main.append(el('small', {}, 'depth '), numberOf(clash.depth));
-    else if (!Number.isNaN(clash.distance)) main.append(el('small', {}, 'gap '), numberOf(clash.distance));
+    if (!Number.isNaN(clash.depth)) main.append(el('small', {}, 'depth '), lengthOf(clash.depth));
+    else if (!Number.isNaN(clash.distance)) main.append(el('small', {}, 'gap '), lengthOf(clash.distance));
     return main;
   }
 
@@ -202,8 +202,8 @@ export class ClashList {
     const span = clash.pair?.span;
     const regions = clash.pair?.regions?.length ?? 0;
     if (span) side.append(el('small', {}, spanText(span)));
-    else if (!Number.isNaN(clash.volume)) side.append(el('small', {}, 'volume '), numberOf(clash.volume));
-    else if (clash.area > 0) side.append(el('small', {}, 'area '), numberOf(clash.area));
+    else if (!Number.isNaN(clash.volume)) side.append(el('small', {}, 'volume '), lengthOf(clash.volume, 3));
+    else if (clash.area > 0) side.append(el('small', {}, 'area '), lengthOf(clash.area, 2));
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
     return side;
   }

@@ -5,7 +5,7 @@
 import { type Clash, isWorse, newRegionsOf, propertyOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import type { Decision, Decisions } from './decisions';
-import { byId, button, chooser, countOf, el, letterOf, nameOf, numberOf } from './dom';
+import { byId, button, chooser, countOf, el, lengthOf, letterOf, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -27,17 +27,19 @@ const kindOf = (part: Part): string => (part.class === 'cracked' ? 'cracked soli
 /** Up to which tolerance it fails; nothing of what does not overlap. */
 function failsBelowText({ failsBelow }: Clash): Value | null {
   if (failsBelow === Infinity) return ['any tolerance'];
-  return failsBelow > 0 ? ['a tolerance of ', numberOf(failsBelow)] : null;
+  return failsBelow > 0 ? ['a tolerance of ', lengthOf(failsBelow)] : null;
 }
 
 const kPropertyNames: Record<string, string> = { class: 'Class', storey: 'Storey', building: 'Building', ObjectType: 'Type' };
 const kRegionsAtOnce = 60;
 
-const point = (p: Vec3): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', numberOf(p[2])];
+const triple = (p: Vec3, last: HTMLElement): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', last];
+const point = (p: Vec3): Value => triple(p, lengthOf(p[2]));
 const interval = ([low, high]: Interval): Value =>
-  low === high ? [numberOf(low)] : [numberOf(low), ' to ', numberOf(high)];
+  low === high ? [lengthOf(low)] : [numberOf(low), ' to ', lengthOf(high)];
 
-const measured = (value: number | null | undefined): Value | null => (value == null ? null : [numberOf(value)]);
+const measured = (value: number | null | undefined, power: 1 | 2 | 3 = 1): Value | null =>
+  value == null ? null : [lengthOf(value, power)];
 
 const texts = (values: string[]): Value | null =>
   values.length ? values.flatMap((value, i) => [i ? ', ' : '', nameOf(value, 2000)]) : null;
@@ -195,10 +197,12 @@ export class Details {
       ['Depth of B in A', second ? interval(second) : null],
       [
         'Volume in common',
-        pair.overlap_volume != null ? [numberOf(pair.overlap_volume), ' ± ', numberOf(pair.overlap_volume_error)] : null,
+        pair.overlap_volume != null
+          ? [lengthOf(pair.overlap_volume, 3), ' ± ', lengthOf(pair.overlap_volume_error, 3)]
+          : null,
       ],
-      ['Distance', pair.distance != null ? [numberOf(pair.distance), ' ± ', numberOf(pair.distance_error)] : null],
-      ['Area of contact', clash.area > 0 ? [numberOf(clash.area)] : null],
+      ['Distance', pair.distance != null ? [lengthOf(pair.distance), ' ± ', lengthOf(pair.distance_error)] : null],
+      ['Area of contact', clash.area > 0 ? [lengthOf(clash.area, 2)] : null],
     ];
     const list = figures(rows);
     list.classList.add('measures');
@@ -279,11 +283,11 @@ export class Details {
       el(
         'span',
         { class: 'region-figures' },
-        el('span', {}, el('small', {}, 'area '), numberOf(region.area)),
-        el('span', {}, el('small', {}, 'length '), numberOf(region.length)),
+        el('span', {}, el('small', {}, 'area '), lengthOf(region.area, 2)),
+        el('span', {}, el('small', {}, 'length '), lengthOf(region.length)),
         el('span', {}, el('small', {}, 'pairs '), countOf(region.pairs)),
         el('span', { class: 'wide' }, el('small', {}, 'centre '), ...point(region.centroid)),
-        hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...point(region.normal)),
+        hasNormal && el('span', { class: 'wide' }, el('small', {}, 'normal '), ...triple(region.normal, numberOf(region.normal[2]))),
         region.change && el('span', { class: 'tag' }, region.change),
       ),
     );
@@ -325,15 +329,16 @@ export class Details {
         ['Triangles', [countOf(part.triangles)]],
         ['Shape incomplete', part.incomplete ? [nameOf(part.incomplete, 300)] : null],
         ['Kind', kindOf(part) ? [kindOf(part)] : null],
+        ['Not found', part.class === 'surface' ? ['what lies wholly within: a surface has no inside'] : null],
         ['Open edges', part.open_edges ? [countOf(part.open_edges)] : null],
         ['First open edge', open ? [...point(open[0]), ' to ', ...point(open[1])] : null],
-        ['Unclear edges', part.unclear_edges ? [countOf(part.unclear_edges)] : null],
+        ['Inside unclear at', part.unclear_edges ? [countOf(part.unclear_edges), ' of them'] : null],
         ['First of them', unclear ? [...point(unclear[0]), ' to ', ...point(unclear[1])] : null],
         ['Triangles turned', part.turned ? [countOf(part.turned)] : null],
         ['Self-crossings', part.self_crossings ? [countOf(part.self_crossings)] : null],
         ['First of them near', crossing ? point(crossing.near) : null],
-        ['Volume', measured(part.volume)],
-        ['Area', measured(part.area)],
+        ['Volume', measured(part.volume, 3)],
+        ['Area', measured(part.area, 2)],
         ['Inner radius', measured(part.inner_radius)],
       ]),
     ];

@@ -30,6 +30,19 @@ export function numberOf(value: number | null | undefined): HTMLElement {
   return el('span', { class: 'number', title: String(value) }, rounded(value));
 }
 
+/** A length, or an area or a volume by its power, with the unit behind it where that is known (`sayUnit`). */
+export function lengthOf(value: number | null | undefined, power: 1 | 2 | 3 = 1): HTMLElement {
+  const number = numberOf(value);
+  if (number.classList.contains('number')) number.classList.add(`in-unit-${power}`);
+  return number;
+}
+
+/** What stands behind all lengths from now on, by the style sheet. */
+export function sayUnit(name: string): void {
+  const style = document.documentElement.style;
+  ['', '²', '³'].forEach((power, i) => style.setProperty(`--unit-${i + 1}`, `"\u00a0${name}${power}"`));
+}
+
 export const countOf = (value: number): HTMLElement =>
   el('span', { class: 'number', title: String(value) }, counted(value));
 

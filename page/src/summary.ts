@@ -4,7 +4,7 @@
 // The top of the page: what came out, in plain words.
 import { changeOf, type Clash, countVerdicts, isWorse, verdictName } from './clashes';
 import { kVerdicts, type Report, type SceneBlock, type Verdict } from './data';
-import { byId, button, countOf, el, nameOf, numberOf } from './dom';
+import { byId, button, countOf, el, lengthOf, nameOf, numberOf, sayUnit } from './dom';
 import { counted, fileName, nameText, plural } from './format';
 import type { Motion } from './motion';
 
@@ -35,12 +35,12 @@ function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) =>
   if (!deepest) return ['nothing overlaps'];
   const link = button('', () => choose(deepest), { class: 'link' });
   link.append(nameOf(deepest.names[0], 60), ' and ', nameOf(deepest.names[1], 60));
-  return ['deepest overlap ', numberOf(deepest.depth), ', ', link];
+  return ['deepest overlap ', lengthOf(deepest.depth), ', ', link];
 }
 
 function toleranceFact(report: Report): Fact | null {
   if (!report.settings) return null;
-  if (report.settings.tolerance !== 'auto') return ['tolerance ', numberOf(report.settings.tolerance)];
+  if (report.settings.tolerance !== 'auto') return ['tolerance ', lengthOf(report.settings.tolerance)];
   let [least, greatest] = [Infinity, -Infinity];
   for (const { tolerance } of report.pairs) {
     if (tolerance == null) continue;
@@ -48,8 +48,8 @@ function toleranceFact(report: Report): Fact | null {
     greatest = Math.max(greatest, tolerance);
   }
   if (!(least <= greatest)) return ['tolerance automatic'];
-  if (least === greatest) return ['tolerance automatic, ', numberOf(least)];
-  return ['tolerance automatic, ', numberOf(least), ' to ', numberOf(greatest)];
+  if (least === greatest) return ['tolerance automatic, ', lengthOf(least)];
+  return ['tolerance automatic, ', numberOf(least), ' to ', lengthOf(greatest)];
 }
 
 /** The same counts as the command prints. */
@@ -96,7 +96,7 @@ const kMostLeftOut = 3;
 /** What the answer is not about, or may be wrong for: sentences, and what they are called. */
 function leftOutFacts(what: string, list: string[]): Fact[] {
   const told = (text: string): Fact => [el('span', { class: 'left-out bad' }, `${what}: ${text}`)];
-  const facts = list.slice(0, kMostLeftOut).map((text) => told(nameText(text, 300)));
+  const facts = list.slice(0, kMostLeftOut).map((text) => told(nameText(text, 1500)));
   const more = list.length - facts.length;
   if (more > 0) facts.push(told(`${plural(more, 'more thing')}, which the JSON lists`));
   return facts;
@@ -150,8 +150,9 @@ export function showSummary(
     deepestFact(report, clashes, choose),
     toleranceFact(report),
   ];
-  if (report.settings?.clearance) facts.push(['clearance ', numberOf(report.settings.clearance)]);
+  if (report.settings?.clearance) facts.push(['clearance ', lengthOf(report.settings.clearance)]);
   const { unit } = report;
+  if (unit?.name) sayUnit(unit.name);
   if (unit) facts.push([`lengths in ${unit.name ?? `${unit.metres} m`}`]);
   facts.push(failsFact(report));
   const rules = report.settings?.ignore?.length ?? 0;

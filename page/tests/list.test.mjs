@@ -74,6 +74,9 @@ describe('the list of clashes', () => {
     ]) {
       assert.ok(facts.includes(fact), `${fact} in ${facts}`);
     }
+    const behind = (place) => page.locator(place).first().evaluate((span) => getComputedStyle(span, '::after').content);
+    assert.equal(await behind('#facts .in-unit-1'), '"\u00a0mm"', 'a length has its unit');
+    assert.equal(await behind('#clash-list .in-unit-2'), '"\u00a0mm²"');
   });
 
   test('says what fails: the words of the call, or the modes of the tests', async () => {

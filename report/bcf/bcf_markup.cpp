@@ -31,6 +31,8 @@ struct Topic {
   [[nodiscard]] double metres(double length) const { return conventions.metres * length; }
   [[nodiscard]] double square_metres(double area) const { return conventions.metres * metres(area); }
   [[nodiscard]] double cubic_metres(double volume) const { return conventions.metres * square_metres(volume); }
+  /// What stands behind a figure in metres: nothing where nobody said the files' unit.
+  [[nodiscard]] const char* m() const { return conventions.is_known ? " m" : ""; }
   [[nodiscard]] std::string label(int side) const {
     return fit(review.assembly.labels[clash.objects[static_cast<std::size_t>(side)]], 100);
   }
@@ -91,6 +93,9 @@ std::string triage(const Topic& topic) {
   return text + "\n";
 }
 
+/// What rounding leaves of a coordinate that is zero is no figure.
+double to_micrometre(double metres) { return std::round(metres * 1e6) / 1e6 + 0.0; }
+
 std::string regions(const Topic& topic) {
   constexpr std::size_t kMostRegions = 5;
   const std::vector<Region>& all = topic.clash.regions;
@@ -98,8 +103,10 @@ std::string regions(const Topic& topic) {
   for (std::size_t i = 0; i < std::min(all.size(), kMostRegions); ++i) {
     // Ten digits: a place on a national grid to the millimetre.
     const Point at = place_in_bcf(topic.conventions, all[i].centroid);
-    text += fmt::format("Region {}: at ({:.10g} {:.10g} {:.10g}), area {:.6g}, length {:.6g}\n", i + 1, at.x, at.y,
-                        at.z, topic.square_metres(all[i].area), topic.metres(all[i].length));
+    text += fmt::format("Region {}: at ({:.10g} {:.10g} {:.10g}){}, area {:.6g}{}, length {:.6g}{}\n", i + 1,
+                        to_micrometre(at.x), to_micrometre(at.y), to_micrometre(at.z), topic.m(),
+                        topic.square_metres(all[i].area), topic.conventions.is_known ? " m²" : "",
+                        topic.metres(all[i].length), topic.m());
   }
   if (all.size() > kMostRegions) text += fmt::format("{} more\n", counted(all.size() - kMostRegions, "region"));
   return text;
@@ -126,27 +133,32 @@ std::string description(const Topic& topic) {
     text += fmt::format("{}: {} ({})\n", side == 0 ? "A" : "B", topic.label(side),
                         file_name_of(topic.review, clash.objects[static_cast<std::size_t>(side)]));
   const auto interval = [&](const Interval& depth) {
-    return fmt::format("{:.6g} to {:.6g}", topic.metres(depth.lo), topic.metres(depth.hi));
+    return fmt::format("{:.6g} to {:.6g}{}", topic.metres(depth.lo), topic.metres(depth.hi), topic.m());
   };
   if (clash.overlap_depth)
     text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
                         interval(clash.overlap_depth->b_in_a));
   if (clash.overlap_volume)
-    text += fmt::format("Volume in common: {:.6g}\n", topic.cubic_metres(clash.overlap_volume->volume));
+    text += fmt::format("Volume in common: {:.6g}{}\n", topic.cubic_metres(clash.overlap_volume->volume),
+                        topic.conventions.is_known ? " m³" : "");
   if (std::isinf(clash.fails_below))
     text += "Fails at every tolerance\n";
   else if (clash.verdict < Verdict::touching)
-    text += fmt::format("Fails below a tolerance of {:.6g}\n", topic.metres(clash.fails_below));
-  if (clash.nearest) text += fmt::format("Distance: {:.6g}\n", topic.metres(clash.nearest->distance));
+    text += fmt::format("Fails below a tolerance of {:.6g}{}\n", topic.metres(clash.fails_below), topic.m());
+  if (clash.nearest) text += fmt::format("Distance: {:.6g}{}\n", topic.metres(clash.nearest->distance), topic.m());
   text += regions(topic);
   for (const int side : {0, 1})
     if (const std::string& left_out =
             topic.review.assembly.objects[clash.objects[static_cast<std::size_t>(side)]].incomplete;
         !left_out.empty())
       text += fmt::format("{} is incomplete: {}\n", side == 0 ? "A" : "B", printable(left_out));
+  for (const int side : {0, 1})
+    if (topic.review.parts[clash.objects[static_cast<std::size_t>(side)]].facts.part_class == PartClass::surface)
+      text += fmt::format("{} is a surface, which has no inside: what lies wholly within it is not found\n",
+                          side == 0 ? "A" : "B");
   if (clash.note != Note::none) text += fmt::format("Note: {}\n", sentence(clash.note));
   text += about_files(topic.review.assembly);
-  text += "Lengths and places are in metres with Z up, as in the viewpoint.";
+  text += "Places are in metres with Z up, as in the viewpoint.";
   if (!topic.conventions.is_known) text += " Nobody said the unit of the files: it is taken for the metre (--unit).";
   return text;
 }
@@ -229,8 +241,10 @@ std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) 
     add_element(labels, topic.is_3_0() ? "Label" : "Labels", label);
   add_element(about, "CreationDate", topic.date);
   add_element(about, "CreationAuthor", topic.author);
+  if (const std::string& due = review.options.due; !due.empty()) add_element(about, "DueDate", due);
   if (const std::string& assignee = topic.standing.decision.assignee; !assignee.empty())
     add_element(about, "AssignedTo", printable(assignee));
+  if (const std::string& stage = review.options.stage; !stage.empty()) add_element(about, "Stage", printable(stage));
   add_element(about, "Description", description(topic));
   // In 3.0 both are in the topic.
   pugi::xml_node parent = topic.is_3_0() ? about : markup;

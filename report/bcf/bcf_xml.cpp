@@ -129,7 +129,10 @@ std::string extensions_document(const Review& review, const std::vector<std::siz
   add("Priorities", "Priority", kPriorities);
   add("TopicLabels", "TopicLabel", labels);
   add("Users", "User", users);
-  for (const char* empty : {"SnippetTypes", "Stages"}) root.append_child(empty);
+  root.append_child("SnippetTypes");
+  std::vector<std::string> stages;
+  if (const std::string& stage = review.options.stage; !stage.empty()) stages.push_back(printable(stage));
+  add("Stages", "Stage", stages);
   return text_of(document);
 }
 

@@ -7,6 +7,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <memory>
@@ -34,11 +35,15 @@ const std::map<std::string_view, std::vector<std::string>>& known_keys() {
       {"GlobalId", {"GlobalId"}},
       {"ObjectType", {"ObjectType"}},
       {"Tag", {"Tag"}},
+      {"PredefinedType", {"PredefinedType"}},
       {"type", {"type"}},
       {"material", {"material"}},
+      {"classification", {"classification"}},
       {"group", {"group", "system"}},
-      {"location", {"space", "storey", "building", "site"}},
+      {"location", {"space", "storey", "building", "facility", "site"}},
+      {"parent", {"assembly", "space", "storey", "building", "facility", "site"}},
       // IfcOpenShell has these by query: alone.
+      {"assembly", {"assembly"}},
       {"layer", {"layer"}},
       {"system", {"system"}},
       {"storey", {"storey"}},
@@ -47,9 +52,37 @@ const std::map<std::string_view, std::vector<std::string>>& known_keys() {
   return keys;
 }
 
+/// What a path behind "query:" that is neither an attribute nor of a property set asks for.
+const std::map<std::string_view, std::string_view>& known_queries() {
+  static const std::map<std::string_view, std::string_view> queries{{"class", "class"},
+                                                                    {"predefined_type", "PredefinedType"},
+                                                                    {"type.Name", "type"},
+                                                                    {"material.Name", "material"},
+                                                                    {"materials.Name", "material"},
+                                                                    {"mat.Name", "material"},
+                                                                    {"mats.Name", "material"},
+                                                                    {"classification.Name", "classification"},
+                                                                    {"classification.Identification", "classification"},
+                                                                    {"group.Name", "group"},
+                                                                    {"system.Name", "system"},
+                                                                    {"space.Name", "space"},
+                                                                    {"storey.Name", "storey"},
+                                                                    {"building.Name", "building"},
+                                                                    {"site.Name", "site"}};
+  return queries;
+}
+/// Words that lead from an element to another in IfcOpenShell's queries, and are no property sets.
+constexpr std::array<std::string_view, 27> kSteps{
+    "type",     "types",  "occurrences", "material", "materials", "mat",      "mats", "item",   "i",
+    "profiles", "styles", "container",   "space",    "storey",    "building", "site", "parent", "classification",
+    "group",    "system", "zone",        "count",    "id",        "x",        "y",    "z",      "elevation"};
+
 bool is_word_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
+
+/// An attribute of IFC, such as Name: the other keys are words of IfcOpenShell.
+bool is_attribute(std::string_view key) { return !key.empty() && key.front() >= 'A' && key.front() <= 'Z'; }
 
 bool is_class(std::string_view word) {
   return word.starts_with("Ifc") && std::all_of(word.begin(), word.end(), is_word_character);
@@ -145,15 +178,27 @@ class Parser {
     Facet facet;
     facet.is_not = skip("!");
     if (!skip("#")) skip(".");  // before an id and a class, as IfcClash once wrote them
+    const bool is_query = skip("query:");
     Result<TextMatch> first = parse_text(false);
     if (!first) return first.error();
-    if (first->text.starts_with("query:")) return not_supported(first->text);
-    const bool of_set = skip(".");
+    bool of_set = skip(".");
     if (of_set) {
       Result<TextMatch> property = parse_text(false);
       if (!property) return property.error();
       facet.property_set = *first;
       facet.property = *std::move(property);
+    }
+    if (is_query) {
+      const std::string path = of_set ? first->text + "." + facet.property.text : first->text;
+      if (skip(".")) return not_supported("query:" + path + "." + std::string(text_.substr(at_, 20)));
+      const auto query = known_queries().find(path);
+      if (query != known_queries().end()) {
+        facet.properties = {std::string(query->second)};
+        facet.property_set = facet.property = {};
+        of_set = false;
+      } else if (of_set && !first->is_regex && std::ranges::find(kSteps, first->text) != kSteps.end()) {
+        return not_supported("query:" + path);
+      }
     }
     const std::optional<bool> compares = parse_comparison(facet);
     if (!compares) return unexpected();
@@ -168,13 +213,18 @@ class Parser {
       return facet;
     }
     if (text_[begin] == '!') return bad(fmt::format("'!' before {} stands before '='", in_quotes(first->text)));
-    if (!of_set) {
+    if (!of_set && facet.properties.empty()) {
       const auto known = known_keys().find(first->text);
-      if (known == known_keys().end() || first->is_regex) return not_supported(first->text);
+      if (known == known_keys().end() || first->is_regex || (is_query && !is_attribute(first->text)))
+        return not_supported(std::string(is_query ? "query:" : "") + first->text);
       facet.properties = known->second;
     }
     if (auto value = parse_value(facet); !value) return value.error();
     facet.written = written();
+    // IfcOpenShell finds these by their GlobalIds as well, which are not read.
+    if (!of_set && !is_query && !is_attribute(first->text) && is_global_id(facet.value.text))
+      return bad(fmt::format("{}: impinge compares {} with names, not with a GlobalId; write its name",
+                             in_quotes(facet.written), first->text));
     return facet;
   }
 
@@ -335,7 +385,7 @@ Result<Selector> parse_selector(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
   const std::string_view word = text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
   if (!word.empty() && word.find_first_of("!=<>,+\"/#") == std::string_view::npos && !word.starts_with('.') &&
-      !word.starts_with("Ifc") && !is_global_id(word))
+      !word.starts_with("Ifc") && !word.starts_with("query:") && !is_global_id(word))
     return Selector{{{Facet{.kind = Facet::Kind::name, .word = std::string(word), .written = std::string(word)}}}};
   return Parser(text).parse();
 }

@@ -90,6 +90,9 @@ Assembly house_with_properties() {
         {"material", "wool"},
         {"P_WallCommon.Fire", "2HR"},
         {"P_WallCommon.Width", "0.250"},
+        {"PredefinedType", "SOLIDWALL"},
+        {"classification", "Pr_20_93"},
+        {"classification", "Wall, outer"},
         {"P_WallCommon.Bears", "TRUE"}}},
       {"b",
        "Ext 1",
@@ -98,7 +101,9 @@ Assembly house_with_properties() {
         {"material", "concrete"},
         {"P_WallCommon.Fire", "1HR"},
         {"P_WallCommon.Width", "0.5"}}},
-      {"c", "Int, \"2\"", {{"storey", "Level 2"}, {"layer", "A-WALL"}, {"system", "S"}, {"Tag", "0.5"}}},
+      {"c",
+       "Int, \"2\"",
+       {{"storey", "Level 2"}, {"assembly", "Frame"}, {"layer", "A-WALL"}, {"system", "S"}, {"Tag", "0.5"}}},
       {"d", "Slab", {{"building", "Level 2"}, {"material", "concrete"}, {"P_SlabCommon.Fire", "2HR"}}}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     io::Object& object = house.objects[i];
@@ -157,6 +162,21 @@ TEST(Selectors, AreThoseOfIfcOpenShell) {
                                                         {"P_WallCommon.Width >= 0.25", "ab"},
                                                         {"P_WallCommon.Width<\"0.5\"", "a"},
                                                         {"P_WallCommon.Width<=0.5", "ab"},
+                                                        {"classification=Pr_20_93", "a"},
+                                                        {"classification=/Wall/", "a"},
+                                                        {"classification!=Pr_20_93", "bcd"},
+                                                        {"PredefinedType=SOLIDWALL", "a"},
+                                                        {"PredefinedType=NULL", "bcd"},
+                                                        {"parent=Frame", "c"},
+                                                        {"parent=\"Level 2\", IfcSlab", "bcd"},
+                                                        {"query:storey.Name=\"Level 2\"", "bc"},
+                                                        {"query:materials.Name=wool", "a"},
+                                                        {"query:classification.Identification=Pr_20_93", "a"},
+                                                        {"IfcElement, query:predefined_type != NULL", "a"},
+                                                        {"query:type.Name=W1", "ab"},
+                                                        {"query:Tag=0.5", "c"},
+                                                        {"query:P_WallCommon.Width>0.25", "b"},
+                                                        {"query:/P_.*/.Fire=2HR", "ad"},
                                                         {"b", "b"},
                                                         {"?", "abcd"}}) {
     const Result<Selector> parsed = parse_selector(selector);
@@ -173,10 +193,14 @@ TEST(Selectors, ThatAreNotUnderstoodAreErrors) {
            {"IfcWall IfcSlab", "'IfcSlab' is not understood"},
            {"!IfcWall", "'!IfcWall' takes away from nothing; write IfcElement, !IfcWall"},
            {"IfcWall, walls", "'walls' is no class, no global id and no filter"},
-           {"classification=Pr_1", "impinge does not filter by 'classification'; it does by Description, GlobalId,"},
-           {"parent=x", "does not filter by 'parent'"},
-           {"PredefinedType=x", "does not filter by 'PredefinedType'"},
-           {"query:x.y=1", "does not filter by"},
+           {"OverallHeight>2", "impinge does not filter by 'OverallHeight'; it does by Description, GlobalId,"},
+           {"query:x.y.z=1", "does not filter by 'query:x.y.z"},
+           {"query:storey.Elevation>1", "does not filter by 'query:storey.Elevation'"},
+           {"query:z>1", "does not filter by 'query:z'"},
+           {"query:container.Name=x", "does not filter by 'query:container.Name'"},
+           {"query:parent=x", "does not filter by 'query:parent'"},
+           {"parent!=2O2Fr$t4X7Zf8NOew3FNr2", "compares parent with names, not with a GlobalId"},
+           {"query:", "it ends where"},
            {"!Name=x", "'!' before 'Name' stands before '='"},
            {"P.Q, IfcWall", "'P.Q' is compared with nothing"},
            {"/Name/=x", "does not filter by 'Name'"},
@@ -238,7 +262,9 @@ TEST(Groups, SayWhetherTheyNeedPropertySets) {
   EXPECT_EQ(needs(R"({"property":{"storey":"1"},"select":"IfcWall, Name=a.b"})"), "no");
   EXPECT_EQ(needs(R"({"property":{"Pset_WallCommon.FireRating":"1"}})"), "yes");
   EXPECT_EQ(needs(R"({"select":"IfcWall + /P/.Q=1"})"), "yes");
-  EXPECT_EQ(needs(R"({"select":"IfcWall, parent=x"})").substr(0, 82),
+  EXPECT_EQ(needs(R"({"select":"query:P.Q=1"})"), "yes");
+  EXPECT_EQ(needs(R"({"select":"query:storey.Name=1"})"), "no");
+  EXPECT_EQ(needs(R"({"select":"IfcWall, zone=x"})").substr(0, 82),
             "c.json:1: /tests/0/ignore/within/0/except/select: the selector: impinge does not f");
 }
 

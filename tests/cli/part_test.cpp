@@ -35,8 +35,13 @@ TEST(Part, FactsAreNamedWithPlaces) {
   part.facts.unclear_edge = Segment{Point{0, 0, 0}, Point{0, 0, 1}};
   part.facts.turned = 2;
   EXPECT_EQ(facts_text(part),
-            "1 open edge, first at (0 0 0.25)-(100 0 0.333); 1 unclear edge, first at (0 0 0)-(0 0 1); 1,200 "
+            "1 open edge, first at (0 0 0.25)-(100 0 0.333); at none of them can inside be told from outside; 1,200 "
             "self-crossings, first near (-1 2 1000000); 2 triangles turned");
+  part.facts.open_edges = 3;
+  EXPECT_EQ(
+      facts_text(part, "mm"),
+      "3 open edges, first at (0 0 0.25)-(100 0 0.333) mm; at 1 of them inside cannot be told from outside, first "
+      "at (0 0 0)-(0 0 1) mm; 1,200 self-crossings, first near (-1 2 1000000) mm; 2 triangles turned");
 }
 
 TEST(Part, ACrossingIsNearBothTriangles) {
@@ -103,7 +108,7 @@ TEST(Part, TheListOfSurfacesAndCrackedPartsIsCut) {
   const auto printed = [&](std::size_t count, std::optional<std::size_t> width) {
     const int file = ::memfd_create("list", 0);
     Sink sink(file, "memory");
-    print_surfaces(labels, std::span(parts).first(count), sink, width);
+    print_surfaces(labels, std::span(parts).first(count), 0.001, sink, width);
     EXPECT_TRUE(sink.flush().has_value());
     std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
     EXPECT_EQ(::pread(file, text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
@@ -111,19 +116,22 @@ TEST(Part, TheListOfSurfacesAndCrackedPartsIsCut) {
     return text;
   };
   EXPECT_EQ(printed(1, {}), "");
-  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is a surface: it encloses nothing\n");
+  const std::string hidden = "Surfaces have no inside: what lies wholly within one is not found.\n";
+  EXPECT_EQ(printed(2, {}), "a_rather_long_name_1 is a surface: it encloses nothing\n" + hidden);
   parts[1].facts.part_class = PartClass::cracked;
   parts[1].facts.open_edges = 2;
   EXPECT_EQ(printed(3, {}),
             "a_rather_long_name_2 is a surface: it encloses nothing\n"
-            "a_rather_long_name_1 is cracked: 2 open edges\n");
+            "a_rather_long_name_1 is cracked: 2 open edges\n" +
+                hidden);
   parts[1].facts.open_edges = 0;
   parts[1].facts.part_class = PartClass::surface;
-  EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is a surface: it encloses nothing\n");
+  EXPECT_EQ(printed(2, 36), "a_rathe…me_1 is a surface: it encloses nothing\n" + hidden);
   EXPECT_EQ(printed(11, {}).find("more"), std::string::npos);
   EXPECT_TRUE(
       printed(13, {}).ends_with("name_10 is a surface: it encloses nothing\n"
-                                "(2 more are no solids; --json lists them.)\n"))
+                                "(2 more are no solids; --json lists them.)\n" +
+                                hidden))
       << printed(13, {});
 }
 

@@ -168,6 +168,8 @@ TEST_F(FakeImporter, ItsDeathIsAnErrorThatSaysHow) {
       error_of(read_with("echo 'Assertion `x` failed' >&2; echo more >&2; kill -ABRT $$")),
       HasSubstr("part.gltf: the importer stopped (signal 6, Aborted) on this file, saying: Assertion `x` failed;"));
   EXPECT_THAT(error_of(read_with("kill -SEGV $$")), HasSubstr("(signal 11, Segmentation fault)"));
+  EXPECT_THAT(error_of(read_with("kill -KILL $$")),
+              HasSubstr("the importer was killed; the machine ran out of memory"));
   EXPECT_THAT(error_of(read_with(sending_a_triangle("kill -SEGV $$"))), HasSubstr("signal 11"));
   EXPECT_THAT(error_of(read_with("kill -XCPU $$")), HasSubstr("used up the time limit of 20 s"));
   EXPECT_THAT(error_of(read_with("exit 0")), HasSubstr("what it wrote is incomplete"));

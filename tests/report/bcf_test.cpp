@@ -155,6 +155,7 @@ TEST_F(Bcf, SelectsBothPartsByFileAndName) {
   const std::string figures = topic.topic().child("Description").text().get();
   for (const char* word : {"penetrating", "a (a.off)", "b (b.off)", "Depth", "Region 1"})
     EXPECT_NE(figures.find(word), std::string::npos) << figures;
+  EXPECT_EQ(figures.find("surface"), std::string::npos) << figures;
 }
 
 TEST_F(Bcf, UnitsAndAxesAreTheStandards) {
@@ -205,6 +206,11 @@ TEST_F(Bcf, Of3Point0HasItsLists) {
   }
   EXPECT_EQ(labels, (std::set<std::string>{"duplicate", "inside", "penetrating", "crossing"}));
   EXPECT_EQ(statuses, (std::set<std::string>{"Approved", "Open"}));
+  const auto of_sheet = std::ranges::count_if(all, [](const Topic& topic) {
+    return std::string_view(topic.topic().child("Description").text().get())
+               .find("is a surface, which has no inside") != std::string_view::npos;
+  });
+  EXPECT_EQ(of_sheet, 1);
   const pugi::xml_node comment = all[2].topic().child("Comments").child("Comment");
   EXPECT_EQ(std::string(comment.child("Comment").text().get()), "as agreed");
   EXPECT_EQ(std::string(comment.child("Author").text().get()), "Ann <ann@x.org>");
@@ -219,6 +225,15 @@ TEST_F(Bcf, Of3Point0HasItsLists) {
   EXPECT_EQ(words("TopicLabels"), labels);
   EXPECT_EQ(words("TopicStatuses"), statuses);
   EXPECT_EQ(words("Users"), std::set<std::string>{"Ann <ann@x.org>"});
+  EXPECT_EQ(words("Stages"), std::set<std::string>{});
+  for (const char* version : {"2.1", "3.0"}) {
+    EXPECT_EQ(
+        clash({"--bcf-version", version, "--due", "2024-06-14", "--stage", "LPH 5", "--decisions", "d.json"}).code, 1);
+    for (const Topic& topic : topics()) {
+      EXPECT_EQ(std::string(topic.topic().child("DueDate").text().get()), "2024-06-14T00:00:00Z");
+      EXPECT_EQ(std::string(topic.topic().child("Stage").text().get()), "LPH 5");
+    }
+  }
 }
 
 /// What another tool makes of a BCF: the topic of this title has a status and two comments, and its GUID is in

@@ -215,6 +215,9 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   refused({"--date", "2024-01-01"}, "--date requires --bcf");
   refused({"--bcf-topics", "3", "--csv", "out.csv"}, "--bcf-topics requires --bcf");
   refused({"--author", "Ann"}, "--author requires --bcf");
+  refused({"--due", "2024-01-01"}, "--due requires --bcf");
+  refused({"--due", "Friday", "--bcf", "out.bcf"}, "--due takes now, or a date such as 2024-05-31, not 'Friday'");
+  refused({"--stage", "LPH 5"}, "--stage requires --bcf");
   refused({"--author", " ", "--bcf", "out.bcf"}, "an author has a name");
   refused({"--bcf-version", "2.0", "--bcf", "out.bcf"}, "--bcf-version takes 2.1|3.0, not '2.0'");
   refused({"--up", "y"}, "--up is for --html FILE, --csv FILE, --bcf FILE and --gltf FILE");

@@ -52,14 +52,15 @@ class Units : public testing::Test {
   /// Each has a corner 1 m deep in the other, and their surfaces meet in 6 edges of it.
   void expect_two_walls(const Vec& middle, double edge) const {
     const double near = 1e-6 * edge;
-    const auto place = numbers(description, R"(Region 1: at \((\S+) (\S+) (\S+)\), area (\S+), length (\S+)\n)");
+    const auto place = numbers(
+        description, R"(Region 1: at \((\S+) (\S+) (\S+)\)(?: m)?, area (\S+?)(?: m²)?, length (\S+)(?: m)?\n)");
     ASSERT_EQ(place.size(), 5U);
     EXPECT_NEAR(place[0], middle.x, 10 * near);
     EXPECT_NEAR(place[1], middle.y, 10 * near);
     EXPECT_NEAR(place[2], middle.z, 10 * near);
     EXPECT_NEAR(place[3], std::sqrt(3) * edge * edge, 1e-5 * edge * edge);  // the vector area (1, 1, 1) of the hexagon
     EXPECT_NEAR(place[4], 6 * edge, 60 * near);
-    const auto depths = numbers(description, R"(Depth: A in B (\S+) to (\S+); B in A (\S+) to (\S+)\n)");
+    const auto depths = numbers(description, R"(Depth: A in B (\S+) to (\S+?)(?: m)?; B in A (\S+) to (\S+)(?: m)?\n)");
     ASSERT_EQ(depths.size(), 4U);
     for (const std::size_t least : {0, 2}) {
       EXPECT_LE(depths[least], edge + near);

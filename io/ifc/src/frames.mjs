@@ -26,8 +26,11 @@ function u64(value) {
 const doubles = (values) => Buffer.from(Float64Array.from(values).buffer);
 
 function text(value) {
-  const bytes = Buffer.from(value, 'utf8');
-  return Buffer.concat([u32(bytes.length), bytes]);
+  const length = Buffer.byteLength(value, 'utf8');
+  const bytes = Buffer.allocUnsafe(4 + length);
+  bytes.writeUInt32LE(length);
+  bytes.write(value, 4, 'utf8');
+  return bytes;
 }
 
 const kMostWaiting = 2 ** 20;
@@ -67,9 +70,10 @@ export const group = (name, parent) => record('G', text(name), u32(parent ?? kNo
 export const property = (name, value) => record('P', text(name), text(value));
 export const incomplete = (words) => record('I', text(words));
 
+// Of a Float64Array and a Uint32Array, which nobody writes to afterwards.
 export function mesh(xyz, triangles) {
-  const corners = Buffer.from(Uint32Array.from(triangles).buffer);
-  record('M', u64(xyz.length / 3), u64(triangles.length / 3), doubles(xyz), corners);
+  const bytes = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength);
+  record('M', u64(xyz.length / 3), u64(triangles.length / 3), bytes(xyz), bytes(triangles));
 }
 
 export function object({ name, path, product, mesh, group, world }) {

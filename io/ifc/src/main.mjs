@@ -13,11 +13,17 @@ import { keepBodies, mendProfiles } from './mend.mjs';
 import { Properties } from './properties.mjs';
 import { shapeOf } from './shapes.mjs';
 import { Placements, Structure } from './structure.mjs';
-import { unitInMetres } from './units.mjs';
+import { metresInLength } from './units.mjs';
 
 const kOldestNode = 18;
 // Names in a sentence about several products.
-const kMostNamed = 5;
+const kMostNamed = 20;
+
+const kNoArea = 'a face without an area is left out';
+const kGaps = 'its advanced B-rep is drawn with gaps between faces';
+// What helps where web-ifc's drawing fails.
+const kAdvice = "Export these elements' geometry as triangles or flat faces (tessellation, faceted B-rep).";
+const kUndrawn = /incomplete shape|web-ifc/;
 
 // Products that nobody can bump into: what is cut away, rooms, lines of drawings, of analysis and of axes.
 const kNoParts =
@@ -25,7 +31,8 @@ const kNoParts =
 // What products are in, and what that is called among their properties.
 const kPlaces = { IfcSpace: 'space', IfcBuildingStorey: 'storey', IfcBuilding: 'building', IfcSite: 'site' };
 // Those that hold others, and need no shape of their own.
-const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|Tunnel)/;
+const kSpatial = /^Ifc(Site|Building$|BuildingStorey|Facility|Bridge|Road|Railway|MarineFacility|MarinePart|Tunnel)/;
+const placeOf = (name) => kPlaces[name] ?? (kSpatial.test(name) ? 'facility' : 'assembly');
 
 // Products of which the same is to be said.
 class Remarks {
@@ -36,12 +43,21 @@ class Remarks {
     this.#kinds.get(kind).push(label);
   }
 
-  write() {
-    for (const [kind, labels] of this.#kinds) {
+  #sentences() {
+    return [...this.#kinds].map(([kind, labels]) => {
       const named = labels.slice(0, kMostNamed).join(', ');
       const more = labels.length > kMostNamed ? ` and ${labels.length - kMostNamed} more` : '';
-      frames.missing(`Products ${kind}, ${labels.length}: ${named}${more}.`);
-    }
+      return `${kind}, ${labels.length}: ${named}${more}`;
+    });
+  }
+
+  first() {
+    return this.#sentences()[0];
+  }
+
+  write() {
+    for (const sentence of this.#sentences())
+      frames.missing(`Products ${sentence}.${kUndrawn.test(sentence.split(':')[0]) ? ` ${kAdvice}` : ''}`);
   }
 }
 
@@ -77,11 +93,12 @@ class Importer {
   #meshes = new Map();
   #written = 0;
   #keys = new Set();
-  // Geometries, and what web-ifc said when it made them.
-  #incomplete = new Map();
+  // Geometries, and what web-ifc said when it made them, or what keeps it from making them rightly.
+  #incomplete;
 
-  constructor(model, withSets) {
+  constructor(model, withSets, incomplete) {
     this.#model = model;
+    this.#incomplete = incomplete;
     this.#structure = new Structure(model);
     this.#properties = new Properties(model, withSets);
     this.#placements = new Placements(model);
@@ -96,7 +113,7 @@ class Importer {
     } catch (trap) {
       this.#remarks.add(
         'that web-ifc cannot draw, and that are left out',
-        `${label} (${trap.message ?? 'an exception of web-ifc'})`,
+        `${label} (it stopped: ${trap.message ?? 'an exception'})`,
       );
       await this.#model.reopen();
       return undefined;
@@ -106,9 +123,23 @@ class Importer {
   // What web-ifc said while the bodies were made, then or for an earlier product that shows them too.
   #complaintAbout(bodies) {
     const said = this.#model.takeSaid().find((line) => /error|warn/i.test(line));
-    if (said) for (const { geometry } of bodies) this.#incomplete.set(geometry, said);
-    const words = said ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
-    return words?.replace(/^(\[[^\]]*\])+ */, '');
+    const plain = said && this.#plain(said);
+    if (plain) for (const { geometry } of bodies) this.#incomplete.set(geometry, plain);
+    return plain ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
+  }
+
+  // In the words of who wrote the file: web-ifc names a line that it does not draw by its number.
+  #plain(said) {
+    const words = said.replace(/^(\[[^\]]*\])+ */, '');
+    const absent = /Invalid ExpressID (\d+)/.exec(words);
+    if (absent) return `the file lacks its line #${absent[1]}`;
+    if (words.startsWith('No basis found')) return kNoArea;
+    const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
+    if (!what) return `web-ifc says '${words}'`;
+    const line = Number(/\d+$/.exec(words)?.[0]);
+    const name = line > 0 ? this.#model.classOf(line) : '';
+    this.#model.takeSaid();
+    return `web-ifc does not draw its ${/^Ifc/.test(name) ? name : `kind of ${what}`}`;
   }
 
   #keyOf(name, title, guid) {
@@ -140,22 +171,26 @@ class Importer {
     const bodies = await this.#bodiesOf(line, label);
     if (!bodies) return;
     const lost = [];
-    const complaint = this.#complaintAbout(bodies);
-    if (complaint) {
-      this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
-      lost.push(complaint);
+    let complaint = this.#complaintAbout(bodies);
+    if (bodies.length === 0) {
+      this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
+      return;
     }
     const drawn = bodies.filter(({ matrix }) => matrix.every(Number.isFinite));
     if (drawn.length < bodies.length) {
       this.#remarks.add('with bodies in no finite place, which are left out', label);
       lost.push('a body is in no finite place');
     }
-    if (drawn.length === 0) {
-      if (bodies.length === 0) this.#remarks.add('without a body that web-ifc can draw', label);
-      return;
-    }
+    if (drawn.length === 0) return;
     const mesh = this.#meshFor(drawn, label, lost);
     if (mesh.number === undefined) return;
+    // Around a face without an area that is left out all others meet.
+    if (complaint === kNoArea && mesh.isClosed) complaint = undefined;
+    if (!complaint && mesh.hasGaps) complaint = kGaps;
+    if (complaint) {
+      this.#remarks.add('with an incomplete shape', `${label} (${complaint})`);
+      lost.push(complaint);
+    }
     this.#writeObject({ line, name, title, guid, attributes, ...mesh });
     if (lost.length > 0) frames.incomplete(lost.join('; '));
   }
@@ -163,17 +198,17 @@ class Importer {
   #meshFor(bodies, label, lost) {
     const shape = shapeOf(bodies, this.#model);
     if (!this.#meshes.has(shape.key)) {
-      const { xyz, triangles, problems } = shape.make();
+      const { xyz, triangles, ...about } = shape.make();
       const number = triangles.length > 0 ? this.#written++ : undefined;
       if (number !== undefined) frames.mesh(xyz, triangles);
-      this.#meshes.set(shape.key, { number, problems });
+      this.#meshes.set(shape.key, { number, ...about });
     }
-    const { number, problems } = this.#meshes.get(shape.key);
+    const { number, problems, isClosed, hasGaps } = this.#meshes.get(shape.key);
     for (const problem of new Set(problems)) {
       this.#remarks.add(`with ${problem}, which is left out`, label);
       lost.push(`${problem} is left out`);
     }
-    return { number, world: shape.world };
+    return { number, isClosed, hasGaps, world: shape.world };
   }
 
   #writeObject({ line, name, title, guid, attributes, number, world }) {
@@ -194,14 +229,22 @@ class Importer {
       ['Tag', /^Ifc(Site|Building$|BuildingStorey)/.test(name) ? '' : textOf(attributes[7])],
       ['Description', textOf(attributes[3])],
       ['ObjectType', textOf(attributes[4])],
-      ...wholes.map((whole) => [kPlaces[this.#model.classOf(whole)], this.#structure.nameOf(whole)]),
-      ...this.#properties.of(line, referenceOf(attributes[6])),
+      ...wholes.map((whole) => [placeOf(this.#model.classOf(whole)), this.#structure.nameOf(whole)]),
+      ...this.#properties.of(line, name, attributes),
     ];
     for (const [key, value] of properties) if (key && value) frames.property(key, value);
   }
 
+  // Errors: FileProblem, of a file with nothing to draw.
   finish() {
     this.#remarks.write();
+    if (this.#written > 0) return;
+    const about = this.#remarks.first();
+    throw new FileProblem(
+      about
+        ? `no product has a shape that can be drawn: products ${about}; export the building with its elements' bodies`
+        : 'the file holds no product that one could bump into; export the building with its elements',
+    );
   }
 }
 
@@ -229,27 +272,6 @@ function warnOfCurves(model) {
       `Circles are drawn by ${kChords} chords, which lie up to ${deviation.toPrecision(3)} within the largest, of radius ${Number(largest.toPrecision(6))}.`,
     );
   }
-  // Radii and slopes, in the schemas' order behind the lengths that all have.
-  const soft = [
-    ['I', 7],
-    ['ASYMMETRICI', 7],
-    ['L', 7],
-    ['U', 7],
-    ['T', 7],
-    ['Z', 7],
-    ['C', 7],
-  ].flatMap(([letter, place]) =>
-    model.ofClass(`IFC${letter}SHAPEPROFILEDEF`).filter((line) =>
-      model
-        .attributes(line)
-        .slice(place, place + 3)
-        .some((value) => numberOf(value) > 0),
-    ),
-  );
-  if (soft.length > 0)
-    frames.warning(
-      `${soft.length} profiles have fillets, rounded edges or slopes, which may be drawn sharp or bevelled.`,
-    );
   if (splines.length > 0)
     frames.warning(
       `${splines.length} B-spline curves or surfaces are drawn by flat pieces; how far these stray is not known.`,
@@ -258,22 +280,24 @@ function warnOfCurves(model) {
 
 function checkSchema(schema) {
   if (/^IFC(2X2|2X3|4)/i.test(schema)) return;
+  if (!schema) throw new FileProblem('its header names no schema (FILE_SCHEMA); export it as IFC2x3, IFC4 or IFC4x3');
   const what = /^IFC/i.test(schema) ? 'another version of IFC' : 'not IFC, but STEP of another kind';
   throw new FileProblem(`its schema '${schema.slice(0, 80)}' is ${what}; export it as IFC2x3, IFC4 or IFC4x3`);
 }
 
 async function run(path, withSets) {
+  let incomplete;
   const model = await Model.open(readFile(path), (opened) => {
     checkSchema(opened.schema());
-    mendProfiles(opened);
+    incomplete = mendProfiles(opened);
   });
-  const metres = unitInMetres(model);
+  const metres = metresInLength(model);
   if (metres) frames.unit(metres);
   else frames.warning('The file does not say its unit of length.');
   frames.exactPlaces();
   const products = model.products();
   if (products.length === 0) throw new FileProblem('the file holds no product; export the building with its elements');
-  const importer = new Importer(model, withSets);
+  const importer = new Importer(model, withSets, incomplete);
   for (const product of products) await importer.write(product);
   importer.finish();
   warnOfCurves(model);

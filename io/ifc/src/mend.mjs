@@ -3,6 +3,8 @@
 //
 // Lines that web-ifc 0.0.78 draws wrongly are written anew before it draws them.
 import { kChords, kEnum, kReal, kReference, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
+import { alongCentreLine, kParametrised, outlineOf } from './profiles.mjs';
+import { radiansInAngle } from './units.mjs';
 
 const kSolidsOfProfiles = [
   'IFCEXTRUDEDAREASOLID',
@@ -12,61 +14,22 @@ const kSolidsOfProfiles = [
   'IFCFIXEDREFERENCESWEPTAREASOLID',
   'IFCSURFACECURVESWEPTAREASOLID',
 ];
+// Lines that speak of profiles, and in which of their places.
+const kUsersOfProfiles = [
+  ...kSolidsOfProfiles.map((name) => [name, [0]]),
+  ['IFCEXTRUDEDAREASOLIDTAPERED', [4]],
+  ['IFCREVOLVEDAREASOLIDTAPERED', [4]],
+  ['IFCCOMPOSITEPROFILEDEF', [2]],
+  ['IFCDERIVEDPROFILEDEF', [2]],
+];
+const kBooleans = ['IFCBOOLEANRESULT', 'IFCBOOLEANCLIPPINGRESULT'];
+// A curve may be made of others, and these of others again; more steps than these are a loop.
+const kDeepestCurve = 8;
+// So that a quarter circle, rounded, is not one chord more.
+const kSlack = 1e-6;
 
 const reference = (line) => ({ type: kReference, value: line });
-
-// Z, of which web-ifc draws three quarters: about the middle of the web, the lower flange towards x.
-function outlineOfZ(attributes) {
-  const [depth, width, web, flange] = attributes.slice(3, 7).map(numberOf);
-  const [x, y, t] = [width - web / 2, depth / 2, web / 2];
-  return [
-    [-t, -y],
-    [x, -y],
-    [x, flange - y],
-    [t, flange - y],
-    [t, y],
-    [-x, y],
-    [-x, y - flange],
-    [-t, y - flange],
-  ];
-}
-
-// An I with unequal flanges, which web-ifc does not draw: about the middle of its bounding box.
-function outlineOfAsymmetricI(attributes) {
-  const [width, depth, web, flange] = attributes.slice(3, 7).map(numberOf);
-  const top = numberOf(attributes[8]);
-  const topFlange = attributes[9] ? numberOf(attributes[9]) : flange;
-  const [x, y, t, u] = [width / 2, depth / 2, web / 2, top / 2];
-  const right = [
-    [x, -y],
-    [x, flange - y],
-    [t, flange - y],
-    [t, y - topFlange],
-    [u, y - topFlange],
-    [u, y],
-  ];
-  return [...right, ...right.map(([px, py]) => [-px, py]).reverse()];
-}
-
-// A rectangle with round corners, which web-ifc draws sharp.
-function outlineOfRoundedRectangle(attributes) {
-  const [width, height, radius] = attributes.slice(3, 6).map(numberOf);
-  const [x, y] = [width / 2 - radius, height / 2 - radius];
-  const points = [];
-  for (let chord = 0; chord < kChords + 4; ++chord) {
-    const quarter = Math.floor(chord / (kChords / 4 + 1)); // each has the points at both of its ends
-    const angle = ((chord - quarter) * 2 * Math.PI) / kChords;
-    const [sx, sy] = [quarter === 0 || quarter === 3 ? x : -x, quarter < 2 ? y : -y];
-    points.push([sx + radius * Math.cos(angle), sy + radius * Math.sin(angle)]);
-  }
-  return points;
-}
-
-const kOutlines = [
-  ['IFCZSHAPEPROFILEDEF', outlineOfZ],
-  ['IFCASYMMETRICISHAPEPROFILEDEF', outlineOfAsymmetricI],
-  ['IFCROUNDEDRECTANGLEPROFILEDEF', outlineOfRoundedRectangle],
-];
+const real = (value) => ({ type: kReal, value });
 
 // Where an IfcAxis2Placement2D puts the points.
 function placed(model, position, points) {
@@ -78,6 +41,49 @@ function placed(model, position, points) {
   const length = Math.hypot(ax, ay) || 1;
   const [c, s] = [ax / length, ay / length];
   return points.map(([x, y]) => [ox + c * x - s * y, oy + s * x + c * y]);
+}
+
+// The chords of an arc from a point to another by one between them.
+function arcPoints([a, b, c]) {
+  const [bx, by, cx, cy] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
+  const twice = 2 * (bx * cy - by * cx);
+  if (twice === 0) return [a, c];
+  const [bb, cc] = [bx * bx + by * by, cx * cx + cy * cy];
+  const [x, y] = [(cy * bb - by * cc) / twice, (bx * cc - cx * bb) / twice];
+  const [radius, first] = [Math.hypot(x, y), Math.atan2(-y, -x)];
+  let angle = Math.atan2(cy - y, cx - x) - first;
+  if (angle * twice <= 0) angle += Math.sign(twice) * 2 * Math.PI;
+  const count = Math.max(1, Math.ceil((Math.abs(angle) * kChords) / (2 * Math.PI) - kSlack));
+  const on = (k) => {
+    const at = first + (angle * k) / count;
+    return [a[0] + x + radius * Math.cos(at), a[1] + y + radius * Math.sin(at)];
+  };
+  return [a, ...Array.from({ length: count - 1 }, (_, k) => on(k + 1)), c];
+}
+
+// The points of a flat curve of lines and arcs; undefined of other curves.
+function curvePoints(model, line, steps = kDeepestCurve) {
+  if (!line || steps === 0) return undefined;
+  const attributes = model.attributes(line);
+  const kind = model.classOf(line);
+  if (kind === 'IfcPolyline') {
+    return referencesOf(attributes[0]).map((point) => model.attributes(point)[0].slice(0, 2).map(numberOf));
+  }
+  if (kind === 'IfcIndexedPolyCurve') {
+    const list = model.attributes(referenceOf(attributes[0]))[0].map((point) => point.slice(0, 2).map(numberOf));
+    if (!attributes[1]) return list;
+    return attributes[1].flatMap((segment) => {
+      const points = [segment.value].flat().map((index) => list[numberOf(index) - 1]);
+      return segment.typecode === model.codeOf('IFCARCINDEX') ? arcPoints(points) : points;
+    });
+  }
+  if (kind !== 'IfcCompositeCurve' && kind !== 'IfcCompositeCurveSegment') return undefined;
+  if (kind === 'IfcCompositeCurveSegment') {
+    const points = curvePoints(model, referenceOf(attributes[2]), steps - 1);
+    return attributes[1]?.value === 'F' ? points?.reverse() : points;
+  }
+  const parts = referencesOf(attributes[0]).map((segment) => curvePoints(model, segment, steps - 1));
+  return parts.every(Boolean) ? parts.flat() : undefined;
 }
 
 const kPlacedProfiles = [
@@ -114,37 +120,96 @@ function writePlaces(model) {
   fill(kSolidsOfProfiles, 1, () => model.append('IFCAXIS2PLACEMENT3D', [reference(zero(0, 0, 0)), null, null]));
 }
 
-// Profiles that web-ifc draws wrongly or not at all become outlines of lines.
+// A profile of one outline, or of an outer and an inner.
+function appendProfile(model, outlines) {
+  const [outer, ...inner] = outlines.map((points) => {
+    const list = model.append('IFCCARTESIANPOINTLIST2D', [[...points, points[0]].map((point) => point.map(real))]);
+    return reference(model.append('IFCINDEXEDPOLYCURVE', [reference(list), null, null]));
+  });
+  const area = { type: kEnum, value: 'AREA' };
+  return inner.length === 0
+    ? model.append('IFCARBITRARYCLOSEDPROFILEDEF', [area, null, outer])
+    : model.append('IFCARBITRARYPROFILEDEFWITHVOIDS', [area, null, outer, inner]);
+}
+
+// The profiles that stand for others, by these; and why those that are not as the file says are not.
+function replacements(model) {
+  const made = new Map();
+  const reasons = new Map();
+  const radians = radiansInAngle(model);
+  for (const kind of kParametrised) {
+    for (const line of model.ofClass(kind.name)) {
+      const attributes = model.attributes(line);
+      const outline = outlineOf(kind, attributes, radians);
+      if (!outline) continue;
+      made.set(line, appendProfile(model, [placed(model, referenceOf(attributes[2]), outline.points)]));
+      if (!outline.fits) reasons.set(line, 'the radii of its profile do not fit, and its corners are drawn sharp');
+    }
+  }
+  for (const line of model.ofClass('IFCCENTERLINEPROFILEDEF')) {
+    const [, , curve, thickness] = model.attributes(line);
+    const points = curvePoints(model, referenceOf(curve));
+    const outlines = points?.flat().every(Number.isFinite) && alongCentreLine(points, numberOf(thickness));
+    if (outlines) made.set(line, appendProfile(model, outlines));
+  }
+  // web-ifc has derived profiles, but none of this kind of them.
+  const mirrored = model.ofClass('IFCMIRROREDPROFILEDEF');
+  if (mirrored.length > 0) {
+    const direction = (...values) => reference(model.append('IFCDIRECTION', [values.map(real)]));
+    const origin = reference(model.append('IFCCARTESIANPOINT', [[0, 0].map(real)]));
+    const axes = [direction(-1, 0), direction(0, 1), origin, real(1)];
+    const flip = model.append('IFCCARTESIANTRANSFORMATIONOPERATOR2D', axes);
+    for (const line of mirrored) {
+      const [type, name, parent] = model.attributes(line);
+      made.set(line, model.append('IFCDERIVEDPROFILEDEF', [type, name, parent, reference(flip), null]));
+    }
+  }
+  return { made, reasons };
+}
+
+// Solids and their differences, by what they are made of, that have a reason to be called incomplete.
+function spread(model, reasons) {
+  if (reasons.size === 0) return;
+  for (const [name, places] of kUsersOfProfiles) {
+    for (const line of model.ofClass(name)) {
+      const profiles = places.flatMap((place) => referencesOf(model.attributes(line)[place]));
+      const profile = profiles.find((one) => reasons.has(one));
+      if (profile) reasons.set(line, reasons.get(profile));
+    }
+  }
+  // A difference may stand before those that it is made of.
+  const differences = model.ofClass(...kBooleans);
+  for (let size = -1; size !== reasons.size; ) {
+    size = reasons.size;
+    for (const line of differences) {
+      const operand = model.attributes(line).map(referenceOf).find((part) => reasons.has(part));
+      if (operand && !reasons.has(line)) reasons.set(line, reasons.get(operand));
+    }
+  }
+}
+
+// Profiles that web-ifc draws wrongly or not at all become outlines of lines. Returns why shapes are incomplete, by the lines
+// of their solids.
 export function mendProfiles(model) {
   writePlaces(model);
-  const made = new Map();
-  for (const [name, outline] of kOutlines) {
-    for (const line of model.ofClass(name)) {
-      const attributes = model.attributes(line);
-      const points = placed(model, referenceOf(attributes[2]), outline(attributes));
-      if (!points.flat().every(Number.isFinite)) continue;
-      const corners = points.map((p) =>
-        model.append('IFCCARTESIANPOINT', [p.map((value) => ({ type: kReal, value }))]),
-      );
-      const curve = model.append('IFCPOLYLINE', [[...corners, corners[0]].map(reference)]);
-      made.set(
-        line,
-        model.append('IFCARBITRARYCLOSEDPROFILEDEF', [{ type: kEnum, value: 'AREA' }, null, reference(curve)]),
-      );
-    }
-  }
+  const { made, reasons } = replacements(model);
+  spread(model, reasons);
   if (made.size > 0) {
-    for (const solid of model.ofClass(...kSolidsOfProfiles)) {
-      const attributes = model.attributes(solid);
-      const profile = made.get(referenceOf(attributes[0]));
-      if (profile) model.rewrite(solid, [reference(profile), ...attributes.slice(1)]);
+    const standIn = (value) => {
+      if (Array.isArray(value)) return value.map(standIn);
+      const other = made.get(referenceOf(value));
+      return other ? reference(other) : value;
+    };
+    for (const [name, places] of kUsersOfProfiles) {
+      for (const line of model.ofClass(name)) {
+        const attributes = model.attributes(line);
+        const isUser = places.some((place) => referencesOf(attributes[place]).some((profile) => made.has(profile)));
+        const changed = attributes.map((value, at) => (places.includes(at) ? standIn(value) : value));
+        if (isUser) model.rewrite(line, changed);
+      }
     }
   }
-  // A C with a radius within would be flat.
-  for (const line of model.ofClass('IFCCSHAPEPROFILEDEF')) {
-    const attributes = model.attributes(line);
-    if (attributes[7]) model.rewrite(line, [...attributes.slice(0, 7), null, ...attributes.slice(8)]);
-  }
+  return reasons;
 }
 
 // Of a product's representations only the bodies are drawn: no axis, outline, box or room that it is to have free.

@@ -94,11 +94,16 @@ export class Model {
     return textOf(this.wasm.GetHeaderLine(this.#id, code)?.arguments?.[0]?.[0]);
   }
 
+  // The number that raw values of this class, a name in capitals, have as their typecode.
+  codeOf(name) {
+    return this.wasm.GetTypeCodeFromName(name);
+  }
+
   // The numbers of all lines whose class has this name in capitals.
   ofClass(...names) {
     const found = this.wasm.GetLineIDsWithType(
       this.#id,
-      names.map((name) => this.wasm.GetTypeCodeFromName(name)),
+      names.map((name) => this.codeOf(name)),
     );
     return Array.from({ length: found.size() }, (_, i) => found.get(i));
   }
@@ -135,7 +140,7 @@ export class Model {
   // Adds a line to the model; returns its number.
   append(name, attributes) {
     const line = this.wasm.GetMaxExpressID(this.#id) + 1;
-    this.#write(line, this.wasm.GetTypeCodeFromName(name), attributes);
+    this.#write(line, this.codeOf(name), attributes);
     return line;
   }
 

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// What a product is related to beside its place: its type, materials, layers, systems and groups, and the property sets of
-// itself and of its type.
-import { referenceOf, referencesOf, textOf } from './model.mjs';
+// What a product is related to beside its place: its type, materials, classifications, layers, systems and groups, and the
+// property sets of itself and of its type.
+import { enumOf, referenceOf, referencesOf, textOf } from './model.mjs';
 
 const kSystems = /^Ifc(System|BuildingSystem|BuiltSystem|DistributionSystem|DistributionCircuit|StructuralAnalysisModel)$/;
+// Products of IFC2x3 with a PredefinedType; of others the first enumeration is another thing.
+const kPredefined2x3 = /^Ifc(Slab|Covering|Railing|Footing|Pile|ElementAssembly|Tendon)$/;
+// What stands before it.
+const kFirstOfProduct = { IfcElementAssembly: 9 };
+const kNotPredefined = /^Ifc(Proxy|Site|Building|BuildingStorey)$/;
 // Material sets lead to their layers, profiles or constituents, and these to materials.
 const kDeepest = 8;
 
@@ -21,14 +26,20 @@ export class Properties {
   #materials;
   #types;
   #groups;
+  #classifications;
   #layers;
   #sets;
+  #is2x3;
+  // PredefinedTypes of types.
+  #typesDefined = new Map();
 
   // Property sets are looked up only where they are asked for: they are most of many files.
   constructor(model, withSets) {
     this.#model = model;
     this.#types = this.#related(['IFCRELDEFINESBYTYPE'], 4, 5);
     this.#materials = this.#related(['IFCRELASSOCIATESMATERIAL'], 4, 5);
+    this.#classifications = this.#related(['IFCRELASSOCIATESCLASSIFICATION'], 4, 5);
+    this.#is2x3 = /^IFC2/i.test(model.schema());
     this.#groups = this.#related(['IFCRELASSIGNSTOGROUP', 'IFCRELASSIGNSTOGROUPBYFACTOR'], 4, 6);
     this.#layers = this.#related(['IFCPRESENTATIONLAYERASSIGNMENT', 'IFCPRESENTATIONLAYERWITHSTYLE'], 2);
     this.#sets = withSets ? this.#related(['IFCRELDEFINESBYPROPERTIES'], 4, 5) : undefined;
@@ -93,16 +104,45 @@ export class Properties {
     return [...shown, ...items].flatMap((line) => this.#layers.get(line) ?? []);
   }
 
+  // The PredefinedType, which is the first enumeration from a place on: that of the type, or else of the product; what the
+  // user defined is the text at another place. '' for none.
+  #predefinedType(name, attributes, type) {
+    const from = (values, place, own) => {
+      const word = enumOf(values.slice(place).find((value) => enumOf(value).length > 1)); // no logical value
+      return word === 'USERDEFINED' ? textOf(own) : word === 'NOTDEFINED' ? '' : word;
+    };
+    const isType = type && this.#model.classOf(type).endsWith('Type');
+    if (isType && !this.#typesDefined.has(type)) {
+      const values = this.#model.attributes(type);
+      this.#typesDefined.set(type, from(values, 9, values[8]));
+    }
+    const ofType = this.#typesDefined.get(type) ?? '';
+    if (ofType || kNotPredefined.test(name) || (this.#is2x3 && !kPredefined2x3.test(name))) return ofType;
+    return from(attributes, kFirstOfProduct[name] ?? 8, attributes[4]);
+  }
+
+  // The identification and the name of a reference; the name of a system of classification.
+  #classified(line) {
+    return this.#once(line, (attributes) => {
+      const places = this.#model.classOf(line) === 'IfcClassification' ? [3] : [1, 2];
+      return places.map((place) => textOf(attributes[place]));
+    });
+  }
+
   // Names and values; a product in several systems, of several materials and so on has one for each.
-  of(product, shape) {
+  of(product, name, attributes) {
+    const shape = referenceOf(attributes[6]);
     const type = this.#types.get(product)?.[0];
     const found = [];
     const add = (name, values) => {
       for (const value of new Set(values)) if (value) found.push([name, value]);
     };
+    add('PredefinedType', [this.#predefinedType(name, attributes, type)]);
     add('type', type ? [this.#nameOf(type)] : []);
     const materials = this.#materials.get(product) ?? this.#materials.get(type) ?? [];
     add('material', materials.flatMap((line) => this.#materialsOf(line)));
+    const references = [product, type].flatMap((line) => this.#classifications.get(line) ?? []);
+    add('classification', references.flatMap((line) => this.#classified(line)));
     add('layer', this.#layersOf(shape).map((line) => this.#once(line, ([name]) => textOf(name))));
     const groups = this.#groups.get(product) ?? [];
     const isSystem = (line) => kSystems.test(this.#model.classOf(line));

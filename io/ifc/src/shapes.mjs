@@ -8,6 +8,8 @@
 const kMostDefect = 1e-9;
 // Of equal shapes in other places the bodies' places to each other differ by rounding alone.
 const kPlacePrecision = 1e9;
+// Four times a 32-bit float's rounding, of the largest coordinate.
+const kRounding = 2 ** -22;
 
 // From web-ifc's columns, with Y up, to the file's axes: its x y z is our x -z y. Signs and places alone change.
 export function inFileAxes(m) {
@@ -87,32 +89,112 @@ function firstAlike(vertices) {
   return first;
 }
 
-// Adds a geometry to a mesh, mapped, its triangles turned over if asked; false if a coordinate is not finite, and then
-// nothing is added.
-function append(mesh, { vertices, corners }, m, turned) {
+// Whether as many triangles run along each edge one way as the other: sums of a hash of each edge, once added and once
+// taken away, are then zero, and otherwise as good as never.
+function isClosed(corners, numbers) {
+  let one = 0;
+  let other = 0;
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    let a = numbers[corners[t + 2]];
+    for (let k = 0; k < 3; ++k) {
+      const b = numbers[corners[t + k]];
+      const low = a < b ? a : b;
+      let hash = Math.imul(low, 0x9e3779b1) ^ Math.imul((a < b ? b : a) + 1, 0x85ebca6b);
+      hash = Math.imul(hash ^ (hash >>> 15), 0xc2b2ae35);
+      hash ^= hash >>> 13;
+      const second = Math.imul(hash, 0x27d4eb2f) ^ low;
+      // Nothing of an edge between one vertex and itself.
+      const sign = a < b ? 1 : a > b ? -1 : 0;
+      one = (one + sign * hash) | 0;
+      other = (other + sign * second) | 0;
+      a = b;
+    }
+  }
+  return one === 0 && other === 0;
+}
+
+// Joins vertices that rounding alone parts, as it does where faces of advanced B-reps meet: `numbers` of those that go
+// together become equal. Sorted by x, only those a little further on are compared.
+function joinNear(vertices, numbers) {
+  let largest = 0;
   for (let v = 0; v < vertices.length; v += 6) {
-    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return false;
+    largest = Math.max(largest, Math.abs(vertices[v]), Math.abs(vertices[v + 1]), Math.abs(vertices[v + 2]));
+  }
+  const near = largest * kRounding;
+  const alone = [...numbers.keys()].filter((v) => numbers[v] === v).sort((a, b) => vertices[6 * a] - vertices[6 * b]);
+  alone.forEach((v, i) => {
+    if (numbers[v] !== v) return;
+    for (let j = i + 1; j < alone.length; ++j) {
+      const [at, other] = [6 * v, 6 * alone[j]];
+      if (vertices[other] - vertices[at] > near) break;
+      const isNear = [1, 2].every((k) => Math.abs(vertices[other + k] - vertices[at + k]) <= near);
+      if (isNear && numbers[alone[j]] === alone[j]) numbers[alone[j]] = v;
+    }
+  });
+  for (let v = 0; v < numbers.length; ++v) numbers[v] = numbers[numbers[v]];
+}
+
+// A geometry's { xyz, triangles }, mapped, its triangles turned over if asked, and whether they are closed; undefined where a
+// coordinate is not finite.
+function mapped({ vertices, corners }, m, turned) {
+  for (let v = 0; v < vertices.length; v += 6) {
+    if (!Number.isFinite(vertices[v] + vertices[v + 1] + vertices[v + 2])) return undefined;
   }
   const first = firstAlike(vertices);
-  const numbers = new Uint32Array(first.length);
+  let closed = isClosed(corners, first);
+  if (!closed) {
+    joinNear(vertices, first);
+    closed = isClosed(corners, first);
+  }
+  const numbers = new Int32Array(first.length).fill(-1);
+  const xyz = new Float64Array(3 * first.length);
+  let count = 0;
   for (let i = 0; i < first.length; ++i) {
-    if (first[i] !== i) {
-      numbers[i] = numbers[first[i]];
-      continue;
+    const v = first[i];
+    if (numbers[v] < 0) {
+      const x = vertices[6 * v];
+      const y = vertices[6 * v + 1];
+      const z = vertices[6 * v + 2];
+      for (let r = 0; r < 3; ++r) {
+        xyz[3 * count + r] = m[4 * r] * x + m[4 * r + 1] * y + m[4 * r + 2] * z + m[4 * r + 3];
+      }
+      numbers[v] = count++;
     }
-    numbers[i] = mesh.xyz.length / 3;
-    const [x, y, z] = [vertices[6 * i], vertices[6 * i + 1], vertices[6 * i + 2]];
-    for (let r = 0; r < 12; r += 4) mesh.xyz.push(m[r] * x + m[r + 1] * y + m[r + 2] * z + m[r + 3]);
+    numbers[i] = numbers[v];
   }
-  const [second, third] = turned ? [2, 1] : [1, 2];
+  const triangles = new Uint32Array(corners.length);
+  let end = 0;
   for (let t = 0; t + 2 < corners.length; t += 3) {
-    mesh.triangles.push(numbers[corners[t]], numbers[corners[t + second]], numbers[corners[t + third]]);
+    const a = numbers[corners[t]];
+    const b = numbers[corners[t + (turned ? 2 : 1)]];
+    const c = numbers[corners[t + (turned ? 1 : 2)]];
+    if (a === b || b === c || c === a) continue;
+    triangles[end] = a;
+    triangles[end + 1] = b;
+    triangles[end + 2] = c;
+    end += 3;
   }
-  return true;
+  return { xyz: xyz.subarray(0, 3 * count), triangles: triangles.subarray(0, end), closed };
+}
+
+// The meshes as one.
+function joined(parts) {
+  if (parts.length === 1) return parts[0];
+  const sum = (name) => parts.reduce((length, part) => length + part[name].length, 0);
+  const mesh = { xyz: new Float64Array(sum('xyz')), triangles: new Uint32Array(sum('triangles')) };
+  let [vertices, corners] = [0, 0];
+  for (const { xyz, triangles } of parts) {
+    mesh.xyz.set(xyz, 3 * vertices);
+    for (let i = 0; i < triangles.length; ++i) mesh.triangles[corners + i] = triangles[i] + vertices;
+    vertices += xyz.length / 3;
+    corners += triangles.length;
+  }
+  return mesh;
 }
 
 // One mesh for the bodies of a product, all in the frame of the first: { key, world, make() }. Products with the same key
-// have the same mesh; `make` gives its numbers, and which bodies are left out, empty or not finite.
+// have the same mesh; `make` gives its numbers, which bodies are left out, as sentences' parts, whether all are closed, and
+// whether one of them should be and is not.
 export function shapeOf(bodies, model) {
   const places = bodies.map((body) => inFileAxes(body.matrix));
   const frame = frameOf(places[0]);
@@ -123,18 +205,31 @@ export function shapeOf(bodies, model) {
     .map(({ geometry }, i) => [geometry, ...relative[i].map((n) => Math.round(n * kPlacePrecision) + 0)].join(' '))
     .join(';');
   const make = () => {
-    const mesh = { xyz: [], triangles: [] };
     // web-ifc turns the triangles of a geometry over where it is mirrored. Where it is shown both ways, they are as one of
     // these needs them.
     const hasMirrored = relative.some((m) => determinant(m) < 0);
     const problems = [];
+    const parts = [];
+    let hasGaps = false;
     bodies.forEach(({ geometry }, i) => {
       const numbers = model.geometry(geometry);
-      if (numbers.corners.length < 3) problems.push('a body without triangles');
-      else if (!append(mesh, numbers, relative[i], hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0))
+      if (numbers.corners.length < 3) {
+        problems.push('a body without triangles');
+        return;
+      }
+      const turned = hasMirrored && signedVolume(numbers) * determinant(relative[i]) < 0;
+      const part = mapped(numbers, relative[i], turned);
+      if (!part) {
         problems.push('a body with coordinates that are not finite');
+        return;
+      }
+      parts.push(part);
+      // Of other kinds of bodies, open ones may be meant.
+      if (!part.closed) hasGaps ||= model.classOf(geometry).startsWith('IfcAdvancedBrep');
     });
-    return { ...mesh, problems };
+    const areClosed = problems.length === 0 && parts.every(({ closed }) => closed);
+    const { xyz, triangles } = joined(parts);
+    return { xyz, triangles, problems, isClosed: areClosed, hasGaps };
   };
   return { key, world: [...frame, 0, 0, 0, 1], make };
 }

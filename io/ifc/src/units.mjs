@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// The unit of length that an IFC file's coordinates are in.
+// The units that an IFC file's coordinates and angles are in.
 import { enumOf, numberOf, referenceOf, referencesOf } from './model.mjs';
 
 // IfcSIPrefix, as powers of ten.
@@ -26,33 +26,38 @@ const kPrefixes = {
 // A unit may be converted to one that is converted again; more steps than these are a loop.
 const kMostSteps = 8;
 
-// Metres in a unit of length, NaN if its line does not say.
-function metresIn(model, line, steps = kMostSteps) {
+// How many of SI's unit `name`, such as METRE, are in a unit of this type, such as LENGTHUNIT; NaN if its line does not say.
+function inBaseUnits(model, line, type, name, steps = kMostSteps) {
   if (!line || steps === 0) return NaN;
   const attributes = model.attributes(line);
   const kind = model.classOf(line);
   if (kind === 'IfcSIUnit') {
     const words = attributes.map(enumOf);
-    if (words.at(-1) !== 'METRE') return NaN;
-    // The prefix stands after the kind of unit; a quotient, for 10 ** -3 is not the double nearest to a thousandth.
-    const power = kPrefixes[words[words.indexOf('LENGTHUNIT') + 1]] ?? 0;
+    if (words.at(-1) !== name) return NaN;
+    // The prefix stands after the type; a quotient, for 10 ** -3 is not the double nearest to a thousandth.
+    const power = kPrefixes[words[words.indexOf(type) + 1]] ?? 0;
     return power < 0 ? 1 / 10 ** -power : 10 ** power;
   }
   if (kind !== 'IfcConversionBasedUnit' && kind !== 'IfcConversionBasedUnitWithOffset') return NaN;
   const [value, unit] = model.attributes(referenceOf(attributes[3]) ?? 0);
-  return numberOf(value) * metresIn(model, referenceOf(unit), steps - 1);
+  return numberOf(value) * inBaseUnits(model, referenceOf(unit), type, name, steps - 1);
 }
 
-// Metres in the file's unit of length; undefined if the file does not say.
-export function unitInMetres(model) {
+// That of the file's unit of this type; undefined if the file does not say.
+function fileUnit(model, type, name) {
   const projects = model.ofClass('IFCPROJECT').map((line) => referenceOf(model.attributes(line)[8]));
   const assignments = projects.filter(Boolean).concat(model.ofClass('IFCUNITASSIGNMENT'));
   for (const assignment of assignments) {
     for (const unit of referencesOf(model.attributes(assignment)[0])) {
-      if (!model.attributes(unit).some((value) => enumOf(value) === 'LENGTHUNIT')) continue;
-      const metres = metresIn(model, unit);
-      if (Number.isFinite(metres) && metres > 0) return metres;
+      if (!model.attributes(unit).some((value) => enumOf(value) === type)) continue;
+      const size = inBaseUnits(model, unit, type, name);
+      if (Number.isFinite(size) && size > 0) return size;
     }
   }
   return undefined;
 }
+
+// Metres in the file's unit of length; undefined if the file does not say.
+export const metresInLength = (model) => fileUnit(model, 'LENGTHUNIT', 'METRE');
+// Radians in the file's unit of plane angle.
+export const radiansInAngle = (model) => fileUnit(model, 'PLANEANGLEUNIT', 'RADIAN') ?? 1;
