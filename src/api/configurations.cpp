@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <iterator>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -137,17 +138,53 @@ void offer(const Scene::State& s, std::uint32_t a, std::uint32_t b, NearestObjec
   if (s.are_tested(a, b)) search.offer(a, s.objects[a], b, s.objects[b]);
 }
 
-/// Offers all pairs but those that are certainly farther apart along x than the nearest so far.
+/// Where an object is along x.
+struct Extent {
+  double low, high;
+  std::uint32_t object, group;
+};
+
+/// The group of more than half of them, if there is one; else any.
+std::uint32_t largest_group(const std::vector<Extent>& extents) {
+  std::uint32_t group = 0;
+  std::size_t votes = 0;  // Boyer and Moore, "MJRTY", 1981
+  for (const Extent& one : extents) {
+    if (votes == 0) group = one.group;
+    one.group == group ? ++votes : --votes;
+  }
+  return group;
+}
+
+/// Offers all pairs but those that are certainly farther apart along x than the nearest so far. Most of a scene may
+/// stand still in one group: no two of those are looked at.
 void offer_all(const Scene::State& s, const std::stop_token& stop, NearestObjectsSearch& search) {
-  std::vector<std::uint32_t> order;
+  std::vector<Extent> others;
+  others.reserve(s.objects.size());
   for (std::uint32_t i = 0; i < s.objects.size(); ++i)
-    if (s.objects[i].mesh != nullptr) order.push_back(i);
-  const auto low = [&](std::uint32_t i) { return s.objects[i].box.lo.x; };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) { return low(i) < low(k); });
-  for (std::size_t i = 0; i < order.size() && !stop.stop_requested(); ++i) {
-    const double high = s.objects[order[i]].box.hi.x;
-    for (std::size_t k = i + 1; k < order.size() && low(order[k]) - high <= search.nearest_most(); ++k)
-      offer(s, order[i], order[k], search);
+    if (const scene::PlacedObject& one = s.objects[i]; one.mesh != nullptr)
+      others.push_back({one.box.lo.x, one.box.hi.x, i, one.group});
+  std::sort(others.begin(), others.end(), [](const Extent& p, const Extent& q) { return p.low < q.low; });
+  std::vector<Extent> standing;
+  if (const std::uint32_t group = largest_group(others); group != 0) {
+    const auto stands = [&](const Extent& one) { return one.group == group; };
+    std::copy_if(others.begin(), others.end(), std::back_inserter(standing), stands);
+    std::erase_if(others, stands);
+  }
+  const auto offer_behind = [&](const Extent& one, auto first, auto end) {
+    for (; first != end && first->low - one.high <= search.nearest_most(); ++first)
+      offer(s, one.object, first->object, search);
+  };
+  auto behind = others.begin();
+  for (const Extent& one : standing) {
+    if (stop.stop_requested()) return;
+    while (behind != others.end() && behind->low < one.low) ++behind;
+    offer_behind(one, behind, others.end());
+  }
+  behind = standing.begin();
+  for (auto one = others.begin(); one != others.end() && !stop.stop_requested(); ++one) {
+    while (behind != standing.end() && behind->low <= one->low) ++behind;
+    offer_behind(*one, behind, standing.end());
+    offer_behind(*one, one + 1, others.end());
   }
 }
 
