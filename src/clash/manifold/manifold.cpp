@@ -69,52 +69,41 @@ struct Patches {
   [[nodiscard]] double extent(const Vec3& n) const { return range(0, n).high - range(1, n).low; }
 };
 
-/// A point that may be chosen, with its depth.
-struct Candidate {
-  Vec3 point;
-  double depth = -1;
-};
-
-/// Calls take(candidate) for each point of the surface that is not the reference.
-template <class Take>
-void each_candidate(const Patches& patches, std::size_t side, const Vec3& outward, double plane, const Take& take) {
-  for (const std::span<const Vec3> some : {patches.contour, patches.inner[side]})
-    for (const Vec3& p : some) take(Candidate{p, std::max(0.0, dot(p, outward) - plane)});
-}
-
 /// Up to four points: the deepest, of several the farthest from the middle; the one with the greatest depth times
 /// distance from it; and with the greatest depth times distance from the line through both, on either side. A depth
 /// counts as no less than a small share of the greatest, so that where nothing is deep distance alone decides.
-template <class Each>
-std::uint32_t choose(const Each& each, double deepest, const Vec3& middle, const Vec3& n,
-                     std::array<Candidate, 4>& chosen) {
+std::uint32_t choose(std::span<const ManifoldCandidate> candidates, double deepest, const Vec3& middle, const Vec3& n,
+                     std::array<ManifoldCandidate, 4>& chosen) {
+  using Candidate = ManifoldCandidate;
   const double least = std::max(kShallow * deepest, kRounding);
   const auto weight = [&](const Candidate& c) { return std::max(c.depth, least); };
   const auto across = [&](const Vec3& v) { return v - dot(v, n) * n; };
+  const auto square = [](const Vec3& v) { return dot(v, v); };
   double best = -1;
-  each([&](const Candidate& c) {
-    if (c.depth < deepest - kRounding) return;
-    const double far = norm(across(c.point - middle));
+  for (const Candidate& c : candidates) {
+    if (c.depth < deepest - kRounding) continue;
+    const double far = square(across(c.point - middle));
     if (far > best) best = far, chosen[0] = c;
-  });
+  }
   const Vec3 first = chosen[0].point;
   best = 0;
-  each([&](const Candidate& c) {
-    const double far = norm(across(c.point - first));
-    if (far > kRounding && weight(c) * far > best) best = weight(c) * far, chosen[1] = c;
-  });
-  if (best == 0) return 1;
-  const Vec3 line = across(chosen[1].point - first), beside = cross(n, line);
-  std::uint32_t size = 2;
-  for (const double side : {1.0, -1.0}) {
-    best = 0;
-    Candidate found;
-    each([&](const Candidate& c) {
-      const double far = side * dot(beside, c.point - first) / norm(line);
-      if (far > kBeside * norm(line) && far > kRounding && weight(c) * far > best) best = weight(c) * far, found = c;
-    });
-    if (best > 0) chosen[size++] = found;
+  for (const Candidate& c : candidates) {
+    const double far = square(across(c.point - first)), worth = weight(c) * weight(c) * far;
+    if (worth > best && far > kRounding * kRounding) best = worth, chosen[1] = c;
   }
+  if (best == 0) return 1;
+  const Vec3 line = across(chosen[1].point - first), beside = unit_or_zero(cross(n, line));
+  const double nearest = std::max(kBeside * norm(line), kRounding);
+  std::array<double, 2> most{0, 0};  // on either side
+  std::array<Candidate, 2> found;
+  for (const Candidate& c : candidates) {
+    const double off = dot(beside, c.point - first), worth = weight(c) * std::abs(off);
+    const std::size_t side = off > 0 ? 0 : 1;
+    if (worth > most[side] && std::abs(off) > nearest) most[side] = worth, found[side] = c;
+  }
+  std::uint32_t size = 2;
+  for (const std::size_t side : {0, 1})
+    if (most[side] > 0) chosen[size++] = found[side];
   return size;
 }
 
@@ -169,12 +158,14 @@ void ManifoldMaker::group(const std::array<PlacedSurface, 2>& surfaces) {
   std::iota(parents_.begin(), parents_.end(), 0u);
   for (std::uint32_t i = 0; i < touches_.size(); ++i) {
     const auto& [a, b] = touches_[i].triangles;
+    std::uint32_t root = i;
     for (const std::uint32_t vertex_a : surfaces[0].mesh->triangles[a])
       for (const std::uint32_t vertex_b : surfaces[1].mesh->triangles[b]) {
         const std::uint64_t position_a = surfaces[0].topology->position[vertex_a];
-        const std::uint32_t one = find(first_at(position_a << 32 | surfaces[1].topology->position[vertex_b], i)),
-                            other = find(i);
-        parents_[std::max(one, other)] = std::min(one, other);
+        const std::uint32_t other = find(first_at(position_a << 32 | surfaces[1].topology->position[vertex_b], i));
+        if (other == root) continue;
+        parents_[std::max(root, other)] = std::min(root, other);
+        root = std::min(root, other);
       }
   }
   for (std::uint32_t i = 0; i < touches_.size(); ++i) touches_[i].region = find(i);
@@ -244,9 +235,11 @@ Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const Loc
   const double plane = a_is_reference ? -a.high : b.low;
   const double deepest = std::max(0.0, a.high - b.low);
   manifold.middle = frame.to_world(middle), manifold.normal = normal, manifold.depth = deepest / frame.unit;
-  std::array<Candidate, 4> chosen;
-  manifold.size = choose([&](const auto& take) { each_candidate(patches, side, outward, plane, take); }, deepest,
-                         middle, normal, chosen);
+  candidates_.clear();
+  for (const std::span<const Vec3> some : {patches.contour, patches.inner[side]})
+    for (const Vec3& p : some) candidates_.push_back({p, std::max(0.0, dot(p, outward) - plane)});
+  std::array<ManifoldCandidate, 4> chosen;
+  manifold.size = choose(candidates_, deepest, middle, normal, chosen);
   for (std::size_t i = 0; i < manifold.size; ++i) {
     const Vec3 beyond = chosen[i].point - chosen[i].depth * outward;
     manifold.points[i] = {.a = frame.to_world(a_is_reference ? beyond : chosen[i].point),

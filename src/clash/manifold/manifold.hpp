@@ -20,6 +20,12 @@ struct ContactRow {
   std::span<const TrianglePair> pairs;
 };
 
+/// A point that may be chosen, in the local frame, with its depth.
+struct ManifoldCandidate {
+  Vec3 point;
+  double depth;
+};
+
 /// Makes the manifolds of one pair of surfaces after the other (impinge/manifolds.hpp), without objects and ids, in
 /// memory that it keeps.
 class ManifoldMaker {
@@ -45,6 +51,7 @@ class ManifoldMaker {
   std::vector<std::uint32_t> parents_, order_;
   InnerVertices inner_;
   std::vector<Vec3> contour_;
+  std::vector<ManifoldCandidate> candidates_;
 };
 
 }  // namespace impinge::clash
