@@ -34,8 +34,8 @@ std::vector<const Mesh*> meshes_of(const std::vector<Placed>& objects) {
 
 /// Finds the pieces of large meshes one after the other, each by all threads, and of small ones side by side.
 Result<void> find_pieces(const std::vector<const Mesh*>& meshes, const ClashOptions& options) {
-  constexpr std::size_t kLarge = 1 << 16;
-  const auto is_large = [&](std::size_t i) { return meshes[i]->triangle_count() >= kLarge; };
+  constexpr std::size_t kLargeMesh = 1 << 16;
+  const auto is_large = [&](std::size_t i) { return meshes[i]->triangle_count() >= kLargeMesh; };
   std::vector<Result<void>> found(meshes.size());
   const auto search = [&](std::size_t i, int threads) {
     if (options.stop.stop_requested()) return;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "broad/may_touch.hpp"
+#include "core/stopped.hpp"
 #include "pipeline/calibration.hpp"
 #include "pipeline/device_driver.hpp"
 #include "pipeline/domain_error.hpp"
