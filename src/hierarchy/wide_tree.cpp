@@ -30,9 +30,9 @@ constexpr std::uint32_t kLarge = 1 << 12;
 constexpr std::size_t kChunk = std::size_t{1} << 15;
 
 /// So that the extent is between 1/2 and 1 in the unit. 2^-k v is exact unless it falls below 2^-1074 there, which is
-/// nothing (kNothing). Nor does it overflow: coordinates in the exact domain are below 2^300 and multiples of 2^-358,
-/// so that the extent, if any, is at least 2^-658 of the largest; what lies out of it is kept within 2^700 and never
-/// asked about.
+/// nothing (kNothing). Nor does it overflow: coordinates in range are below 2^300, and while they are multiples of
+/// 2^-358 the extent, if any, is at least 2^-658 of the largest. A lesser one counts as 2^-700 of it: floating point
+/// then tells nothing of the mesh's own shape, and exact arithmetic has the work.
 int unit_exponent_of(const MeshData& mesh) {
   const double largest = max_component(mesh.max_abs);
   if (largest == 0) return 0;

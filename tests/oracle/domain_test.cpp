@@ -165,6 +165,15 @@ TEST(Domain, HoldsNumbersHoweverNearToZero) {
       return mesh;
     };
     EXPECT_FALSE(expect_by_rationals(scenes::pair_scene(soup(), soup())).empty());
+    // All of it but for one coordinate is next to nothing.
+    const auto speck = [&] {
+      MeshData mesh = soup();
+      for (std::size_t k = 0; k < mesh.xyz.size(); ++k)
+        mesh.xyz[k] = k % 3 == 0 ? 1 : std::ldexp(random.integer(-2, 2), -1074 + i * 350);
+      return mesh;
+    };
+    EXPECT_FALSE(expect_by_rationals(scenes::pair_scene(speck(), speck())).empty());
+    expect_by_rationals(scenes::pair_scene(speck(), soup()));
   }
 }
 
