@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t kAtOnce = 64;
 
 Result<void> validate(const Scene::State& scene, int threads) {
-  if (auto valid = validate(Options{.threads = threads}); !valid) return valid;
+  if (threads < 0) return validate(Options{.threads = threads});
   return scene.check_domain();
 }
 

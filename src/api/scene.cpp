@@ -174,7 +174,7 @@ Result<Pose> Scene::pose(ObjectId id) const {
 
 Result<void> Scene::update(int threads) {
   return guarded([&]() -> Result<void> {
-    if (auto valid = validate(Options{.threads = threads}); !valid) return valid;
+    if (threads < 0) return validate(Options{.threads = threads});
     state_->near_pairs.update(on_threads(threads));
     return {};
   });

@@ -22,8 +22,8 @@ constexpr double kMostRoom = 0.25;      ///< of the extent along the axis: thin 
 constexpr double kRoomAtRest = 0x1p-5;  ///< of the extent, for an object that has not moved yet
 constexpr double kShareToBuild = 0.5;   ///< of the population: so many changes make building anew faster
 
-// An object that leaves its box in the first frame so often jumps, until it has stayed in one for some frames. No more
-// than so many, as each query looks each of them up.
+// An object that leaves its box in the first frame so often jumps, until it is found in the same box twice; they are
+// looked at every so many frames. No more than so many jump, as each query looks each of them up.
 constexpr std::uint32_t kShortLived = 2, kFramesToRest = 8;
 constexpr std::size_t kMostJumping = 16;
 
@@ -105,12 +105,13 @@ void NearPairs::find_jumping() {
 
 /// Objects that jumped and have come to rest are to go back into the tree.
 void NearPairs::find_resting() {
+  if (frame_ % kFramesToRest != 0) return;
   for (const std::uint32_t object : jumping_) {
     if (has_changed_[object] != 0) continue;
     if (!contains(fat_boxes_[object], boxes_[object])) {
       fat_boxes_[object] = fat_box(object, true);
       starts_[object] = {boxes_[object].lo + boxes_[object].hi, frame_, 0};
-    } else if (frame_ - starts_[object].frame >= kFramesToRest) {
+    } else {
       starts_[object].short_lived = 0;
       has_changed_[object] = 1;
       changed_.push_back(object);
