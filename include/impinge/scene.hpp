@@ -85,6 +85,10 @@ class Scene {
   /// Takes an ignored pair back in. Errors: `unknown_id`.
   Result<void> unignore(ObjectId a, ObjectId b);
 
+  /// Whether `collide` tests this object against itself too, as `self_collide` does; its row is of the object and the
+  /// object. At first it does not. Errors: `unknown_id`.
+  Result<void> self(ObjectId id, bool on);
+
   [[nodiscard]] std::size_t size() const noexcept;
   /// Of the object that answers call by this index. Errors: `unknown_id`.
   Result<ObjectId> id(std::uint32_t index) const;
@@ -97,7 +101,8 @@ class Scene {
   /// Errors: `bad_option`.
   Result<void> update(int threads = 0);
 
-  /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
+  /// Every pair of triangles of two different objects that share a point, and of one where `self` says so. Errors: as
+  /// the function `collide`.
   Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
   /// The same of one object and all others. Errors: likewise, and `unknown_id`.
   Result<Contacts> collide_with(ObjectId id, const Options& options = {}, Workspace* workspace = nullptr) const;

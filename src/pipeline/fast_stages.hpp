@@ -29,7 +29,9 @@ class FastStages {
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
-    bool swapped;  ///< the first tree is that of the pair's second object
+    bool swapped;           ///< the first tree is that of the pair's second object
+    bool is_self = false;   ///< both are one object
+    Adjacency adjacency{};  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
   };
@@ -42,6 +44,10 @@ class FastStages {
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
+  void filter_leaf_pairs(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
+                         Statistics& statistics);
+  void decide_neighbours(const Pair& pair);
+
   bool first_only_ = false;
   unsigned slices_ = 0;  ///< of a search for one contact
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;

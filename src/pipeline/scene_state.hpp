@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <optional>
@@ -38,6 +39,7 @@ struct Scene::State {
   std::uint32_t first_generation;  ///< of each index; differs from scene to scene, so that a foreign id is unknown
   std::vector<std::uint32_t> free_slots;
   scene::IgnoredPairs ignored;
+  broad::ObjectPairs own_pairs;  ///< objects that are tested against themselves, in order
   broad::NearPairs near_pairs;
 
   [[nodiscard]] Result<void> check(ObjectId id) const {
@@ -65,6 +67,11 @@ struct Scene::State {
     for (std::size_t i = 0; i < objects.size(); ++i)
       if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
     return {};
+  }
+  void set_self(std::uint32_t index, bool on) {
+    std::erase(own_pairs, broad::ObjectPair{index, index});
+    const auto is_later = [index](const broad::ObjectPair& pair) { return pair.a > index; };
+    if (on) own_pairs.insert(std::find_if(own_pairs.begin(), own_pairs.end(), is_later), {index, index});
   }
   void move(std::uint32_t index, const Pose& pose) {
     objects[index] = scene::place(meshes[index]->data, pose, objects[index].group);
