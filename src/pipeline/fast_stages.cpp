@@ -33,25 +33,32 @@ void turn_over(std::vector<hierarchy::TreeRefPair>& stack) {
   std::rotate(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2), stack.end());
 }
 
-std::uint32_t bits_of(const exact::CommonCorners& common) {
+/// `PairStream::common`, without a branch. Of those with all corners in common, which always count, 0.
+template <class Corners>
+std::uint32_t common_bits(const Corners& a, const Corners& b) {
   std::uint32_t bits = 0;
-  if (common.size == 3) return 0;  // those always count
-  for (std::size_t i = 0; i < common.size; ++i) bits |= 1u << common.a[i] | 8u << common.b[i];
-  return bits;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      const auto is_same = static_cast<std::uint32_t>(a[i] == b[j]);
+      bits |= is_same << i | is_same << (3 + j);
+    }
+  }
+  return bits == 63 ? 0 : bits;
 }
 
-/// By position, vertices that are in one place in the mesh: in the world they are in one place too.
+/// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
+/// of what else is common the exact stage knows. Places are compared where no two triangles share an index.
 void mark_common_corners(const MeshData& mesh, Adjacency adjacency, partition::PairStream& stream) {
+  std::uint32_t any = 0;
+  for (std::size_t i = 0; i < stream.size; ++i)
+    any |= stream.common[i] = common_bits(mesh.triangles[stream.id_a[i]], mesh.triangles[stream.id_b[i]]);
+  if (any != 0 || adjacency == Adjacency::by_index) return;
   const auto corners = [&mesh](std::uint32_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
     return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
   };
-  for (std::size_t i = 0; i < stream.size; ++i) {
-    const std::uint32_t a = stream.id_a[i], b = stream.id_b[i];
-    stream.common[i] =
-        bits_of(adjacency == Adjacency::by_index ? exact::common_corners(mesh.triangles[a], mesh.triangles[b])
-                                                 : exact::common_corners(corners(a), corners(b)));
-  }
+  for (std::size_t i = 0; i < stream.size; ++i)
+    stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
 }
 
 }  // namespace
@@ -90,36 +97,8 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   if (leaf_pairs_.empty()) return;
 
   filtered_.crossing.clear(), filtered_.unsure.clear();
-  if (pair.is_self) {
-    // Leaves with themselves give each pair of triangles in both orders, and each triangle with itself.
-    const auto own = std::partition(leaf_pairs_.begin(), leaf_pairs_.end(), [](const auto& p) { return p.a == p.b; });
-    const auto count = static_cast<std::size_t>(own - leaf_pairs_.begin());
-    filter_leaf_pairs(pair, std::span(leaf_pairs_).first(count), clock, statistics);
-    for (auto* const found : {&filtered_.crossing, &filtered_.unsure})
-      std::erase_if(*found, [](const TrianglePair& p) { return p.a >= p.b; });
-    filter_leaf_pairs(pair, std::span(leaf_pairs_).subspan(count), clock, statistics);
-  } else {
-    filter_leaf_pairs(pair, leaf_pairs_, clock, statistics);
-  }
-  if (filtered_.crossing.empty() && filtered_.unsure.empty()) return;
-
-  contacts_.clear();
-  statistics.exact_calls += filtered_.unsure.size();
-  if (pair.is_self) decide_neighbours(pair);
-  exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, filtered_.unsure, contacts_);
-  const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
-    const bool swapped = pair.is_self ? b < a : pair.swapped;
-    keys_.push_back(swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
-  };
-  for (const TrianglePair& crossing : filtered_.crossing) keep(crossing.a, crossing.b, Kind::crossing);
-  for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
-  clock.charge(statistics.exact_seconds);
-}
-
-void FastStages::filter_leaf_pairs(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs,
-                                   StageClock& clock, Statistics& statistics) {
-  sweep_.begin(leaf_pairs, pair.walk.relation);
-  for (bool done = leaf_pairs.empty(); !done;) {
+  sweep_.begin(leaf_pairs_, pair.walk.relation, pair.is_self);
+  for (bool done = false; !done;) {
     stream_.size = 0;
     done = sweep_.fill(stream_);
     clock.charge(statistics.partition_seconds);
@@ -134,6 +113,19 @@ void FastStages::filter_leaf_pairs(const Pair& pair, std::span<const hierarchy::
     statistics.element_tests += stream_.size;
     statistics.triangle_pairs += stream_.size;
   }
+  if (filtered_.crossing.empty() && filtered_.unsure.empty()) return;
+
+  contacts_.clear();
+  statistics.exact_calls += filtered_.unsure.size();
+  if (pair.is_self) decide_neighbours(pair);
+  exact::settle(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, filtered_.unsure, contacts_);
+  const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
+    const bool swapped = pair.is_self ? b < a : pair.swapped;
+    keys_.push_back(swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
+  };
+  for (const TrianglePair& crossing : filtered_.crossing) keep(crossing.a, crossing.b, Kind::crossing);
+  for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
+  clock.charge(statistics.exact_seconds);
 }
 
 /// Takes pairs with common vertices out of the unsure ones. (What surely crosses does so beyond these: relative

@@ -44,8 +44,6 @@ class FastStages {
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
-  void filter_leaf_pairs(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
-                         Statistics& statistics);
   void decide_neighbours(const Pair& pair);
 
   bool first_only_ = false;
