@@ -26,6 +26,7 @@ struct OutputArguments {
 struct CheckArguments : SceneOptions, OutputArguments {
   bool triangles = false;
   bool first = false;
+  bool self = false;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   std::string backend = "auto";
   std::string device;

@@ -33,6 +33,8 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
                          const std::stop_token& stop) {
   Result<Scene> scene = scene_of(assembly, arguments);
   if (!scene) return scene.error();
+  for (std::uint32_t i = 0; arguments.self && i < assembly.objects.size(); ++i)
+    if (auto set = scene->self(scene->id(i).value(), true); !set) return set.error();
 
   std::optional<CalibrationCache> cache;
   if (arguments.backend == "hybrid") cache.emplace();
@@ -96,7 +98,8 @@ std::string summary(const Answer& answer, const CheckArguments& arguments) {
   std::string text;
   if (contacts.objects.empty() && !contacts.truncated) {
     text = "Nothing touches.\n";
-    if (assembly.objects.size() == 1) text += "There is only one object, and no object is tested against itself.\n";
+    if (assembly.objects.size() == 1 && !arguments.self)
+      text += "There is only one object, and no object is tested against itself without --self.\n";
   } else if (contacts.objects.empty()) {
     text = "Something touches, but --limit 0 keeps nothing of it.\n";
   } else if (arguments.first) {

@@ -233,6 +233,7 @@ void add_check(CLI::App& command, CheckArguments& to) {
   command.add_flag("--triangles", to.triangles, "list every pair of triangles in the JSON")->needs("--json");
   command.add_flag("--first", to.first,
                    "only whether objects touch, with one pair of triangles as the witness; faster, and without a hash");
+  command.add_flag("--self", to.self, "test each object against itself too, but for neighbouring triangles as such");
   add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
              "keep only the first N pairs of triangles, in order of objects and triangles");
   add_ignore(command, to);

@@ -19,10 +19,17 @@ namespace impinge {
 Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                          const Options& options = {}, Workspace* workspace = nullptr);
 
-/// The same for many poses in one call: row k is about pose k of either mesh, where one pose alone goes with all of the
-/// other mesh's. Every pose has its row, touching or not, so that `offsets` may be indexed by pose; `objects[k]` holds
-/// the indices of its two poses. `Find::first`, `limit` and `threads` go for the call as a whole. Errors: as `collide`,
-/// and `bad_option` if the numbers of poses do not match.
+/// Every pair of triangles i < j of one placed mesh that share a point outside of the convex hull of the vertices which
+/// they have in common (`Options::adjacency`), or have three in common: neighbours are reported where they go through
+/// each other or are folded flat onto each other, and not for being neighbours. Kinds, order, limit and hash are as for
+/// two meshes; the one row is of objects 0 and 0. Safe to call from many threads. Errors: as `collide`.
+Result<Contacts> self_collide(const Mesh& mesh, const Pose& pose = {}, const Options& options = {},
+                              Workspace* workspace = nullptr);
+
+/// `collide` for many poses in one call: row k is about pose k of either mesh, where one pose alone goes with all of
+/// the other mesh's. Every pose has its row, touching or not, so that `offsets` may be indexed by pose; `objects[k]`
+/// holds the indices of its two poses. `Find::first`, `limit` and `threads` go for the call as a whole. Errors: as
+/// `collide`, and `bad_option` if the numbers of poses do not match.
 Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a, const Mesh& mesh_b,
                                std::span<const Pose> poses_b, const Options& options = {},
                                Workspace* workspace = nullptr);

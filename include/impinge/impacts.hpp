@@ -10,6 +10,7 @@
 
 #include "impinge/measures.hpp"
 #include "impinge/mesh.hpp"
+#include "impinge/options.hpp"
 #include "impinge/result.hpp"
 
 /// When moving meshes meet: continuous collision detection, exactly. Vertices move on straight lines, from where one
@@ -35,17 +36,12 @@ struct Impact {
                        ///< to where a comes from. All zero where there is none
 };
 
-/// Which vertices of a mesh are one. Features that share a vertex meet always, and are not reported.
-enum class Adjacency : std::uint8_t {
-  by_index,
-  by_position,  ///< those too that are equal at both ends, as in files that repeat each triangle's corners; then the
-                ///< lowest index stands for all
-};
-
 struct MotionOptions {
   bool earliest = false;  ///< find only the first impact, and of several with the same `time` the first in order
   double end = 1;         ///< of the time that is looked at, 0 to 1
-  Adjacency adjacency = Adjacency::by_index;                        ///< of a mesh with itself
+  /// Of a mesh with itself: features that share a vertex always meet, and are not reported. Of vertices or edges that
+  /// are the same by position, the lowest index stands for all.
+  Adjacency adjacency = Adjacency::by_position;
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many, in order
   int threads = 0;                                                  ///< at most so many; 0: all there are
   std::stop_token stop{};

@@ -17,6 +17,13 @@ enum class Kind : std::uint8_t {
   coplanar,  ///< both proper, in one plane, sharing a point
 };
 
+/// Which vertices of one mesh are the same, for self-collision and for impacts of a mesh with itself.
+enum class Adjacency : std::uint8_t {
+  by_position,  ///< those of equal world coordinates, at both ends of a motion: as STL has them, whose triangles share
+                ///< no index
+  by_index,     ///< those of one index: seams whose sides lie on each other touch
+};
+
 /// Bits of `Options::kinds`.
 inline constexpr std::uint8_t kCrossing = 1 << static_cast<int>(Kind::crossing);
 inline constexpr std::uint8_t kTouching = 1 << static_cast<int>(Kind::touching);
@@ -39,8 +46,8 @@ struct Progress {
   std::atomic<std::uint64_t> total{0};  ///< object pairs in all; 0 until the broad phase has counted them
 };
 
-/// What a query looks for, and how. Nothing here but `find`, `limit` and `kinds` changes the answer; `stop` ends it
-/// with the error `cancelled`.
+/// What a query looks for, and how. Nothing here but `find`, `limit`, `kinds` and `adjacency` changes the answer;
+/// `stop` ends it with the error `cancelled`.
 struct Options {
   enum class Find : std::uint8_t {
     all,    ///< every pair of triangles that touch
@@ -69,6 +76,7 @@ struct Options {
   /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.
   double device_share = -1;
   Partition partition = Partition::automatic;
+  Adjacency adjacency = Adjacency::by_position;
   bool statistics = false;    ///< read the clock for the times in `Statistics`; its counts are always there
   bool predict_cost = false;  ///< calibrate once, and fill the predicted time; includes `statistics`
   Progress* progress = nullptr;

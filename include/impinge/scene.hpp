@@ -96,6 +96,9 @@ class Scene {
 
   /// From now on, instead of `Filter{}`, which every new object has. Errors: `unknown_id`.
   Result<void> set_filter(ObjectId id, const Filter& filter);
+  /// Whether `collide` tests this object against itself too, as `self_collide` does; its row is of the object and the
+  /// object. At first it does not. Errors: `unknown_id`.
+  Result<void> self(ObjectId id, bool on);
 
   [[nodiscard]] std::size_t size() const noexcept;
   /// Of the object that answers call by this index. Errors: `unknown_id`.
@@ -109,7 +112,8 @@ class Scene {
   /// Errors: `bad_option`.
   Result<void> update(int threads = 0);
 
-  /// Every pair of triangles of two different objects that share a point. Errors: as the function `collide`.
+  /// Every pair of triangles of two different objects that share a point, and of one where `self` says so. Errors: as
+  /// the function `collide`.
   Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
   /// The same of one object and all others. Errors: likewise, and `unknown_id`.
   Result<Contacts> collide_with(ObjectId id, const Options& options = {}, Workspace* workspace = nullptr) const;

@@ -68,6 +68,17 @@ Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
   });
 }
 
+Result<Contacts> self_collide(const Mesh& mesh, const Pose& pose, const Options& options, Workspace* workspace) {
+  return guarded([&]() -> Result<Contacts> {
+    if (auto valid = validate(options); !valid) return valid.error();
+    const QueryMemory memory(workspace);
+    memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
+    if (auto placed = place_all(mesh, {&pose, 1}, "", *memory); !placed) return placed.error();
+    if (mesh.triangle_count() > 0) memory->pairs.push_back({0, 0});
+    return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
+  });
+}
+
 Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a, const Mesh& mesh_b,
                                std::span<const Pose> poses_b, const Options& options, Workspace* workspace) {
   return guarded([&]() -> Result<Contacts> {

@@ -66,10 +66,11 @@ Result<Impacts> find_impacts(const Moving& mesh, const MotionOptions& options) {
     if (auto valid = validate(options); !valid) return valid.error();
     if (auto valid = validate(mesh, "the mesh"); !valid) return valid.error();
     const motion::Vertices vertices = vertices_of(mesh);
-    if (options.adjacency == Adjacency::by_index)
-      return motion::find_impacts({vertices, features_of(mesh.from)}, nullptr, query_of(options));
-    const motion::Features joined = motion::join_equal_vertices(features_of(mesh.from), vertices.from, vertices.to);
-    return motion::find_impacts({vertices, joined}, nullptr, query_of(options));
+    const motion::Features& features = features_of(mesh.from);
+    std::optional<motion::Features> joined;
+    if (options.adjacency == Adjacency::by_position)
+      joined = motion::join_equal_vertices(features, vertices.from, vertices.to);
+    return motion::find_impacts({vertices, joined ? *joined : features}, nullptr, query_of(options));
   });
 }
 

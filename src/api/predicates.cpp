@@ -50,7 +50,7 @@ Result<bool> intersects(const Segment& edge, std::span<const Point> polygon) {
 Result<PlanePair> classify_planes(const Triangle& a, const Triangle& b) {
   const FloatEnvironment nearest;
   for (const Triangle* t : {&a, &b}) {
-    if (exact::find_projection((*t)[0], (*t)[1], (*t)[2]) >= 0) continue;
+    if (exact::is_proper(*t)) continue;
     return Error{Code::bad_mesh,
                  std::string(t == &a ? "the first" : "the second") + " triangle is degenerate and has no plane"};
   }

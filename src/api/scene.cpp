@@ -126,6 +126,7 @@ Result<void> Scene::remove(ObjectId id) {
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;
   s.slots[id.index].mesh.reset();
+  s.set_self(id.index, false);
   ++s.slots[id.index].generation;
   s.put(id.index, nullptr, {});
   s.ignored.erase_all_of(id.index);
@@ -158,6 +159,14 @@ Result<void> Scene::set_filter(ObjectId id, const Filter& filter) {
   });
 }
 
+Result<void> Scene::self(ObjectId id, bool on) {
+  return guarded([&]() -> Result<void> {
+    if (auto known = state_->check(id); !known) return known;
+    state_->set_self(id.index, on);
+    return {};
+  });
+}
+
 std::size_t Scene::size() const noexcept { return state_->slots.size() - state_->free_slots.size(); }
 
 Result<ObjectId> Scene::id(std::uint32_t index) const {
@@ -186,8 +195,9 @@ Result<Contacts> Scene::collide(const Options& options, Workspace* workspace) co
     const State& s = *state_;
     std::optional<CurrentPairs> near_pairs;
     if (!is_papers_way(options)) near_pairs.emplace(s.near_pairs, options.threads);
-    return run_pipeline({s.view(), s.meshes, near_pairs ? &**near_pairs : nullptr, nullptr, false, options},
-                        *QueryMemory(workspace));
+    return run_pipeline(
+        {s.view(), s.meshes, near_pairs ? &**near_pairs : nullptr, nullptr, false, options, s.own_pairs},
+        *QueryMemory(workspace));
   });
 }
 

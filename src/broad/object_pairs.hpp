@@ -7,7 +7,7 @@
 
 namespace impinge::broad {
 
-/// Two objects that may touch, a < b.
+/// Two objects that may touch, a < b; or a = b, one that is tested against itself.
 struct ObjectPair {
   std::uint32_t a, b;
   friend bool operator==(const ObjectPair&, const ObjectPair&) = default;

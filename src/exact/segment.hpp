@@ -11,6 +11,8 @@ namespace impinge::exact {
 /// A coordinate plane onto which the three points project without becoming collinear; -1 if they are collinear.
 /// The projection is then injective on their plane, so that plane geometry can be decided there.
 int find_projection(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Whether the triangle has an area.
+inline bool is_proper(const Triangle& t) { return find_projection(t[0], t[1], t[2]) >= 0; }
 
 /// The two extreme ones of three collinear points.
 Segment extremes(const Triangle& collinear);

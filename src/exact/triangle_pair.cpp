@@ -194,8 +194,6 @@ using Points = std::array<Vec3, 6>;
 
 Points points_of(const Triangle& a, const Triangle& b) { return {a[0], a[1], a[2], b[0], b[1], b[2]}; }
 
-bool is_proper(const Triangle& t) { return find_projection(t[0], t[1], t[2]) >= 0; }
-
 }  // namespace
 
 Outcome decide(PairSigns signs, const std::array<IntVec, 6>& points) { return Decision(points, signs).outcome(); }

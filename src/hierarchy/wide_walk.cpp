@@ -79,8 +79,17 @@ bool leaf_may_meet_node(const TreeRefPair& pair, const FrameRelation& relation, 
   return square_gap(leaf, leaf_is_a ? 1 : scale, middle, reach) == 0;
 }
 
-Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees,
-                     bool with_nearest, WalkCounts& counts) {
+/// Of a node's children with each other: each with itself and with those that come after it.
+constexpr std::uint64_t kOneOrder = [] {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < kWidth; ++i)
+    for (int j = i; j < kWidth; ++j) bits |= std::uint64_t{1} << (kWidth * i + j);
+  return bits;
+}();
+
+Overlaps overlaps_of(const WideWalk& walk, const TreeRefPair& pair, const FrameRelation& relation, bool with_nearest,
+                     WalkCounts& counts) {
+  const TreeRelation& trees = walk.relation;
   Overlaps result{0, 0, opening_of(pair.a, pair.b, trees)};
   if (is_leaf_against_smaller(pair.a, pair.b, trees) && !leaf_may_meet_node(pair, relation, trees)) {
     ++counts.box_tests;
@@ -94,6 +103,7 @@ Overlaps overlaps_of(const TreeRefPair& pair, const FrameRelation& relation, con
   const BoxSide &one = result.opening.b ? a : b, &lanes = result.opening.b ? b : a;
   const unsigned filled = (1u << lanes.size) - 1;
   for (int i = 0; i < one.size; ++i) result.bits |= std::uint64_t{overlapping(one, i, lanes) & filled} << (kWidth * i);
+  if (walk.is_self && pair.a.bits() == pair.b.bits()) result.bits &= kOneOrder;
   if (with_nearest) result.nearest = nearest_of(result.bits, one, lanes);
   return result;
 }
@@ -148,7 +158,7 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     }
     std::size_t found = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      overlaps[i] = overlaps_of(block[i], relations[i], walk.relation, limits.nearest_first, counts);
+      overlaps[i] = overlaps_of(walk, block[i], relations[i], limits.nearest_first, counts);
       found += static_cast<std::size_t>(std::popcount(overlaps[i].bits));
     }
     const std::size_t open = stack.size(), leaves = leaf_pairs.size();

@@ -31,6 +31,7 @@ struct WideWalk {
   WideTree& b;
   TreeRelation relation;  ///< of b to a
   ForEach for_each{};     ///< shares the making of large nodes
+  bool is_self = false;   ///< both are one tree in one place: each two nodes are met in one order
 
   /// Prepares both roots and puts them on the stack.
   void start(std::vector<TreeRefPair>& stack, WalkCounts& counts) const;

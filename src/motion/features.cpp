@@ -44,7 +44,7 @@ Features::Features(std::vector<Corners> triangles)
     }
 }
 
-Features join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to) {
+std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to) {
   std::vector<std::uint32_t> order(from.size()), lowest(from.size());
   std::iota(order.begin(), order.end(), 0);
   const auto place = [&](std::uint32_t i) {
@@ -54,6 +54,8 @@ Features join_equal_vertices(const Features& of, std::span<const Vec3> from, std
             [&](std::uint32_t i, std::uint32_t j) { return std::pair(place(i), i) < std::pair(place(j), j); });
   for (std::size_t i = 0; i < order.size(); ++i)
     lowest[order[i]] = i > 0 && place(order[i - 1]) == place(order[i]) ? lowest[order[i - 1]] : order[i];
+  std::sort(order.begin(), order.end());
+  if (lowest == order) return std::nullopt;  // each vertex is its own
   std::vector<Corners> triangles = of.corners;
   for (Corners& corners : triangles)
     for (std::uint32_t& corner : corners) corner = lowest[corner];

@@ -29,9 +29,9 @@ struct Features {
   explicit Features(std::vector<Corners> triangles);
 };
 
-/// The features of a mesh with the lowest of the vertices that are equal at both ends in the place of each. Of edges
-/// that become one, the first names it, and they are in order of that.
-Features join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to);
+/// The features of a mesh with the lowest of the vertices that are equal at both ends in the place of each; nothing if
+/// none are. Of edges that become one, the first names it, and they are in order of that.
+std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to);
 
 /// A mesh's features, found when they are first asked for. Safe from many threads.
 class FeaturesCache {

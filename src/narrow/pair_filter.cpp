@@ -18,7 +18,8 @@ namespace impinge::narrow::HWY_NAMESPACE {
 
 using impinge::HWY_NAMESPACE::mask_bits;
 
-void filter_pairs(const partition::PairStream& stream, Filtered& filtered) {
+template <bool kWithCommon>
+HWY_INLINE void filter(const partition::PairStream& stream, Filtered& filtered) {
   const hn::CappedTag<float, 16> d;
   using V = hn::Vec<decltype(d)>;
   const auto append = [&](std::uint64_t bits, std::size_t first, std::vector<TrianglePair>& ids) {
@@ -34,7 +35,16 @@ void filter_pairs(const partition::PairStream& stream, Filtered& filtered) {
     };
     const Vec<V> a[3] = {load(stream.a, 0), load(stream.a, 1), load(stream.a, 2)};
     const Vec<V> b[3] = {load(stream.b, 0), load(stream.b, 1), load(stream.b, 2)};
-    const auto masks = test_pairs(d, a, b, hn::Load(d, stream.error + i));
+    CommonMasks<hn::CappedTag<float, 16>> common;
+    if constexpr (kWithCommon) {
+      const hn::RebindToUnsigned<decltype(d)> du;
+      const auto bits = hn::Load(du, stream.common + i);
+      const auto is_set = [&](std::uint32_t bit)
+                              HWY_ATTR { return hn::RebindMask(d, hn::TestBit(bits, hn::Set(du, bit))); };
+      for (std::uint32_t corner = 0; corner < 3; ++corner)
+        common.a[corner] = is_set(1u << corner), common.b[corner] = is_set(8u << corner);
+    }
+    const auto masks = test_pairs(d, a, b, hn::Load(d, stream.error + i), kWithCommon ? &common : nullptr);
     const auto here = hn::FirstN(d, stream.size - i);
     const auto crossing = hn::And(here, masks.crossing);
     const auto unsure = hn::AndNot(hn::Or(masks.no, masks.crossing), here);
@@ -43,6 +53,9 @@ void filter_pairs(const partition::PairStream& stream, Filtered& filtered) {
   }
 }
 
+void filter_pairs(const partition::PairStream& stream, Filtered& filtered) { filter<false>(stream, filtered); }
+void filter_self_pairs(const partition::PairStream& stream, Filtered& filtered) { filter<true>(stream, filtered); }
+
 }  // namespace impinge::narrow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -50,9 +63,13 @@ HWY_AFTER_NAMESPACE();
 namespace impinge::narrow {
 
 HWY_EXPORT(filter_pairs);
+HWY_EXPORT(filter_self_pairs);
 
 void filter_pairs(const partition::PairStream& stream, Filtered& filtered) {
   HWY_DYNAMIC_DISPATCH(filter_pairs)(stream, filtered);
+}
+void filter_self_pairs(const partition::PairStream& stream, Filtered& filtered) {
+  HWY_DYNAMIC_DISPATCH(filter_self_pairs)(stream, filtered);
 }
 
 }  // namespace impinge::narrow

@@ -17,5 +17,8 @@ struct Filtered {
 
 /// Appends.
 void filter_pairs(const partition::PairStream& stream, Filtered& filtered);
+/// The same of one mesh's own triangles, by `PairStream::common`: left out are those that certainly share nothing
+/// outside of the convex hull of their common corners.
+void filter_self_pairs(const partition::PairStream& stream, Filtered& filtered);
 
 }  // namespace impinge::narrow

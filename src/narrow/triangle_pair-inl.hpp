@@ -59,8 +59,21 @@ struct Signs {
   }
   HWY_INLINE M all_above() const { return hn::And(above[0], hn::And(above[1], above[2])); }
   HWY_INLINE M all_below() const { return hn::And(below[0], hn::And(below[1], below[2])); }
+  /// Whether all but some are on one side.
+  HWY_INLINE M on_one_side_but(const M but[3]) const {
+    const auto all = [&](const M values[3]) HWY_ATTR {
+      return hn::And(hn::Or(values[0], but[0]), hn::And(hn::Or(values[1], but[1]), hn::Or(values[2], but[2])));
+    };
+    return hn::Or(all(above), all(below));
+  }
   HWY_INLINE M any_above() const { return hn::Or(above[0], hn::Or(above[1], above[2])); }
   HWY_INLINE M any_below() const { return hn::Or(below[0], hn::Or(below[1], below[2])); }
+};
+
+/// Corners that both triangles of a lane have.
+template <class D>
+struct CommonMasks {
+  hn::Mask<D> a[3], b[3];
 };
 
 /// Two triangles a lane, by the signs of their fifteen orient3d determinants (Guigue and Devillers 2003), each a sum of
@@ -76,8 +89,13 @@ struct Signs {
 ///   An edge against an edge is a sum of at most eight: four with (La, Lb, W), two with (La, Lb, Lb), two with
 ///   (La, La, Lb): 24 h (La + Lb) S + 71 u (La + Lb)² S <= 2 (La + Lb) q.
 /// The factors below are rounded up by enough for the arithmetic of the bounds. What underflows is less than `tiny`.
+///
+/// With `common`, `no` says that the two share nothing outside of the convex hull of the common corners: so it is where
+/// all other corners of one are strictly on one side of the other's plane, which then holds no more of the one than
+/// that hull.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE PairMasks<D> test_pairs(D d, const Vec<V> a[3], const Vec<V> b[3], V error) {
+HWY_INLINE PairMasks<D> test_pairs(D d, const Vec<V> a[3], const Vec<V> b[3], V error,
+                                   const CommonMasks<D>* common = nullptr) {
   using T = hn::TFromD<D>;
   constexpr T u = std::numeric_limits<T>::epsilon() / 2;
   constexpr T tiny = sizeof(T) == 4 ? T{0x1p-120} : T{0};  // doubles in the exact domain do not underflow
@@ -133,7 +151,9 @@ HWY_INLINE PairMasks<D> test_pairs(D d, const Vec<V> a[3], const Vec<V> b[3], V 
   const auto a_proper = hn::Or(sides_b.any_above(), sides_b.any_below());
   const auto b_proper = hn::Or(sides_a.any_above(), sides_a.any_below());
   const auto one_side =
-      hn::Or(hn::Or(sides_a.all_above(), sides_a.all_below()), hn::Or(sides_b.all_above(), sides_b.all_below()));
+      common != nullptr
+          ? hn::Or(sides_a.on_one_side_but(common->a), sides_b.on_one_side_but(common->b))
+          : hn::Or(hn::Or(sides_a.all_above(), sides_a.all_below()), hn::Or(sides_b.all_above(), sides_b.all_below()));
   return {hn::Or(all_miss, one_side), hn::And(some_pierces, hn::And(a_proper, b_proper))};
 }
 

@@ -19,6 +19,9 @@ struct PairStream {
   alignas(64) float b[9][kStride];
   alignas(64) float error[kStride];                        ///< each coordinate is within this of the exact one's
   alignas(64) std::uint32_t id_a[kStride], id_b[kStride];  ///< mesh triangle ids
+  /// Of two triangles of one mesh with one or two vertices in common: a bit for each of A's corners that is one of
+  /// these, and three more for B's. Else 0. Read only where asked for.
+  alignas(64) std::uint32_t common[kStride];
   std::size_t size = 0;
 };
 

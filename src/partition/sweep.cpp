@@ -162,6 +162,7 @@ void find_hits(SweepState& s) {
   const std::uint32_t filled = (1u << std::min(left, hn::Lanes(d))) - 1;
   const auto load = [&](int r) HWY_ATTR { return hn::Load(d, s.box_a[r] + first); };
   const auto lo_x = load(0), hi_x = load(1), lo_y = load(2), hi_y = load(3), lo_z = load(4), hi_z = load(5);
+  const bool one_order = s.one_order && s.pairs[s.next_pair - 1].a == s.pairs[s.next_pair - 1].b;
   std::size_t hits = 0;
   for (std::uint32_t i = member.first_row; i < member.end_row; ++i) {
     const std::uint32_t row = s.rows[i];
@@ -172,6 +173,10 @@ void find_hits(SweepState& s) {
     if (!s.keep_all)
       mask &= mask_bits(d, hn::And(meet(0, lo_x, hi_x), hn::And(meet(2, lo_y, hi_y), meet(4, lo_z, hi_z))));
     if (s.by_grid) mask &= sharing_a_cell(s, first, row);
+    if (one_order) {
+      const std::size_t place = row - member.first_lane, before = place - std::min(place, first);
+      mask &= (1u << std::min<std::size_t>(before, SweepState::kMostLanes)) - 1;
+    }
     s.hits[hits] = {row, mask};
     hits += mask != 0;
   }

@@ -24,6 +24,7 @@ struct alignas(64) SweepState {
   static constexpr std::size_t kMostLanes = 16;
 
   bool by_grid = false, keep_all = false;
+  bool one_order = false;  ///< of a leaf and itself, only pairs whose second triangle is the later one
   std::span<const hierarchy::WideLeafPair> pairs;  ///< what is left, from the group at hand on
   const hierarchy::TreeRelation* relation = nullptr;
 
@@ -61,8 +62,10 @@ class Sweep {
   }
 
   /// The work: leaf pairs of two trees, and how the second lies in the first. They stay as long as the work does.
-  void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation) {
-    state_.pairs = pairs, state_.relation = &relation;
+  /// `is_self`: both are one tree in one place, whose leaves give each pair of their own triangles once.
+  void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation,
+             bool is_self = false) {
+    state_.pairs = pairs, state_.relation = &relation, state_.one_order = is_self;
     state_.group_size = state_.next_pair = state_.next_first = state_.end_first = 0;
     state_.hit_count = state_.next_hit = 0;
   }

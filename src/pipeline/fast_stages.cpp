@@ -6,6 +6,7 @@
 
 #include "exact/settle.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/self_pair.hpp"
 
 namespace impinge {
 namespace {
@@ -32,10 +33,41 @@ void turn_over(std::vector<hierarchy::TreeRefPair>& stack) {
   std::rotate(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(stack.size() / 2), stack.end());
 }
 
+/// `PairStream::common`, without a branch. Of those with all corners in common, which always count, 0.
+template <class Corners>
+std::uint32_t common_bits(const Corners& a, const Corners& b) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      const auto is_same = static_cast<std::uint32_t>(a[i] == b[j]);
+      bits |= is_same << i | is_same << (3 + j);
+    }
+  }
+  return bits == 63 ? 0 : bits;
+}
+
+/// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
+/// of what else is common the exact stage knows. Places are compared where no two triangles share an index.
+void mark_common_corners(const MeshData& mesh, Adjacency adjacency, partition::PairStream& stream) {
+  std::uint32_t any = 0;
+  for (std::size_t i = 0; i < stream.size; ++i)
+    any |= stream.common[i] = common_bits(mesh.triangles[stream.id_a[i]], mesh.triangles[stream.id_b[i]]);
+  if (any != 0 || adjacency == Adjacency::by_index) return;
+  const auto corners = [&mesh](std::uint32_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  };
+  for (std::size_t i = 0; i < stream.size; ++i)
+    stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
+}
+
 }  // namespace
 
 FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
-    : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {}
+    : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {
+  is_self = walk.is_self = objects.a == objects.b;
+  adjacency = query.options.adjacency;
+}
 
 FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
     : swapped(first.mesh.wide_tree.unit_exponent() < second.mesh.wide_tree.unit_exponent()),
@@ -65,13 +97,18 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   if (leaf_pairs_.empty()) return;
 
   filtered_.crossing.clear(), filtered_.unsure.clear();
-  sweep_.begin(leaf_pairs_, pair.walk.relation);
+  sweep_.begin(leaf_pairs_, pair.walk.relation, pair.is_self);
   for (bool done = false; !done;) {
     stream_.size = 0;
     done = sweep_.fill(stream_);
     clock.charge(statistics.partition_seconds);
     if (stream_.size == 0) break;  // only at the end: reading the clock shows in small queries
-    narrow::filter_pairs(stream_, filtered_);
+    if (pair.is_self) {
+      mark_common_corners(*pair.a.mesh, pair.adjacency, stream_);
+      narrow::filter_self_pairs(stream_, filtered_);
+    } else {
+      narrow::filter_pairs(stream_, filtered_);
+    }
     clock.charge(statistics.narrow_seconds);
     statistics.element_tests += stream_.size;
     statistics.triangle_pairs += stream_.size;
@@ -80,14 +117,27 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
 
   contacts_.clear();
   statistics.exact_calls += filtered_.unsure.size();
+  if (pair.is_self) decide_neighbours(pair);
   (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose,
                                                         filtered_.unsure, contacts_);
   const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
-    keys_.push_back(pair.swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
+    const bool swapped = pair.is_self ? b < a : pair.swapped;
+    keys_.push_back(swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
   };
   for (const TrianglePair& crossing : filtered_.crossing) keep(crossing.a, crossing.b, Kind::crossing);
   for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
   clock.charge(statistics.exact_seconds);
+}
+
+/// Takes pairs with common vertices out of the unsure ones. (What surely crosses does so beyond these: relative
+/// interiors meet.)
+void FastStages::decide_neighbours(const Pair& pair) {
+  std::erase_if(filtered_.unsure, [&](const TrianglePair& triangles) {
+    const SelfPair self(pair.a, triangles, pair.adjacency);
+    if (!self.are_neighbours()) return false;
+    if (const auto kind = self.meet_beyond()) contacts_.push_back({triangles.a, triangles.b, *kind});
+    return true;
+  });
 }
 
 }  // namespace impinge

@@ -29,7 +29,9 @@ class FastStages {
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
-    bool swapped;  ///< the first tree is that of the pair's second object
+    bool swapped;           ///< the first tree is that of the pair's second object
+    bool is_self = false;   ///< both are one object
+    Adjacency adjacency{};  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
     [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
@@ -43,6 +45,8 @@ class FastStages {
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
+  void decide_neighbours(const Pair& pair);
+
   bool first_only_ = false;
   unsigned slices_ = 0;  ///< of a search for one contact
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;

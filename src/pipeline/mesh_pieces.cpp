@@ -46,33 +46,17 @@ Mesh mesh_of(const Mesh& whole, const Triangles& triangles) {
 /// The pairs of a mesh's own triangles that cross or share an area, in order.
 Result<std::vector<TrianglePair>> self_crossings(const Mesh& mesh, const solid::Body& body, int threads,
                                                  const std::stop_token& stop) {
-  const auto contacts = collide(
-      mesh, {}, mesh, {}, {.limit = kMostContacts, .kinds = kCrossing | kCoplanar, .threads = threads, .stop = stop});
+  const auto contacts = self_collide(
+      mesh, {}, {.limit = kMostContacts, .kinds = kCrossing | kCoplanar, .threads = threads, .stop = stop});
   if (!contacts) return contacts.error();
   std::vector<TrianglePair> pairs;
   for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
     if (stop.stop_requested()) return cancelled();
     const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a < pair.b &&
-        (contacts->kinds[i] == Kind::crossing || exact::share_area(body.triangle(pair.a), body.triangle(pair.b))))
+    if (contacts->kinds[i] == Kind::crossing || exact::share_area(body.triangle(pair.a), body.triangle(pair.b)))
       pairs.push_back(pair);
   }
   return pairs;
-}
-
-/// Whether two proper triangles share more than one common corner or one common edge. What goes on from one common
-/// corner goes on to the edge opposite to it, in one of the two.
-bool meet_beyond_corners(const Triangle& a, const Triangle& b) {
-  std::size_t common = 0, corner_a = 0, corner_b = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (a[i] == b[j]) ++common, corner_a = i, corner_b = j;
-  if (common == 2) return exact::share_area(a, b);
-  if (common != 1) return true;
-  const auto opposite = [](const Triangle& t, std::size_t corner) {
-    return Segment{t[(corner + 1) % 3], t[(corner + 2) % 3]};
-  };
-  return exact::intersects(opposite(a, corner_a), b) || exact::intersects(opposite(b, corner_b), a);
 }
 
 double area_of(const solid::Body& body) {
@@ -164,17 +148,11 @@ clash::PlacedPart placed_in_pieces(const MeshPieces& pieces, const solid::Body& 
 
 Result<bool> meets_itself(const Mesh& mesh, const solid::Body& body, const std::stop_token& stop) {
   const Pose& pose = body.placed.pose;
-  const auto contacts = collide(mesh, pose, mesh, pose, {.limit = kMostContacts, .threads = 1, .stop = stop});
+  const auto contacts = self_collide(mesh, pose, {.limit = kMostContacts, .threads = 1, .stop = stop});
   if (!contacts) return contacts.error();
   if (contacts->truncated) return true;  // it may
-  const auto is_proper = [](const Triangle& t) { return exact::find_projection(t[0], t[1], t[2]) >= 0; };
-  for (std::size_t i = 0; i < contacts->triangles.size(); ++i) {
-    const TrianglePair& pair = contacts->triangles[i];
-    if (pair.a >= pair.b) continue;
-    const Triangle a = body.triangle(pair.a), b = body.triangle(pair.b);
-    if (contacts->kinds[i] == Kind::crossing || (is_proper(a) && is_proper(b) && meet_beyond_corners(a, b)))
-      return true;
-  }
+  for (const TrianglePair& pair : contacts->triangles)
+    if (exact::is_proper(body.triangle(pair.a)) && exact::is_proper(body.triangle(pair.b))) return true;
   return false;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "pipeline/device_driver.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/self_pair.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/workspace_state.hpp"
 #include "schedule/cost.hpp"
@@ -124,6 +126,12 @@ class Pipeline {
           query_.near_pairs->find(query_.view, memory_.pairs, memory_.near_pairs,
                                   {.stop = options_.stop, .for_each = on_threads(options_.threads)});
     }
+    const auto found = static_cast<std::ptrdiff_t>(memory_.pairs.size());
+    for (const broad::ObjectPair& own : query_.own_pairs)
+      if (query_.view.objects[own.a].mesh != nullptr) memory_.pairs.push_back(own);
+    std::inplace_merge(
+        memory_.pairs.begin(), memory_.pairs.begin() + found, memory_.pairs.end(),
+        [](const broad::ObjectPair& p, const broad::ObjectPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
   }
 
   /// Where each pair has a row (`all_rows`), pairs whose bounds do not meet are not tested: their rows stay empty.
@@ -189,17 +197,29 @@ class Pipeline {
     });
   }
 
+  /// The device knows nothing of neighbours: of objects with themselves the CPU does all the work.
+  [[nodiscard]] bool is_for_cpu(std::size_t object_pair) const {
+    return pairs()[object_pair].a == pairs()[object_pair].b;
+  }
+  void work_on_own_pairs() {
+    std::vector<Task> tasks;
+    for (std::uint32_t i = 0; i < pairs().size(); ++i)
+      if (is_for_cpu(i)) tasks.push_back({i, 1, {}});
+    work_on(std::move(tasks));
+  }
+
   /// All work goes to the device; what it cannot take, or all of it if it fails, goes to the CPU.
   void work_on_device() {
     std::vector<DevicePiece> pieces;
     for (std::uint32_t i = 0; i < pairs().size(); ++i) {
       if (is_apart(pairs()[i])) {
         report_done();
-      } else {
+      } else if (!is_for_cpu(i)) {
         pieces.push_back({i});
       }
     }
     share_with_device(std::move(pieces), 1, {});
+    work_on_own_pairs();
   }
 
   /// The CPU begins. Where it has much left to do, it shares that with the device.
@@ -209,6 +229,7 @@ class Pipeline {
     run_each(are_many ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
       const auto object_pair = static_cast<std::uint32_t>(i);
       if (is_apart(pairs()[i])) return report_done();
+      if (is_for_cpu(i)) return;
       if (are_many) return opened[i].push_back({object_pair});
       Worker<Stages>& worker = crew_.take(options_);
       open_up(object_pair, worker, opened[i]);
@@ -226,6 +247,7 @@ class Pipeline {
     Statistics mix;
     for (const Worker<Stages>* one : crew_.at_work()) add(mix, one->statistics);
     share_with_device(std::move(pieces), options_.device_share, mix);
+    work_on_own_pairs();
   }
 
   /// Walks on a pair of objects until there are pieces enough to share, or nothing is left.
@@ -387,9 +409,27 @@ class Pipeline {
   void collect_finished(Worker<Stages>& w) {
     std::span<const results::ContactKey> contacts = w.stages.contacts();
     for (const results::Run& run : w.stages.runs()) {
-      collect(w.collector, run.object_pair, contacts.first(run.count));
+      const auto of_run = contacts.first(run.count);
+      if (const auto [a, b] = pairs()[run.object_pair]; a == b) {
+        collect(w.collector, run.object_pair, self_contacts(query_.view.objects[a], of_run));
+      } else {
+        collect(w.collector, run.object_pair, of_run);
+      }
       contacts = contacts.subspan(run.count);
     }
+  }
+
+  /// Of an object's contacts with itself those that count, once each.
+  [[nodiscard]] std::vector<results::ContactKey> self_contacts(const scene::PlacedObject& object,
+                                                               std::span<const results::ContactKey> contacts) const {
+    std::vector<results::ContactKey> kept;
+    for (const results::ContactKey contact : contacts) {
+      const TrianglePair pair{results::triangle_a(contact), results::triangle_b(contact)};
+      if (pair.a >= pair.b) continue;
+      const SelfPair self(object, pair, options_.adjacency);
+      if (!self.are_neighbours() || self.meet_beyond()) kept.push_back(contact);
+    }
+    return kept;
   }
 
   void collect(results::Collector& to, std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
@@ -472,6 +512,7 @@ Result<void> validate(const Options& options) {
   if (options.find != Options::Find::all && options.find != Options::Find::first)
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
+  if (options.adjacency > Adjacency::by_index) return bad("adjacency is neither by_position nor by_index");
   if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
   constexpr std::string_view kBackends[] = {"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))

@@ -26,6 +26,7 @@ struct Query {
   const broad::ObjectPairs* pairs;           ///< what is asked about; null: the broad phase finds them
   bool all_rows;                             ///< a row for each of the pairs, touching or not
   const Options& options;
+  std::span<const broad::ObjectPair> own_pairs{};  ///< an object and itself: beside what the broad phase finds
 
   [[nodiscard]] PlacedMesh placed(std::uint32_t object) const { return {view.objects[object], *meshes[object]}; }
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <optional>
@@ -39,6 +40,7 @@ struct Scene::State {
   std::vector<std::uint32_t> free_slots;
   std::size_t outside = 0;  ///< objects outside the exact domain
   scene::IgnoredPairs ignored;
+  broad::ObjectPairs own_pairs;  ///< objects that are tested against themselves, in order
   broad::NearPairs near_pairs;
 
   [[nodiscard]] Result<void> check(ObjectId id) const {
@@ -75,6 +77,11 @@ struct Scene::State {
     outside += int{is_outside(placed)} - int{is_outside(objects[index])};
     objects[index] = placed, meshes[index] = mesh;
     near_pairs.place(index, placed);
+  }
+  void set_self(std::uint32_t index, bool on) {
+    std::erase(own_pairs, broad::ObjectPair{index, index});
+    const auto is_later = [index](const broad::ObjectPair& pair) { return pair.a > index; };
+    if (on) own_pairs.insert(std::find_if(own_pairs.begin(), own_pairs.end(), is_later), {index, index});
   }
   void move(std::uint32_t index, const Pose& pose) {
     put(index, meshes[index], scene::place(meshes[index]->data, pose, objects[index].group));

@@ -81,7 +81,7 @@ Topology examine(const Body& body) {
   topology.shell.assign(body.size(), 0);
   for (std::uint32_t t = 0; t < body.size(); ++t) {
     const Triangle triangle = body.triangle(t);
-    if (exact::find_projection(triangle[0], triangle[1], triangle[2]) >= 0) continue;
+    if (exact::is_proper(triangle)) continue;
     topology.shell[t] = Topology::kNoShell;
     ++topology.degenerate;
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -193,6 +194,33 @@ TEST(Check, FirstGivesOneTrueWitnessAndNoHash) {
   const std::vector<Contact> all = expected_contacts(a, b);
   EXPECT_NE(std::find(all.begin(), all.end(), witness[0]), all.end());
   EXPECT_EQ(impinge(folder, {"check", "a.off", "far.off", "--first"}).code, 0);
+}
+
+/// Two cubes with a common square as one object: their triangles there are the same, and all else that meets is
+/// neighbours.
+TEST(Check, SelfTestsEachObjectAgainstItself) {
+  const Folder folder;
+  Solid both = cube(0, 0, 0);
+  const Solid other = cube(2, 0, 0);
+  const auto offset = static_cast<int>(both.vertices.size());
+  std::vector<Contact> same;
+  for (std::size_t i = 0; i < both.triangles.size(); ++i)
+    for (std::size_t j = 0; j < other.triangles.size(); ++j) {
+      std::set<std::array<int, 3>> corners;
+      for (const int v : both.triangles[i]) corners.insert(both.vertices[static_cast<std::size_t>(v)]);
+      for (const int v : other.triangles[j]) corners.insert(other.vertices[static_cast<std::size_t>(v)]);
+      if (corners.size() == 3) same.emplace_back(i, both.triangles.size() + j, "coplanar");
+    }
+  both.vertices.insert(both.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.triangles) both.triangles.push_back({a + offset, b + offset, c + offset});
+  folder.write("both.off", off(both));
+  EXPECT_EQ(impinge(folder, {"check", "both.off"}).code, 0);
+  const Ended run = impinge(folder, {"check", "both.off", "--self", "--json", "-", "--triangles"});
+  EXPECT_EQ(run.code, 1);
+  const json answer = json::parse(run.out);
+  ASSERT_EQ(answer.at("pairs").size(), 1U);
+  EXPECT_EQ(same.size(), 2U);
+  EXPECT_EQ(contacts_of(answer.at("pairs").at(0)), same);
 }
 
 TEST(Check, ScaleMovesOneFileOnly) {

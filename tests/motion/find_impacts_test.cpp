@@ -18,6 +18,7 @@ namespace impinge {
 namespace {
 
 using scenes::Random;
+constexpr Adjacency kByIndex = Adjacency::by_index;
 using Row = std::tuple<Feature, std::uint32_t, std::uint32_t, double, double>;
 
 std::vector<Row> rows(const std::vector<Impact>& impacts) {
@@ -126,12 +127,12 @@ TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
     for (int i = 0; i < 5; ++i) {
       const Moving mesh = fluttering(seeded.random, 2 + i, steps, 0.3, 1.5);
       const auto expected = brute_force(mesh, mesh, true);
-      const Impacts impacts = found(find_impacts(mesh));
+      const Impacts impacts = found(find_impacts(mesh, {.adjacency = kByIndex}));
       EXPECT_EQ(expected, rows(impacts.impacts));
       count += expected.size();
 
       // The first so many, the first of all, and those until some time.
-      const Impacts few = found(find_impacts(mesh, {.limit = expected.size() / 2}));
+      const Impacts few = found(find_impacts(mesh, {.adjacency = kByIndex, .limit = expected.size() / 2}));
       EXPECT_EQ(std::vector(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(expected.size() / 2)),
                 rows(few.impacts));
       EXPECT_EQ(few.truncated, !expected.empty());
@@ -144,13 +145,13 @@ TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
         EXPECT_EQ(x.earliest->lo, std::get<3>(first));
         EXPECT_EQ(x.earliest->hi, std::get<4>(first));
       }
-      EXPECT_EQ(rows(found(find_impacts(mesh, {.earliest = true})).impacts), std::vector{first});
+      EXPECT_EQ(rows(found(find_impacts(mesh, {.earliest = true, .adjacency = kByIndex})).impacts), std::vector{first});
       for (const double end : {0.0, 0.25, std::get<4>(first), std::nextafter(std::get<3>(first), -1)}) {
         if (end < 0) continue;
         std::vector<Row> until;
         std::copy_if(expected.begin(), expected.end(), std::back_inserter(until),
                      [&](const Row& x) { return std::get<4>(x) <= end; });
-        EXPECT_EQ(rows(found(find_impacts(mesh, {.end = end})).impacts), until);
+        EXPECT_EQ(rows(found(find_impacts(mesh, {.end = end, .adjacency = kByIndex})).impacts), until);
       }
     }
   EXPECT_GT(count, 1000u);
@@ -171,8 +172,7 @@ TEST(FindImpacts, ByPositionTakeEqualVerticesForOne) {
     return test::mesh_of(soup);
   };
   const Moving soup{apart(whole.from), apart(whole.to)};
-  const Impacts expected = found(find_impacts(whole, {.adjacency = Adjacency::by_position})),
-                impacts = found(find_impacts(soup, {.adjacency = Adjacency::by_position}));
+  const Impacts expected = found(find_impacts(whole)), impacts = found(find_impacts(soup));
   // By what they are: places do not depend on numbers.
   const auto places = [](const Moving& mesh, const Impacts& all) {
     std::vector<std::vector<std::tuple<double, double, double>>> result;
@@ -202,7 +202,7 @@ TEST(FindImpacts, ByPositionTakeEqualVerticesForOne) {
     return std::tie(x.feature, x.a, x.b) < std::tie(y.feature, y.a, y.b);
   }));
   // By index every triangle meets its neighbours all the time.
-  EXPECT_EQ(found(find_impacts(soup)).earliest->hi, 0);
+  EXPECT_EQ(found(find_impacts(soup, {.adjacency = kByIndex})).earliest->hi, 0);
 }
 
 TEST(FindImpacts, SayWhereAndAlongWhich) {

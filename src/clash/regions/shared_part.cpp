@@ -14,7 +14,7 @@ struct Shape {
   int corners = 3;
 
   explicit Shape(const Triangle& t) : corner(t) {
-    if (exact::find_projection(t[0], t[1], t[2]) >= 0) return;
+    if (exact::is_proper(t)) return;
     const Segment ends = exact::extremes(t);
     corner = {ends[0], ends[1], ends[1]};
     corners = ends[0] == ends[1] ? 1 : 2;
