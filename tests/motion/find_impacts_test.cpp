@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "impinge/impacts.hpp"
+#include "impinge/collide.hpp"
 #include "impinge/predicates.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
@@ -203,6 +204,35 @@ TEST(FindImpacts, ByPositionTakeEqualVerticesForOne) {
   }));
   // By index every triangle meets its neighbours all the time.
   EXPECT_EQ(found(find_impacts(soup, {.adjacency = kByIndex})).earliest->hi, 0);
+}
+
+TEST(FindImpacts, WithoutThemAMeshThatIsFreeOfSelfCollisionStaysFree) {
+  test::Seeded seeded(20266);
+  int free = 0, met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Moving mesh = fluttering(seeded.random, 3, 64, 0.05, 0.5);
+    const auto meets_itself = [](const Mesh& state) {
+      const auto contacts = self_collide(state, {}, {.adjacency = kByIndex});
+      EXPECT_TRUE(contacts) << contacts.error().message;
+      return !contacts->triangles.empty();
+    };
+    if (meets_itself(mesh.from)) continue;
+    if (!found(find_impacts(mesh, {.adjacency = kByIndex})).impacts.empty()) {
+      ++met;
+      continue;
+    }
+    ++free;
+    for (const double t : {0.25, 0.5, 0.75, 1.0}) {  // exact on the lattice
+      std::vector<double> xyz;
+      for (std::size_t v = 0; v < mesh.from.vertex_count(); ++v) {
+        const Point &p = mesh.from.vertices()[v], &q = mesh.to.vertices()[v];
+        for (const auto& [x, y] : {std::pair(p.x, q.x), {p.y, q.y}, {p.z, q.z}}) xyz.push_back((1 - t) * x + t * y);
+      }
+      EXPECT_FALSE(meets_itself(*mesh.from.deformed(xyz))) << t;
+    }
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_GT(met, 20);
 }
 
 TEST(FindImpacts, SayWhereAndAlongWhich) {
