@@ -136,6 +136,7 @@ class Importer {
     if (words.startsWith('No basis found')) return kNoArea;
     const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
     if (!what) return `web-ifc says '${words}'`;
+    if (what === 'token') return 'a line of its geometry lacks what it refers to, or leads back to itself';
     const line = Number(/\d+$/.exec(words)?.[0]);
     const name = line > 0 ? this.#model.classOf(line) : '';
     this.#model.takeSaid();

@@ -188,10 +188,36 @@ function spread(model, reasons) {
   }
 }
 
+// A difference that is made of itself loses the operand that leads back: web-ifc would take seconds and gigabytes to fail.
+function breakLoops(model) {
+  const differences = new Set(model.ofClass(...kBooleans));
+  const operandsOf = (line) => model.attributes(line).map(referenceOf).filter((part) => differences.has(part));
+  const isDone = new Map(); // false of those on the way
+  for (const first of differences) {
+    if (isDone.has(first)) continue;
+    isDone.set(first, false);
+    const way = [{ line: first, left: operandsOf(first) }];
+    while (way.length > 0) {
+      const { line, left } = way.at(-1);
+      const next = left.pop();
+      if (next === undefined) {
+        isDone.set(line, true);
+        way.pop();
+      } else if (!isDone.has(next)) {
+        isDone.set(next, false);
+        way.push({ line: next, left: operandsOf(next) });
+      } else if (!isDone.get(next)) {
+        model.rewrite(line, model.attributes(line).map((value) => (referenceOf(value) === next ? null : value)));
+      }
+    }
+  }
+}
+
 // Profiles that web-ifc draws wrongly or not at all become outlines of lines. Returns why shapes are incomplete, by the lines
 // of their solids.
 export function mendProfiles(model) {
   writePlaces(model);
+  breakLoops(model);
   const { made, reasons } = replacements(model);
   spread(model, reasons);
   if (made.size > 0) {
