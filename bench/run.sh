@@ -31,7 +31,7 @@ done
 new=$build/bench-new
 rm -rf "$new"
 mkdir -p "$new"
-for name in machine_table pairs paper unequal planner touching batch bodies assemblies build growth one_shot threads cost distance \
+for name in machine_table pairs paper unequal planner touching batch bodies assemblies build deforming growth one_shot threads cost distance \
   ablation flush_boxes micro; do
   start=$SECONDS
   printf 'bench_%-14s' "$name"

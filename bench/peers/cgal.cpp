@@ -6,8 +6,12 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "bench/peers/common.hpp"
@@ -72,5 +76,28 @@ bool CgalBody::touches(const CgalBody& b) const {
 }
 
 std::vector<TrianglePair> CgalBody::pairs() const { return sorted(state_->pairs); }
+
+struct CgalSurface::State {
+  CGAL::Surface_mesh<Kernel::Point_3> mesh;
+};
+
+CgalSurface::CgalSurface(const scenes::MeshData& data) : state_(std::make_unique<State>()) {
+  auto& mesh = state_->mesh;
+  using Vertex = CGAL::Surface_mesh<Kernel::Point_3>::Vertex_index;
+  for (const Point& p : placed(data, {})) mesh.add_vertex(Kernel::Point_3(p.x, p.y, p.z));
+  for (std::size_t i = 0; i < data.triangles.size(); i += 3)
+    mesh.add_face(Vertex(data.triangles[i]), Vertex(data.triangles[i + 1]), Vertex(data.triangles[i + 2]));
+}
+
+CgalSurface::~CgalSurface() = default;
+
+std::vector<TrianglePair> CgalSurface::self_intersections() const {
+  using Face = CGAL::Surface_mesh<Kernel::Point_3>::Face_index;
+  std::vector<std::pair<Face, Face>> found;
+  CGAL::Polygon_mesh_processing::self_intersections(state_->mesh, std::back_inserter(found));
+  std::vector<TrianglePair> pairs;
+  for (const auto& [f, g] : found) pairs.push_back({std::min<std::uint32_t>(f, g), std::max<std::uint32_t>(f, g)});
+  return sorted(std::move(pairs));
+}
 
 }  // namespace impinge::bench

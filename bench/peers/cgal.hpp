@@ -33,4 +33,18 @@ class CgalBody {
   std::unique_ptr<State> state_;
 };
 
+/// A closed surface as CGAL's `Surface_mesh`.
+class CgalSurface {
+ public:
+  explicit CgalSurface(const scenes::MeshData& data);
+  ~CgalSurface();
+
+  /// `Polygon_mesh_processing::self_intersections`, on one thread: the pairs, sorted.
+  [[nodiscard]] std::vector<TrianglePair> self_intersections() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 }  // namespace impinge::bench

@@ -28,6 +28,14 @@ FclMesh<Build>::FclMesh(FclMesh&&) noexcept = default;
 template <FclBuild Build>
 FclMesh<Build>::~FclMesh() = default;
 
+template <FclBuild Build>
+void FclMesh<Build>::refit(const scenes::MeshData& data) {
+  constexpr bool kRefit = true, kBottomUp = true;
+  state_->model->beginReplaceModel();
+  state_->model->replaceSubModel(fcl_vertices(data));
+  state_->model->endReplaceModel(kRefit, kBottomUp);
+}
+
 /// What `fcl::collide` comes to for two such models. Called directly, the rest of FCL need not be compiled anew.
 template <FclBuild Build>
 std::size_t FclMesh<Build>::collide(const Pose& pose_a, const FclMesh& b, const Pose& pose_b, std::size_t limit) {

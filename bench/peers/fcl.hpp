@@ -28,6 +28,9 @@ class FclMesh {
   FclMesh(FclMesh&&) noexcept;
   ~FclMesh();
 
+  /// The same triangles with other vertices: the tree keeps its shape, and its boxes are fitted from the bottom up.
+  void refit(const scenes::MeshData& data);
+
   /// FCL's own call alone; it keeps its result until the next one. Returns the number of pairs.
   std::size_t collide(const Pose& pose_a, const FclMesh& b, const Pose& pose_b,
                       std::size_t limit = std::numeric_limits<std::size_t>::max());

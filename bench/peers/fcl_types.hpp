@@ -4,6 +4,7 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBB.h>
+#include <fcl/math/bv/utility.h>
 #include <fcl/narrowphase/collision_request.h>
 #include <fcl/narrowphase/collision_result.h>
 
@@ -27,15 +28,20 @@ inline fcl::Transform3d fcl_transform(const Pose& pose) {
   return result;
 }
 
+inline std::vector<fcl::Vector3d> fcl_vertices(const scenes::MeshData& data) {
+  std::vector<fcl::Vector3d> vertices;
+  vertices.reserve(data.vertex_count());
+  for (std::size_t i = 0; i < data.xyz.size(); i += 3)
+    vertices.emplace_back(data.xyz[i], data.xyz[i + 1], data.xyz[i + 2]);
+  return vertices;
+}
+
 /// With its whole tree built.
 template <class Volume = fcl::OBB<double>>
 std::shared_ptr<fcl::BVHModel<Volume>> fcl_model(const scenes::MeshData& data) {
-  std::vector<fcl::Vector3d> vertices;
+  const std::vector<fcl::Vector3d> vertices = fcl_vertices(data);
   std::vector<fcl::Triangle> triangles;
-  vertices.reserve(data.vertex_count());
   triangles.reserve(data.triangle_count());
-  for (std::size_t i = 0; i < data.xyz.size(); i += 3)
-    vertices.emplace_back(data.xyz[i], data.xyz[i + 1], data.xyz[i + 2]);
   for (std::size_t i = 0; i < data.triangles.size(); i += 3)
     triangles.emplace_back(data.triangles[i], data.triangles[i + 1], data.triangles[i + 2]);
   auto model = std::make_shared<fcl::BVHModel<Volume>>();

@@ -121,5 +121,29 @@ TEST(OutOfMemory, IsAnErrorOfMeshCreate) {
   }
 }
 
+TEST(OutOfMemory, IsAnErrorOfDeformedAndSelfCollideThatHarmsNoMesh) {
+  const scenes::MeshData ball = scenes::uv_sphere(20, 20);
+  std::vector<double> flat = ball.xyz;
+  for (std::size_t i = 2; i < flat.size(); i += 3) flat[i] *= 0x1p-60;
+  const Mesh mesh = test::mesh_of(ball);
+  const auto expected = test::listed(*self_collide(test::mesh_of({flat, ball.triangles})));
+  int failures = 0;
+  for (long allowed = 0;; ++allowed) {
+    countdown = allowed;
+    const auto deformed = mesh.deformed(flat);
+    const auto found = deformed ? self_collide(*deformed, {}, {.threads = 1}) : deformed.error();
+    const bool has_failed = countdown.exchange(-1) < 0;
+    if (!found) {
+      ++failures;
+      ASSERT_EQ(found.error().code, Code::out_of_memory);
+    } else {
+      ASSERT_EQ(test::listed(*found), expected);
+    }
+    ASSERT_TRUE(self_collide(mesh)->triangles.empty());
+    if (!has_failed) break;
+  }
+  EXPECT_GT(failures, 5);
+}
+
 }  // namespace
 }  // namespace impinge
