@@ -14,7 +14,9 @@
 #include "pipeline/scene_state.hpp"
 
 namespace impinge {
-namespace manifolds {  // what State is made of
+
+/// What the state is made of.
+namespace manifolds {
 
 /// What manifolds need to know of a mesh, in its own frame.
 struct KnownMesh {
