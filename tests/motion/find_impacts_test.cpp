@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include "impinge/impacts.hpp"
 #include "impinge/collide.hpp"
+#include "impinge/impacts.hpp"
 #include "impinge/predicates.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
