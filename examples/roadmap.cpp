@@ -143,7 +143,9 @@ std::vector<std::uint32_t> shortest(const Roadmap& map) {
 int main() {
   const Robot robot;
   std::mt19937 engine(7);
-  const auto drawn = [&](double least, double most) { return least + (most - least) * (static_cast<double>(engine()) * 0x1p-32); };
+  const auto drawn = [&](double least, double most) {
+    return least + (most - least) * (static_cast<double>(engine()) * 0x1p-32);
+  };
   const auto random_angles = [&](const Angles& about, double reach) {
     Angles angles;
     for (std::size_t i = 0; i < kJoints; ++i) angles[i] = about[i] + drawn(-reach, reach);
