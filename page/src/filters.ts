@@ -187,7 +187,8 @@ export class Filters {
   private limit(label: string, id: string, key: 'depthFrom' | 'distanceTo'): HTMLElement {
     const input = numberField(id, NaN, (value) => this.store.filterBy({ [key]: value }));
     this.typed.push([input, key]);
-    return labelled(label, input);
+    const unit = this.report.unit?.name;
+    return labelled(unit ? `${label} (${unit})` : label, input);
   }
 
   private fillChoosers(): void {

@@ -106,6 +106,7 @@ export function showTolerance(report: Report, clashes: Clash[], store: Store): v
     store.filterBy({ failsAt: stop === axis.home ? NaN : stopAt(stop) });
   });
 
+  const unit = report.unit?.name ? `\u00a0${report.unit.name}` : '';
   const update = () => {
     const { failsAt: tolerance } = store.state.filter;
     const isNow = Number.isNaN(tolerance);
@@ -113,7 +114,7 @@ export function showTolerance(report: Report, clashes: Clash[], store: Store): v
     const doesFail = (clash: Clash) => (isNow ? clash.pair!.fails : failsAt(clash, tolerance));
     const count = counts.filter(doesFail).length;
     const told = count ? plural(count, 'pair fails', 'pairs fail') : 'no pair fails';
-    words.textContent = `${isNow ? 'now' : `at ${rounded(tolerance)}`}: ${told}`;
+    words.textContent = `${isNow ? 'now' : `at ${rounded(tolerance)}${unit}`}: ${told}`;
     slider.setAttribute('aria-valuetext', words.textContent);
     stand(chosen, shareOf(isNow ? applied : tolerance));
   };

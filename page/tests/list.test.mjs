@@ -208,9 +208,9 @@ describe('the list of clashes', () => {
       const slider = page.locator('#tolerance-slider');
       assert.equal(await slider.inputValue(), String(Math.round(20 * Math.log10(0.002))));
       for (const [tolerance, told] of [
-        [0.01, 'at 0.01: 4 pairs fail'], // not what is as deep
-        [0.32, 'at 0.32: 2 pairs fail'],
-        [4, 'at 4: 1 pair fails'],
+        [0.01, 'at 0.01\u00a0mm: 4 pairs fail'], // not what is as deep
+        [0.32, 'at 0.32\u00a0mm: 2 pairs fail'],
+        [4, 'at 4\u00a0mm: 1 pair fails'],
       ]) {
         await slider.fill(String(Math.round(20 * Math.log10(tolerance))));
         assert.equal(await words(page), told);
@@ -222,7 +222,7 @@ describe('the list of clashes', () => {
       await slider.press('Home');
       assert.equal(await words(page), 'now: 5 pairs fail');
       await slider.press('ArrowRight');
-      assert.equal(await words(page), 'at 0.0022: 5 pairs fail');
+      assert.equal(await words(page), 'at 0.0022\u00a0mm: 5 pairs fail');
       await page.click('#clear-filters');
       assert.equal(await words(page), 'now: 5 pairs fail');
       await close();
@@ -233,7 +233,7 @@ describe('the list of clashes', () => {
       const { page, close } = await pageOf([...failing.slice(2), ...excused], { tolerance: 0.1 });
       assert.equal(await words(page), 'now: 3 pairs fail');
       await page.locator('#tolerance-slider').press('Home');
-      assert.match(await words(page), /^at 0.04\d?: 4 pairs fail$/);
+      assert.match(await words(page), /^at 0.04\d?\u00a0mm: 4 pairs fail$/);
       await close();
     });
 
