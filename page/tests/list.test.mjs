@@ -76,7 +76,7 @@ describe('the list of clashes', () => {
     }
     const behind = (place) => page.locator(place).first().evaluate((span) => getComputedStyle(span, '::after').content);
     assert.equal(await behind('#facts .in-unit-1'), '"\u00a0mm"', 'a length has its unit');
-    assert.equal(await behind('#clash-list .in-unit-2'), '"\u00a0mm²"');
+    assert.equal(await behind('#clash-list .in-unit-3'), '"\u00a0mm³"');
   });
 
   test('says what fails: the words of the call, or the modes of the tests', async () => {
