@@ -19,8 +19,8 @@
 // blossoms, by two levels of two products and a sum each and weights that are off by u, add 8 u of at most 6 D_i D_j:
 // less than 100 u D_i D_j.
 // A coefficient of the determinant is a mean of sums of three products of D_k and components that are below 2 D_i D_j
-// and off by 11 u D_i D_j: off by less than (3 (11 + 2 + 2) + 4 * 6) u D_x D_y D_z; a blossom adds 9 u of 6 D_x D_y
-// D_z: less than 130 u in all. The bounds below are larger by what second-order terms and their own rounding could be.
+// and off by 11 u D_i D_j: off by less than (3 (11 + 2 + 2) + 4 * 6) u D_x D_y D_z; a blossom adds 12 u of 6 D_x D_y
+// D_z: less than 150 u in all. The bounds below are larger by what second-order terms and their own rounding could be.
 namespace impinge::motion {
 
 namespace {

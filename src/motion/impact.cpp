@@ -3,8 +3,6 @@
 #include "motion/impact.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "core/number.hpp"
@@ -32,13 +30,8 @@ std::array<Vector, 4> integer_paths(const FourPoints& from, const FourPoints& to
     for (const FourPoints* points : {&from, &to})
       for (const Vec3& p : *points)
         if (const double x = component(p, axis); x != 0) unit = std::min(unit, lowest_bit(x));
-    const auto integer = [&](double x) -> Integer {
-      if (x == 0) return 0;
-      const int lowest = lowest_bit(x);
-      return Integer(static_cast<std::int64_t>(std::ldexp(x, -lowest))) << (lowest - unit);
-    };
     for (int i = 0; i < 4; ++i)
-      paths[i][axis] = linear(integer(component(from[i], axis)), integer(component(to[i], axis)));
+      paths[i][axis] = linear(integer(component(from[i], axis), unit), integer(component(to[i], axis), unit));
   }
   return paths;
 }

@@ -2,9 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "motion/polynomial.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
+#include "core/number.hpp"
+
 namespace impinge::motion {
+
+Integer integer(double x, int unit) {
+  if (x == 0) return 0;
+  const int lowest = lowest_bit(x);
+  return Integer(static_cast<std::int64_t>(std::ldexp(x, -lowest))) << (lowest - unit);
+}
 
 bool Polynomial::is_zero() const {
   for (int i = 0; i <= degree; ++i)
@@ -71,8 +81,16 @@ Polynomial restricted(const Polynomial& p, const Dyadic& to) {
   return result;
 }
 
-Polynomial without_ends(Polynomial p) {
+namespace {
+
+void trim(Polynomial& p) {
   while (p.degree > 0 && p.coefficients[p.degree].is_zero()) --p.degree;
+}
+
+}  // namespace
+
+Polynomial without_ends(Polynomial p) {
+  trim(p);
   while (p.degree > 0 && p.coefficients[0].is_zero()) {
     for (int i = 0; i < p.degree; ++i) p.coefficients[i] = p.coefficients[i + 1];
     p.coefficients[p.degree--] = 0;
@@ -81,10 +99,6 @@ Polynomial without_ends(Polynomial p) {
 }
 
 namespace {
-
-void trim(Polynomial& p) {
-  while (p.degree > 0 && p.coefficients[p.degree].is_zero()) --p.degree;
-}
 
 /// Leaves in `p` what is left of it, times powers of the divisor's leading coefficient, and returns the quotient,
 /// times such powers.

@@ -19,6 +19,9 @@ using Integer =
                                       std::allocator<boost::multiprecision::limb_type>>,
                                   boost::multiprecision::et_off>;
 
+/// x / 2^unit, of which x is a multiple.
+Integer integer(double x, int unit);
+
 struct Polynomial {
   std::array<Integer, 4> coefficients;
   int degree = 0;  ///< of the homogeneous form: coefficients beyond it are 0, those up to it may be
@@ -51,7 +54,7 @@ Polynomial restricted(const Polynomial& p, const Dyadic& to);
 /// The ordinary polynomial in u without its roots at u = 0 and, as the homogeneous form has them, at infinity.
 Polynomial without_ends(Polynomial p);
 
-/// As polynomials in u, neither of them zero: the greatest common divisor, up to a factor, and p / divisor, up to a
+/// As polynomials in u, not both of them zero: the greatest common divisor, up to a factor, and p / divisor, up to a
 /// factor, for a divisor of p. (Euclid's algorithm by pseudo-division.)
 Polynomial common_divisor(Polynomial p, Polynomial q);
 Polynomial quotient(Polynomial p, const Polynomial& divisor);

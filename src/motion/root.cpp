@@ -13,7 +13,7 @@ namespace impinge::motion {
 
 namespace {
 
-/// Halvings before the question whether something is zero exactly is settled by a greatest common divisor.
+/// Halvings of an interval before it is asked whether the roots in it are one.
 constexpr int kHalvings = 6;
 
 Dyadic lower_half(const Dyadic& of) { return {of.first << 1, of.level + 1}; }
@@ -78,10 +78,9 @@ int Root::sign(const Polynomial& p) {
 int Root::side_of(double t) const {
   if (t <= 0) return rational_ && time_.is_zero() ? (t < 0 ? -1 : 0) : -1;
   const int unit = std::min(lowest_bit(t), 0);
-  const Integer time(static_cast<std::int64_t>(std::ldexp(t, -lowest_bit(t))));
-  const Integer shifted = time << (lowest_bit(t) - unit), whole = Integer(1) << -unit;
-  if (rational_) return Integer(shifted * (rest_ + time_) - whole * time_).sign();
-  const Integer place = (shifted << interval_.level) - (interval_.first << -unit);
+  const Integer time = integer(t, unit), whole = Integer(1) << -unit;
+  if (rational_) return Integer(time * (rest_ + time_) - whole * time_).sign();
+  const Integer place = (time << interval_.level) - (interval_.first << -unit);
   if (place.sign() <= 0) return -1;
   if (place >= whole) return 1;
   const int sign = inside_.sign(whole - place, place);
@@ -143,17 +142,15 @@ Interval Root::bounds() const {
 
 void Root::narrow(const Interval& bounds) {
   if (rational_) return;
-  const auto scaled = [](double t, int exponent) {  // t / 2^exponent, of which t is a multiple
-    if (t == 0) return Integer(0);
-    return Integer(static_cast<std::int64_t>(std::ldexp(t, -lowest_bit(t)))) << (lowest_bit(t) - exponent);
-  };
   const double width = bounds.hi - bounds.lo;  // a power of two, of which neighbouring doubles are multiples
   const int unit = width > 0 ? exponent(width) : lowest_bit(bounds.lo);
-  interval_ = {scaled(bounds.lo, unit), static_cast<unsigned>(-unit)};
-  if (width > 0)
-    inside_ = restricted(of_, interval_);
-  else
-    be((Integer(1) << interval_.level) - interval_.first, interval_.first);
+  const Dyadic between{integer(bounds.lo, unit), static_cast<unsigned>(-unit)};
+  if (width == 0) return be((Integer(1) << between.level) - between.first, between.first);
+  // Of two such intervals with a point inside both, one holds the other. Between neighbouring doubles there may be
+  // another root, which the interval leaves out.
+  if (between.level <= interval_.level) return;
+  interval_ = between;
+  inside_ = restricted(of_, interval_);
 }
 
 std::vector<Root> roots(const Polynomial& p) {

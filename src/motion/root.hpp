@@ -20,7 +20,7 @@ class Root {
 
   /// The root between equal or neighbouring doubles.
   [[nodiscard]] Interval bounds() const;
-  /// Makes signs cheaper: `bounds` are the root's.
+  /// Makes signs cheaper: `bounds` are what `bounds()` says.
   void narrow(const Interval& bounds);
   /// Of a polynomial of degree 2 at most. Narrows the interval as far as it must.
   int sign(const Polynomial& p);

@@ -151,6 +151,23 @@ const std::vector<Family>& families() {
        },
        6},
       {"through a point", through_a_point, 50},
+      {"roots within a rounding",
+       [](Random& random) {
+         // Three differences that are 0 a few bits from t = 1/3, each on an axis of its own: the volume is their
+         // product. The places across them pass 0 there too, or stay.
+         const auto near = [&] { return 1 + 0x1p-52 * random.integer(0, 2); };
+         const auto place = [&] { return random.integer(0, 1) * near(); };
+         const auto passing = [&](double at0) { return at0 == 0 ? 0.0 : -2.0; };
+         const Point meeting{place(), place(), near()};
+         const double a = near(), b = near();
+         Case c;
+         c.from = {meeting, Point{0, 0, 0}, Point{a, 0, 0}, Point{0, b, 0}};
+         c.to = {Point{passing(meeting.x), passing(meeting.y), -2}, Point{0, 0, 0}, Point{-2, 0, 0}, Point{0, -2, 0}};
+         if (random.integer(0, 1) == 0) return c;
+         for (Points* p : {&c.from, &c.to}) *p = {(*p)[1], (*p)[2], (*p)[0], plus((*p)[0], (*p)[3], 1)};
+         return c;
+       },
+       10},
       {"parallel edges",
        [](Random& random) {
          Case c;
