@@ -115,10 +115,10 @@ def kinds(values: Any) -> int:
     if values is None:
         return 7
     bits = 0
-    for kind in (values,) if isinstance(values, int) else values:
+    for kind in (values,) if isinstance(values, (int, np.integer)) else values:
         if kind not in (0, 1, 2):
             raise OptionError(f"kinds has {kind!r}; give one Kind or several")
-        bits |= 1 << kind
+        bits |= 1 << int(kind)
     if bits == 0:
         raise OptionError("kinds is empty; give one Kind or several, or None for all")
     return bits

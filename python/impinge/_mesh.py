@@ -29,7 +29,7 @@ class Mesh:
     Parameters
     ----------
     vertices : (V, 3) array of finite coordinates, in your unit of length; or a mesh of another library, or (vertices, faces)
-        Any layout, real type and byte order. What is not wider than float32 counts as single precision, of which automatic
+        Any layout, real type and byte order. Floats not wider than float32 count as single precision, of which automatic
         tolerances (`judge`) take account.
     faces : (F, 3) array of vertex indices, counted from 0
         Any integer type. Degenerate and duplicate triangles are kept and count.

@@ -25,7 +25,6 @@ class CollisionObject:
 
     def __init__(self, mesh: Mesh, convex: bool | None, transform: NDArray[np.float64]) -> None:
         self._base, self._convex = mesh, convex
-        self._transform: NDArray[np.float64] = transform
         self._move(transform)
 
     def _move(self, transform: NDArray[np.float64]) -> None:
@@ -41,7 +40,8 @@ class CollisionObject:
             pose[:3] = transform[:3]
             mesh = self._base.transformed(pose)
             pose = np.eye(4)
-        self._transform, self._mesh, self._pose = transform, mesh, pose
+        self._transform: NDArray[np.float64] = transform
+        self._mesh, self._pose = mesh, pose
         self._hull: _convex.Hull | None = None
         # A box of the world around it, and a point of it, in floating point and so a little larger: they only choose what is looked at.
         middle, half = mesh.bounds.mean(axis=0) @ pose[:3, :3].T + pose[:3, 3], np.ptp(mesh.bounds, axis=0) / 2 @ np.abs(pose[:3, :3].T)

@@ -93,12 +93,13 @@ class CollisionManager:
         Which meshes are solids, with which what lies inside collides: convex ones, as in trimesh; all closed ones; none.
     touching : bool
         Whether objects that only touch collide: flush boxes always do, or never.
-    tolerance : float
-        With touching=False: how deep objects may reach into each other and still only touch; the rounding of coordinates in any case.
+    tolerance : float or None
+        With touching=False: how deep objects may reach into each other and still only touch. None: what rounding of the
+        coordinates leaves, as in `judge`.
     """
 
     def __init__(
-        self, *, solid: Literal["convex", "closed", "none"] = "convex", touching: bool = True, tolerance: float = 0.0
+        self, *, solid: Literal["convex", "closed", "none"] = "convex", touching: bool = True, tolerance: float | None = None
     ) -> None:
         if solid not in ("convex", "closed", "none"):
             raise OptionError(f"solid is {solid!r}; choose 'convex', 'closed' or 'none'")
@@ -298,8 +299,7 @@ class CollisionManager:
         if self._touching:
             return True
         a, b = pair.objects
-        tolerance = self._tolerance or None
-        return judge(a._mesh, b._mesh, a._pose, b._pose, tolerance=tolerance, depth_precision=np.inf).fails
+        return judge(a._mesh, b._mesh, a._pose, b._pose, tolerance=self._tolerance, depth_precision=np.inf).fails
 
     def _depth(self, pair: _Pair) -> tuple[float, _convex.Penetration | None]:
         """How deep two objects that collide are in each other."""

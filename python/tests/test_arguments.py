@@ -77,7 +77,8 @@ def test_facts_of_a_mesh():
     assert repr(mesh) == "<impinge.Mesh: 9 vertices, 12 faces>" and mesh.build_tree().nbytes > 9 * 24 + 12 * 12
     assert len({mesh, mesh}) == 1 and mesh != impinge.Mesh(mesh.vertices, mesh.faces)
     mirrored = mesh.transformed(np.diag([-2, 1, 1, 1]))
-    assert mirrored.bounds.tolist() == [[-2, 0, 0], [0, 1, 1]] and not impinge.collide(mesh, mesh, None, moved(0, 0, 2))
+    assert mirrored.bounds.tolist() == [[-2, 0, 0], [0, 1, 1]] and impinge.touches(mesh, mirrored)
+    assert not impinge.touches(mesh, mirrored, None, moved(-1, 0, 0))
 
 
 with_nan = CUBE.copy()
@@ -114,7 +115,7 @@ REFUSED = [
     (lambda: impinge.touches(*CUBES, None, "up"), impinge.PoseError, "pose_b has the type"),
     (lambda: impinge.touches_poses(*CUBES, None, np.eye(4)), impinge.PoseError, r"poses_b has the shape \(4, 4\), not \(N, 4, 4\)"),
     (lambda: impinge.touches_poses(*CUBES, None, [np.eye(4), np.eye(4) * 2]), impinge.PoseError, r"poses_b\[1\] has a last row"),
-    (lambda: impinge.touches_poses(*CUBES, [np.eye(4)] * 2, [np.eye(4)] * 3), impinge.OptionError, "2"),
+    (lambda: impinge.touches_poses(*CUBES, [np.eye(4)] * 2, [np.eye(4)] * 3), impinge.OptionError, "2 poses of the first mesh and 3 of the second"),
     (lambda: impinge.touches(*CUBES, None, moved(1e200, 0, 0)), impinge.RangeError, "2\\^300"),
     (lambda: impinge.collide(*CUBES, threads=-1), impinge.OptionError, "threads is -1"),
     (lambda: impinge.collide(*CUBES, limit=-1), impinge.OptionError, "limit is -1"),
@@ -128,7 +129,7 @@ REFUSED = [
     (lambda: impinge.contact_regions(*CUBES, tolerance=9), impinge.OptionError, "tolerance"),
     (lambda: impinge.locate([1, 2], CUBES[0]), impinge.MeshError, r"points has the shape \(2,\), not \(..., 3\)"),
     (lambda: impinge.locate([1, 2, 3], (CUBE, CUBE_FACES[1:])), impinge.MeshError, "point 0: the mesh is not closed"),
-    (lambda: CUBES[0] and impinge.Mesh(CUBE, CUBE_FACES).transformed(moved(np.nan, 0, 0)), impinge.PoseError, "not a finite number"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES).transformed(moved(np.nan, 0, 0)), impinge.PoseError, "not a finite number"),
 ]
 
 
@@ -153,6 +154,8 @@ def test_meshes_pickle(protocol):
         assert again.vertices.tolist() == mesh.vertices.tolist() and again.faces.tolist() == mesh.faces.tolist()
         # Single precision has a larger automatic tolerance.
         assert impinge.judge(again, again).tolerance == impinge.judge(mesh, mesh).tolerance
+    double = impinge.Mesh(CUBE / 3, CUBE_FACES)
+    assert impinge.judge(mesh, mesh).tolerance > impinge.judge(double, double).tolerance
     found = impinge.collide(mesh, mesh)
     assert pickle.loads(pickle.dumps(found, protocol)).pairs.tolist() == found.pairs.tolist()
 

@@ -157,9 +157,9 @@ def test_scenes_pickle_and_copy():
         (lambda s: s.add(cube, name="cube 1"), impinge.OptionError, "has an object 'cube 1' already"),
         (lambda s: s.add(cube, group=-1), impinge.OptionError, "group is -1"),
         (lambda s: s.add(cube, np.eye(4) * 2), impinge.PoseError, "pose has a last row"),
-        (lambda s: s.ignore("cube 1", "cube 1"), impinge.OptionError, ""),
+        (lambda s: s.ignore("cube 1", "cube 1"), impinge.OptionError, "never tested against itself"),
         (lambda s: s.set_poses(["cube 1"], [np.eye(4)] * 2), impinge.OptionError, "there are 1 names, but 2 poses"),
-        (lambda s: s.set_poses(["cube 1"] * 2, [np.eye(4), np.diag([2, 1, 1, 1])]), impinge.PoseError, "1"),
+        (lambda s: s.set_poses(["cube 1"] * 2, [np.eye(4), np.diag([2, 1, 1, 1])]), impinge.PoseError, r"poses\[1\]"),
         (lambda s: s.collide_with("cube 1", np.eye(4)), impinge.OptionError, "a pose goes with a Mesh"),
         (lambda s: s.collide_configurations(["cube 1"], [[np.eye(4)] * 2]), impinge.OptionError, "1 names, but 2 poses"),
         (lambda s: s.collide_configurations(["cube 1"], [np.eye(4)]), impinge.PoseError, r"not \(T, M, 4, 4\)"),
@@ -185,8 +185,8 @@ def test_threads_share_a_scene():
             for step in range(60):
                 a = scene.add(cube, moved(10 * thread, 0, 0), name=(thread, step))
                 b = scene.add(cube, moved(10 * thread + 1, 0, 0))
-                assert set(scene.collide_with(a, first=True).names) <= {(a, b), (b, a)} != set()
-                assert all({x, y} != {a} for x, y in scene.collide(first=True).names)
+                assert set(scene.collide_with(a, first=True).names) in ({(a, b)}, {(b, a)})
+                assert {(a, b), (b, a)} & set(scene.collide(first=True).names)
                 scene.remove(a)
                 scene.remove(b)
         except BaseException as problem:

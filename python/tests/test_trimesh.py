@@ -307,7 +307,6 @@ def test_what_a_manager_refuses(call, sentence):
 
 
 def test_scenes_of_trimesh_and_install(monkeypatch):
-    graph = types.SimpleNamespace(nodes_geometry=["left", "right"])
     places = {"left": (moved(0, 0, 0), "box"), "right": (moved(0.5, 0, 0), "box")}
     graph = type("Graph", (), {"nodes_geometry": list(places), "__getitem__": lambda self, node: places[node]})()
     like_trimeshs = types.SimpleNamespace(vertices=UNIT, faces=CUBE_FACES, is_convex=True)
