@@ -14,8 +14,8 @@ namespace impinge {
 
 /// Every pair of triangles of `mesh_a` at `pose_a` and of `mesh_b` at `pose_b` that share a point, exactly, on the
 /// world vertices of `Pose`. Object 0 is a, object 1 is b; there is at most one row. Safe to call from many threads.
-/// Errors: `bad_pose`, `out_of_range` (a world coordinate is not below 2^300 or not a multiple of 2^-358),
-/// `bad_option`, `cancelled`.
+/// Errors: `bad_pose`, `out_of_range` (a world coordinate is not below 2^300, or the mesh's largest is neither 0 nor at
+/// least 2^-300), `bad_option`, `cancelled`.
 Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
                          const Options& options = {}, Workspace* workspace = nullptr);
 

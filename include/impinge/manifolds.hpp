@@ -63,14 +63,14 @@ class ContactManifolds {
   ContactManifolds(ContactManifolds&&) noexcept;
   ContactManifolds& operator=(ContactManifolds&&) noexcept;
 
-  /// The manifolds of all contacts that `Scene::collide` found, in the order of their objects; valid until the next
-  /// call. Of the regions that two objects had in the last call and have now, the two that are nearest to each other
-  /// are one and keep its id, then the two nearest of the others, and so on, however far they moved; what is left over
-  /// gets a new id. Likewise their points go on in the order of the last call. Both are told in a's own frame. An
-  /// object that was removed or belongs to another scene shares no id with one at its index.
-  /// A steady series of calls allocates nothing; an object's mesh is looked through when it is first in contact.
-  /// Errors: `unknown_id` (contacts of objects or triangles that the scene does not have), `bad_option` (contacts that
-  /// were cut off at a limit), `out_of_memory`.
+  /// The manifolds of all contacts that `Scene::collide` found, in the order of their objects, none of an object with
+  /// itself; valid until the next call. Of the regions that two objects had in the last call and have now, the two that
+  /// are nearest to each other are one and keep its id, then the two nearest of the others, and so on, however far they
+  /// moved; what is left over gets a new id. Likewise their points go on in the order of the last call. Both are told
+  /// in a's own frame. An object that was removed or belongs to another scene shares no id with one at its index. A
+  /// steady series of calls allocates nothing; an object's mesh is looked through when it is first in contact. Errors:
+  /// `unknown_id` (contacts of objects or triangles that the scene does not have), `bad_option` (contacts that were cut
+  /// off at a limit), `out_of_memory`.
   Result<std::span<const Manifold>> update(const Scene& scene, const Contacts& contacts);
 
   struct State;  // internal

@@ -82,12 +82,13 @@ class Scene {
   Result<void> set_pose(ObjectId id, const Pose& pose);
   /// The same for many, as many poses as ids: all of them, or with an error none; it names the place.
   Result<void> set_poses(std::span<const ObjectId> ids, std::span<const Pose> poses);
-  /// Gives the object another shape; its id, its group, its filter and the pairs that ignore it stay. Errors: likewise.
+  /// Gives the object another shape; its id, its group, its filter, the pairs that ignore it and what `self` says
+  /// stay. Errors: likewise.
   Result<void> set_mesh(ObjectId id, Mesh mesh, const Pose& pose = {});
   /// Deforms the object's mesh, as `Mesh::deformed` does; other objects that share the mesh keep theirs. Errors:
   /// `unknown_id`, and those of `Mesh::deformed`; the object then stays as it was.
   Result<void> set_vertices(ObjectId id, std::span<const double> xyz);
-  /// Forgets the object, its filter and the pairs that ignore it. Errors: `unknown_id`.
+  /// Forgets the object and all that was said of it. Errors: `unknown_id`.
   Result<void> remove(ObjectId id);
   /// Leaves this pair out of every query from now on. Errors: `unknown_id`, `bad_option` (an object with itself).
   Result<void> ignore(ObjectId a, ObjectId b);
@@ -97,7 +98,7 @@ class Scene {
   /// From now on, instead of `Filter{}`, which every new object has. Errors: `unknown_id`.
   Result<void> set_filter(ObjectId id, const Filter& filter);
   /// Whether `collide` tests this object against itself too, as `self_collide` does; its row is of the object and the
-  /// object. At first it does not. Errors: `unknown_id`.
+  /// object, whatever its group and filter. At first it does not. Errors: `unknown_id`.
   Result<void> self(ObjectId id, bool on);
 
   [[nodiscard]] std::size_t size() const noexcept;
@@ -115,13 +116,13 @@ class Scene {
   /// Every pair of triangles of two different objects that share a point, and of one where `self` says so. Errors: as
   /// the function `collide`.
   Result<Contacts> collide(const Options& options = {}, Workspace* workspace = nullptr) const;
-  /// The same of one object and all others. Errors: likewise, and `unknown_id`.
+  /// The same of one object and all others, not of it with itself. Errors: likewise, and `unknown_id`.
   Result<Contacts> collide_with(ObjectId id, const Options& options = {}, Workspace* workspace = nullptr) const;
   /// The same of a mesh that is not in the scene and all objects; in the rows it comes second, as object 2^32 - 1.
   /// Errors: as `collide`.
   Result<Contacts> collide_with(const Mesh& mesh, const Pose& pose = {}, const Options& options = {},
                                 Workspace* workspace = nullptr) const;
-  /// Whether any two objects share a point: the search stops at the first that do. Errors: as `collide`.
+  /// Whether any two different objects share a point: the search stops at the first that do. Errors: as `collide`.
   Result<bool> touches_any(const ConfigurationOptions& options = {}, Workspace* workspace = nullptr) const;
 
   /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any

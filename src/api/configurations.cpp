@@ -59,7 +59,7 @@ class Idle {
   }
   void give_back(Search* search) {
     const std::lock_guard lock(mutex_);
-    idle_.push_back(search);  // there is room: it was among them
+    idle_.push_back(search);
   }
 
  private:

@@ -129,7 +129,7 @@ Result<void> ContactManifolds::State::check(const Scene::State& scene, const Con
 void ContactManifolds::State::add_row(const Scene::State& scene, const Contacts& contacts, std::size_t row) {
   const std::array<std::uint32_t, 2>& objects = contacts.objects[row];
   const std::size_t first = contacts.offsets[row], count = contacts.offsets[row + 1] - first;
-  if (count == 0) return;
+  if (count == 0 || objects[0] == objects[1]) return;
   const std::array placed{&scene.objects[objects[0]], &scene.objects[objects[1]]};
   const LocalFrame frame = local_frame(placed[0]->box, placed[1]->box);
   const auto surface = [&](std::size_t side) {

@@ -32,7 +32,7 @@ class NearPairs {
  public:
   /// Makes `place` possible for the objects below n, which is at most 2^31 - 1.
   void reserve(std::size_t n);
-  /// Writes down where an object is now; without a mesh, or outside the exact domain, it is nowhere. Counts from the
+  /// Writes down where an object is now; without a mesh, or out of range, it is nowhere. Counts from the
   /// next `update` on.
   void place(std::uint32_t object, const scene::PlacedObject& placed) noexcept;
   /// Brings the candidates up to date. If memory runs out, the next call does all the work.
@@ -50,11 +50,12 @@ class NearPairs {
   std::size_t find(const scene::SceneView& view, ObjectPairs& pairs, Scratch& scratch,
                    const FindConfig& config = {}) const;
 
-  /// Looks boxes[i], for each i of `asked`, up among the objects' fat boxes. `search.found` then holds a number for
-  /// each overlap: i in the upper half, the object in the lower. It must be current.
+  /// Looks boxes[i], for each i of `asked`, up among the objects' fat boxes, and the boxes of those that jump.
+  /// `search.found` then holds a number for each overlap: i in the upper half, the object in the lower. It must be
+  /// current.
   void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const;
 
-  /// How many pairs are kept.
+  /// How many candidates there are; those of objects that jump are none.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
   /// How many tests of a box against the eight of a tree's node all updates have made.
   [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }

@@ -9,7 +9,8 @@
 
 /// Floating-point expansions: a number as an unevaluated sum of non-overlapping doubles, least significant first, zeros
 /// left out (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
-/// All on the stack. Needs round-to-nearest and products without over- or underflow: contract 1.3 sees to that.
+/// All on the stack. Needs round-to-nearest and products without over- or underflow, as in the
+/// exact domain (core/pose.hpp).
 namespace impinge::exact {
 
 /// The rounded result and the error made by rounding; their sum is exact.

@@ -7,7 +7,7 @@
 namespace impinge::exact {
 namespace {
 
-/// Brings the largest number to between 2^59 and 2^60; 0 outside the range of contract 1.3.
+/// Brings the largest number to between 2^59 and 2^60; 0 outside the exact domain.
 double scale_of(double largest) {
   constexpr std::uint64_t kBias = 1023;
   const std::uint64_t exponent = largest == 0 ? kBias : std::bit_cast<std::uint64_t>(largest) >> 52;

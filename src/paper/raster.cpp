@@ -28,7 +28,7 @@ double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), s
 int exponent_of(double reach) {
   int exponent = 0;
   std::frexp(reach, &exponent);
-  return exponent;
+  return std::max(exponent, -1000);
 }
 
 /// Writes an offset in another unit; returns a bound of each coordinate's error. The offset is a difference, rounded
@@ -57,9 +57,9 @@ const Vec3& origin_of(const Batch& batch, std::uint32_t first_edge) {
   return batch.vertices[batch.edges[first_edge][0]];
 }
 
-/// A leaf's edges, scaled so that no coordinate is above 1, by 2^-e; returns e. World coordinates are below 2^300 and
-/// multiples of 2^-358 (contract 1.3), so are their rounded differences but for a factor of 2, and no scaling of those
-/// leaves the range of doubles.
+/// A leaf's edges, scaled so that no coordinate is above 1, by 2^-e; returns e. World coordinates are below 2^300
+/// (contract 1.3), and e is at least -1000, so that the scale is finite. What is smaller is written as less than 1,
+/// with the same error.
 int write_edges(const Batch& batch, std::uint32_t first, std::size_t end, EdgeTexels* to) {
   const Vec3& origin = origin_of(batch, first);
   const auto end_of = [&](std::size_t edge, int side) { return batch.vertices[batch.edges[edge][side]] - origin; };

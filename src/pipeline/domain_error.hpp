@@ -10,10 +10,11 @@ namespace impinge {
 
 /// The error for world coordinates outside of contract 1.3. `name` says whose they are, such as "object 3".
 inline Error out_of_domain(const std::string& name) {
-  return {Code::out_of_range,
-          name +
-              " has world coordinates that are not below 2^300 or not multiples of 2^-358, where answers would not be "
-              "exact; scale the scene, or move it nearer to the origin"};
+  return {
+      Code::out_of_range,
+      name +
+          " has coordinates where this answer would not be exact: not below 2^300, or too near to 0 (not multiples of "
+          "2^-358, or for contacts none of 2^-300 or more); scale the scene, or move it"};
 }
 
 }  // namespace impinge

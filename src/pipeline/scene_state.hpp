@@ -38,7 +38,7 @@ struct Scene::State {
 
   std::uint32_t first_generation;  ///< of each index; differs from scene to scene, so that a foreign id is unknown
   std::vector<std::uint32_t> free_slots;
-  std::size_t outside = 0;  ///< objects outside the exact domain
+  std::size_t fine = 0;  ///< objects that are outside the exact domain: `is_fine`
   scene::IgnoredPairs ignored;
   broad::ObjectPairs own_pairs;  ///< objects that are tested against themselves, in order
   broad::NearPairs near_pairs;
@@ -65,16 +65,15 @@ struct Scene::State {
 
   /// Whether answers about all objects are exact: of contacts, or of distances too.
   [[nodiscard]] Result<void> check_domain(bool has_distances = false) const {
-    if (outside == 0) return {};
+    if (fine == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (!objects[i].in_domain || (has_distances && objects[i].is_fine))
+      if (objects[i].is_fine && (has_distances || !objects[i].in_domain))
         return out_of_domain("object " + std::to_string(i));
     return {};
   }
   /// Puts an object, or nothing, where another one or nothing was.
   void put(std::uint32_t index, const MeshState* mesh, const scene::PlacedObject& placed) {
-    const auto is_outside = [](const scene::PlacedObject& object) { return object.is_fine || !object.in_domain; };
-    outside += int{is_outside(placed)} - int{is_outside(objects[index])};
+    fine += int{placed.is_fine} - int{objects[index].is_fine};
     objects[index] = placed, meshes[index] = mesh;
     near_pairs.place(index, placed);
   }

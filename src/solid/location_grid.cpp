@@ -35,7 +35,8 @@ LocationGrid::LocationGrid(const Body& body) : placed_(body.placed), box_(body.b
         if (cells_[index({i, j, k})] == unknown) fill({i, j, k}, ahead);
 }
 
-/// Never falls along an axis, since a difference, a product and a floor do not. So a triangle that meets the box of two
+/// The cell of a point in the box. Along an axis its number never falls as the coordinate grows, since a difference, a
+/// product and a floor do not fall either. So a triangle that meets the box of two
 /// points, both of one cell or of two that share a side, has its lowest place no higher than the higher cell's and its
 /// highest no lower than the lower one's: it occupies one of the two. Whatever was rounded, points of such cells that
 /// are not occupied have no triangle between them, and the body winds as often around both.
@@ -58,8 +59,8 @@ void LocationGrid::occupy(const Body& body) {
   }
 }
 
-/// Finds out about a cell and all that hang together with it by sides. A cell in whose middle rounding finds no point
-/// counts as occupied.
+/// Finds out about a cell and all that hang together with it by sides. A cell whose middle, as computed, lies
+/// outside of it counts as occupied.
 void LocationGrid::fill(const Place& at, std::vector<Place>& ahead) {
   const auto middle = [](std::size_t i, double from, double per_length) {
     return per_length > 0 ? from + (static_cast<double>(i) + 0.5) / per_length : from;

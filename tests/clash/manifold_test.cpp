@@ -315,6 +315,16 @@ TEST(Manifolds, RefuseContactsOfOthers) {
   EXPECT_EQ(code(one, contacts), Code::unknown_id);
   EXPECT_EQ(code(two, two.collide({.limit = 1}).value()), Code::bad_option);
   EXPECT_EQ(next(manifolds, two).size(), 1u);
+
+  // Of an object with itself there is nothing to leave.
+  scenes::MeshData crossed = scenes::cube();
+  for (std::size_t i = 0, n = crossed.xyz.size(); i < n; ++i) crossed.xyz.push_back(crossed.xyz[i] + 0.5);
+  for (std::size_t i = 0, n = crossed.triangles.size(); i < n; ++i)
+    crossed.triangles.push_back(crossed.triangles[i] + 8);
+  Scene alone;
+  ASSERT_TRUE(alone.self(alone.add(test::mesh_of(crossed)).value(), true));
+  EXPECT_EQ(alone.collide()->objects.size(), 1u);
+  EXPECT_TRUE(next(manifolds, alone).empty());
 }
 
 }  // namespace

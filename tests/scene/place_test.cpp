@@ -169,7 +169,7 @@ TEST(ValidatePose, SaysWhatIsWrongAndWhatToDo) {
 
 TEST(PoseFromQuaternion, TurnsAsItsAxisAndAngleSay) {
   // A quarter about z, of any length; and a third of a turn about (1, 1, 1), which moves x to y to z.
-  for (const double length : {1.0, 0x1p-1060, 0x1p1000, -3.0}) {
+  for (const double length : {1.0, 0x1p-1060, 0x1p1000, 0x1.8p1023, -3.0}) {
     EXPECT_EQ(Pose::from_quaternion({.w = length, .z = length})->R,
               (std::array<double, 9>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
     EXPECT_EQ(Pose::from_quaternion({length, length, length, length})->R,

@@ -16,7 +16,7 @@ namespace mp = boost::multiprecision;
 /// Integers of 256 bits, on the stack, unchecked: with coordinates below 2^60, differences are below 2^61, determinants
 /// of three of them below 2^187, and the sum in a coordinate's numerator below 2^249.
 using Fixed = mp::number<mp::cpp_int_backend<256, 256, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
-/// Integers of any length: 660 bits hold a coordinate within the range of contract 1.3.
+/// Integers of any length: 660 bits hold a coordinate of the exact domain.
 using Any = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 constexpr int kFixedBits = 60;
 
