@@ -37,17 +37,19 @@ Pose turned(const Pose& pose, bool to_y_up) {
   return result;
 }
 
-/// Turns the models of files whose format says that another axis is up than in the first one's, and says so.
+/// Turns the models of files whose format says that another axis is up than in the first one's, read or
+/// skipped, so that places stay from run to run; and says so.
 std::vector<std::string> bring_to_first_axes(const std::vector<std::string>& files, std::vector<io::Model>& models) {
   std::vector<std::string> sentences;
   std::optional<bool> first;
+  std::string first_file;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::optional<bool> is_y_up = has_y_up(files[i]);
-    if (!first) first = is_y_up;
-    if (!is_y_up || is_y_up == first) continue;
+    if (!first) first = is_y_up, first_file = files[i];
+    if (!is_y_up || is_y_up == first || models[i].objects.empty()) continue;  // empty: or skipped
     for (io::Object& object : models[i].objects) object.pose = turned(object.pose, *first);
-    sentences.push_back(fmt::format("{} was turned so that {} is up, as in the files before it", printable(files[i]),
-                                    *first ? 'Y' : 'Z'));
+    sentences.push_back(fmt::format("{} was turned so that {} is up, as in {}", printable(files[i]), *first ? 'Y' : 'Z',
+                                    printable(first_file)));
   }
   return sentences;
 }

@@ -3,9 +3,10 @@
 
 /// impinge-federation STOREYS ROOMS FOLDER
 ///
-/// Writes the IFC files of federation.hpp, with so many rooms in each storey, into a folder that is there.
+/// Writes the IFC files of federation.hpp, with so many rooms in each storey, into a folder, which it makes.
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -17,12 +18,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s STOREYS ROOMS FOLDER\n", argv[0]);
     return 2;
   }
+  std::error_code unmade;  // then the first file says so
+  std::filesystem::create_directories(argv[3], unmade);
   const auto made = impinge::scenes::federation({.storeys = storeys, .rooms = rooms});
   for (const auto& [name, text] : made.files) {
     std::ofstream file(argv[3] + ("/" + name), std::ios::binary);
     file << text;
     if (!file.flush()) {
-      std::fprintf(stderr, "%s: %s cannot be written\n", argv[0], name.c_str());
+      std::fprintf(stderr, "%s: %s/%s cannot be written\n", argv[0], argv[3], name.c_str());
       return 1;
     }
   }

@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   std::ofstream file(argv[3], std::ios::binary);
   file << impinge::scenes::glb_bytes(plant.scene, plant.names);
   if (!file.flush() || (argc == 5 && !write_list(plant, argv[4]))) {
-    std::fprintf(stderr, "%s: a file cannot be written\n", argv[0]);
+    std::fprintf(stderr, "%s: %s cannot be written, or the list\n", argv[0], argv[3]);
     return 1;
   }
 }

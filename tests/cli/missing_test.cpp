@@ -47,6 +47,14 @@ class Missing : public testing::Test {
   Launch launch;
 };
 
+TEST_F(Missing, FilesAreNotTurned) {
+  folder.write("a.3mf", "");
+  const Ended first = impinge(folder, {"check", "gone.glb", "a.3mf", "--skip-unreadable"}, launch),
+              second = impinge(folder, {"check", "a.3mf", "gone.glb", "--skip-unreadable"}, launch);
+  EXPECT_NE(first.err.find("a.3mf was turned so that Y is up, as in gone.glb"), std::string::npos) << first.err;
+  EXPECT_EQ(second.err.find("was turned"), std::string::npos) << second.err;
+}
+
 TEST_F(Missing, IsSaidWithEveryAnswer) {
   for (const char* const command : {"check", "clash"}) {
     const Ended run = impinge(folder, {command, "a.dae", "--quiet", "--json", "-"}, launch);
