@@ -48,7 +48,7 @@ class Missing : public testing::Test {
 };
 
 TEST_F(Missing, FilesAreNotTurned) {
-  folder.write("a.3mf", "");
+  folder.write("a.3mf", "PK");
   const Ended first = impinge(folder, {"check", "gone.glb", "a.3mf", "--skip-unreadable"}, launch),
               second = impinge(folder, {"check", "a.3mf", "gone.glb", "--skip-unreadable"}, launch);
   EXPECT_NE(first.err.find("a.3mf was turned so that Y is up, as in gone.glb"), std::string::npos) << first.err;
