@@ -403,7 +403,15 @@ def scene_to_collision(scene: Any) -> tuple[CollisionManager, dict[Hashable, Col
 
 def install() -> None:
     """Puts these into `trimesh.collision`. Raises ImportError without trimesh."""
-    import trimesh.collision as theirs  # type: ignore[import]
+    try:
+        import trimesh.collision as theirs  # type: ignore[import]
+    except ModuleNotFoundError as problem:
+        if problem.name not in ("trimesh", "trimesh.collision"):  # something that trimesh needs
+            raise
+        raise ImportError(
+            "trimesh is not here, so there is no trimesh.collision to replace: install trimesh, or use impinge.trimesh.CollisionManager "
+            "as it is, which needs no trimesh"
+        ) from None
 
     for name in ("CollisionManager", "ContactData", "DistanceData", "scene_to_collision"):
         setattr(theirs, name, globals()[name])

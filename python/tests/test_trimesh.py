@@ -322,3 +322,7 @@ def test_scenes_of_trimesh_and_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh.collision", theirs)
     drop_in.install()
     assert theirs.CollisionManager is drop_in.CollisionManager and theirs.scene_to_collision is drop_in.scene_to_collision
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    monkeypatch.delitem(sys.modules, "trimesh.collision")
+    with pytest.raises(ImportError, match="install trimesh, or use impinge.trimesh.CollisionManager"):
+        drop_in.install()
