@@ -195,6 +195,7 @@ void bind_meshes(py::module_& module) {
              }());
            })
       .def("memory_bytes", &Mesh::memory_bytes);
+  module.def("off_rotation", &off_rotation);
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
   module.def("collide_poses", &collide_at_poses);

@@ -3,6 +3,7 @@
 """What the process sees: locks, signals, memory, time to import, types."""
 
 import doctest
+import importlib.metadata
 import os
 import re
 import signal
@@ -146,5 +147,6 @@ def test_the_page_and_the_docstring_print_what_they_say(capsys):
 
 
 def test_the_version_is_that_of_the_build():
-    project = (Path(__file__).parents[2] / "CMakeLists.txt").read_text()
-    assert f"project(impinge VERSION {impinge.__version__} " in project
+    header = (Path(__file__).parents[2] / "include" / "impinge" / "version.hpp").read_text()
+    assert f'#define IMPINGE_VERSION "{impinge.__version__}"' in header
+    assert importlib.metadata.version("impinge") == impinge.__version__
