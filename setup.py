@@ -25,9 +25,9 @@ class BuildByCMake(build_ext):
         module = Path(self.get_ext_fullpath(extension.name)).resolve()
         module.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(tree / "python" / self.get_ext_filename("_core"), module)
-        # The readers start it from where the module is. Without Node.js's part, which ./dev page builds, no IFC is read.
+        # The readers start it from where the module is. Without what ./dev page builds, no IFC is read and no page written.
         shutil.copy2(tree / "bin" / "impinge-import", module.parent)
-        for file in (source / "build" / "ifc").glob("*"):
+        for file in [*(source / "build" / "ifc").glob("*"), *(source / "build" / "page").glob("report.html")]:
             shutil.copy2(file, module.parent)
 
 

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import os
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Hashable, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._mesh import MeshLike, as_core
 from ._queries import Nearest, OverlapDepth, make_depth, make_nearest
 
@@ -104,16 +105,88 @@ class Clash:
         return f"<impinge.Clash: {a!r}, {b!r}: {self.verdict.name.lower()}>"
 
 
+_ROW = np.dtype(
+    [("a", "O"), ("b", "O"), ("verdict", "u1"), ("fails_below", "f8"), ("depth", "f8"), ("distance", "f8")]
+    + [(kind, "i8") for kind in ContactCounts._fields]
+)
+
+
 @dataclass(frozen=True, eq=False)
 class Clashes:
-    """What `find_clashes` found."""
+    """What `find_clashes` found. A notebook shows it as a table, worst first.
+
+    Reports are those of the command line (docs/reports.md), of the scene as it was then. They tell regions of contact, so the first one
+    judges again. `title` stands for the name of a file; `unit_in_metres`: metres in one of your units of length, which BCF and glTF
+    are in; `y_up`: whether Y points up, and not Z. Clashes that were unpickled have no scene and write none.
+    """
 
     pairs: list[Clash]  #: by the order of the objects; those that are apart and not nearer than the clearance left out
     parts: dict[Hashable, PartFacts]  #: by name
+    _source: _show.Source | None = field(default=None, repr=False)
 
     def failing(self) -> list[Clash]:
         """The pairs that fail, the largest `fails_below` first."""
         return sorted((pair for pair in self.pairs if pair.fails), key=lambda pair: -pair.fails_below)
+
+    def table(self) -> NDArray[Any]:
+        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` and `distance` are NaN where there is none."""
+        rows = [
+            (
+                *pair.objects,
+                pair.verdict,
+                pair.fails_below,
+                float("nan") if pair.overlap_depth is None else pair.overlap_depth.depth,
+                float("nan") if pair.nearest is None else pair.nearest.distance,
+                *pair.contacts,
+            )
+            for pair in self.pairs
+        ]
+        return np.array(rows, dtype=_ROW)
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        title: str = "scene",
+        unit_in_metres: float | None = None,
+        y_up: bool = False,
+        stop: _core.Stop | None = None,
+    ) -> None:
+        """Writes a report, in the format that the name ends in: .html (the page to look at), .json, .csv, .bcf, or .glb (the regions of contact).
+
+        Raises
+        ------
+        OptionError
+            The name ends in something else, or the unit is not above 0.
+        FileError
+            The file cannot be written, or the page's program is not installed.
+        RangeError, Cancelled, OutOfMemoryError
+        """
+        _show.save(self._source, path, title, unit_in_metres, y_up, stop)
+
+    def page(
+        self, *, title: str = "scene", unit_in_metres: float | None = None, y_up: bool = False, stop: _core.Stop | None = None
+    ) -> str:
+        """The page that `save` writes to a .html, as text: one document that needs nothing else. Errors as there."""
+        return _show.page(self._source, title=title, unit_in_metres=unit_in_metres, y_up=y_up, stop=stop)
+
+    def show(self, height: int = 600, **settings: Any) -> Any:
+        """The page in a notebook's cell, so many pixels high, in a frame that reaches nothing outside; settings are those of `page`. A page
+        above 20 MB is written to the working folder, and a link to it shown.
+
+        Raises
+        ------
+        ImportError
+            IPython is not installed.
+        As `page`.
+        """
+        return _show.in_notebook(lambda: self.page(**settings), height)
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_clashes(self)
+
+    def __repr__(self) -> str:
+        return f"<impinge.Clashes: {len(self.pairs)} pairs, {len(self.failing())} fail, of {len(self.parts)} parts>"
 
 
 def _region(found: tuple[Any, ...]) -> Region:
@@ -205,6 +278,10 @@ def find_clashes(
         return Clashes(
             [_clash(pair, (names[pair[0][0]], names[pair[0][1]])) for pair in pairs],
             {names[i]: _facts(facts) for i, facts in enumerate(parts) if i in names},
+            _show.Source(
+                _core.Judged(scene._core, tolerance, clearance, depth_precision),
+                {names[i]: (i, scene._objects[names[i]].mesh) for i in sorted(names)},
+            ),
         )
 
 

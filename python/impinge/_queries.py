@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Hashable, Iterable, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._errors import ImpingeWarning, MeshError
 from ._mesh import MeshLike, as_core
 
@@ -58,6 +58,9 @@ class Contacts:
     def rows(self) -> NDArray[np.int64]:
         """(K,): the row of each pair."""
         return np.repeat(np.arange(len(self.objects)), np.diff(self.offsets))
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_contacts(self)
 
     def __repr__(self) -> str:
         more = ", truncated" if self.truncated else ""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Hashable, Iterable, Iterator, NamedTuple,
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._errors import OptionError, UnknownObjectError
 from ._mesh import Mesh, MeshLike
 from ._queries import Contacts, Kind, Nearest, make_contacts, make_nearest, make_options
@@ -329,6 +329,9 @@ class Scene:
         for a, b in state["ignored"]:
             self.ignore(a, b)
         self._next = state["next"]
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_scene(self)
 
     def __repr__(self) -> str:
         return f"<impinge.Scene: {len(self)} objects, {self._core.triangles} faces>"
