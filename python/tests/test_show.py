@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
-"""What is shown: tables, reports, drawings."""
+"""What is shown: tables, reports, drawings, notebooks."""
 
+import ast
 import csv
 import io
 import json
@@ -19,6 +20,7 @@ import pytest
 import impinge
 from oracle import CUBE, CUBE_FACES, moved
 
+ROOT = Path(__file__).parents[2]
 EVIL = "<script>alert('&')</script>"
 MESH = impinge.Mesh(CUBE, CUBE_FACES)
 
@@ -141,3 +143,26 @@ def test_a_drawing_has_the_lines_of_contact():
     assert sum(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in points) == pytest.approx(3)
     assert axes.get_xlim() == axes.get_zlim() == (0, 1.5)
     assert len(a._vec[0]) == len(b._vec[0]) == 36  # corners of 12 triangles
+
+
+@pytest.mark.parametrize("notebook", sorted((ROOT / "examples").glob("*.ipynb")), ids=lambda file: file.stem)
+def test_the_notebooks_run(notebook, capsys):
+    pytest.importorskip("matplotlib")
+    names = {}
+    shown = []
+    for cell in json.loads(notebook.read_text())["cells"]:
+        if cell["cell_type"] != "code":
+            continue
+        assert cell["outputs"] == [], "a notebook is kept without outputs"
+        tree = ast.parse("".join(cell["source"]))
+        last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+        exec(compile(tree, notebook.name, "exec"), names)
+        if last is not None:
+            shown.append(eval(compile(ast.Expression(last.value), notebook.name, "eval"), names))
+    said = capsys.readouterr().out
+    if notebook.stem == "planner":
+        assert "free all the way" in said
+    if notebook.stem == "assembly":  # by hand: the duct's upper side is 3.05 m high, the beams' lower one 3 m
+        deep = [line.split(" and ")[0].strip() for line in said.splitlines() if line.endswith(" and duct: 50 mm deep")]
+        assert sorted(deep) == ["beam 1", "beam 2", "beam 3"]
+    assert all(hasattr(value, "_repr_html_") for value in shown if type(value).__module__.startswith("impinge"))
