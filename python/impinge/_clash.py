@@ -129,7 +129,16 @@ class Clashes:
         return sorted((pair for pair in self.pairs if pair.fails), key=lambda pair: -pair.fails_below)
 
     def table(self) -> NDArray[Any]:
-        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` and `distance` are NaN where there is none."""
+        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` and `distance` are NaN where there is none.
+
+        >>> import impinge
+        >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene = impinge.Scene()
+        >>> names = [scene.add(tetrahedron, [[1, 0, 0, 0.5 * k], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) for k in range(3)]
+        >>> table = impinge.find_clashes(scene).table()
+        >>> table[table["depth"] > 0][["a", "b"]].tolist()
+        [(0, 1), (1, 2)]
+        """
         rows = [
             (
                 *pair.objects,
@@ -243,6 +252,11 @@ def judge(
     `tolerance`, in your unit of length, None: what rounding of the coordinates leaves. `clearance`: with parts nearer than it their
     distance. `depth_precision`: how wide intervals of depths may be, relative to the depth; infinity: verdicts alone.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> impinge.judge(tetrahedron, tetrahedron, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
+    <impinge.Clash: 0, 1: touching>
+
     Raises
     ------
     MeshError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
@@ -267,6 +281,16 @@ def find_clashes(
 
     With a `ClashMemory`, given again and again as objects move, what did not change is not found out again; the answer is the same.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> scene = impinge.Scene()
+    >>> base, top = scene.add(tetrahedron, name="base"), scene.add(tetrahedron, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.5], [0, 0, 0, 1]], name="top")
+    >>> clashes = impinge.find_clashes(scene)
+    >>> clashes
+    <impinge.Clashes: 1 pairs, 1 fail, of 2 parts>
+    >>> clashes.pairs
+    [<impinge.Clash: 'base', 'top': penetrating>]
+
     Raises
     ------
     As `judge`.
@@ -288,6 +312,12 @@ def find_clashes(
 def examine(mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None) -> PartFacts:
     """What a part is: solid, cracked or a surface, and why it is no better.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> facts = impinge.examine(tetrahedron)
+    >>> facts.part_class.name, facts.closed, round(6 * facts.volume, 9)
+    ('SOLID', True, 1.0)
+
     Raises
     ------
     As `judge`.
@@ -307,6 +337,13 @@ def contact_regions(
     stop: _core.Stop | None = None,
 ) -> list[Region]:
     """The connected regions in which two parts touch, largest first. What comes within `tolerance` is in contact; 0: exactly.
+
+    >>> import impinge
+    >>> a = [[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]]
+    >>> b = [[1, 1, -1], [1, 1, 1], [3, 1, 0]], [[0, 1, 2]]  # goes through a along y = 1
+    >>> (region,) = impinge.contact_regions(a, b)
+    >>> region.length, region.centroid.tolist()
+    (2.0, [2.0, 1.0, 0.0])
 
     Raises
     ------

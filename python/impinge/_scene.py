@@ -36,6 +36,16 @@ class Scene:
     """Placed meshes that are asked about again and again, by names of yours.
 
     Safe to use from many threads: queries run side by side, changes wait for them. Pickles, and so copies by `copy.copy`.
+
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> scene = impinge.Scene()
+    >>> floor, lid = scene.add(sheet, name="floor"), scene.add(sheet, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]], name="lid")
+    >>> scene.touches_any()
+    False
+    >>> scene.set_pose("lid", None)
+    >>> scene.collide().names
+    (('floor', 'lid'),)
     """
 
     def __init__(self) -> None:
@@ -225,6 +235,19 @@ class Scene:
     ) -> NDArray[np.bool_]:
         """For each configuration, a pose for each of these objects, (T, M, 4, 4) in all: whether one of them touches another one or
         any other object of the scene, (T,). The others are not tested against each other. The scene does not change.
+
+        >>> import impinge, numpy as np
+        >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene = impinge.Scene()
+        >>> floor, arm = scene.add(sheet, name="floor"), scene.add(sheet, name="arm")
+        >>> poses = np.tile(np.eye(4), (3, 1, 1, 1))  # three configurations of one moving object
+        >>> poses[:, 0, 2, 3] = [-1, 0, 1]
+        >>> scene.collide_configurations(["arm"], poses)
+        array([False,  True, False])
+        >>> scene.first_touching(["arm"], poses)
+        1
+        >>> scene.distance_configurations(["arm"], poses)
+        array([1., 0., 1.])
 
         Raises
         ------

@@ -3,13 +3,16 @@
 """What the process sees: locks, signals, memory, time to import, types."""
 
 import doctest
+import importlib
 import os
+import pkgutil
 import re
 import signal
 import subprocess
 import sys
 import threading
 import time
+import types
 from pathlib import Path
 
 import numpy as np
@@ -142,7 +145,17 @@ def test_the_page_and_the_docstring_print_what_they_say(capsys):
     (program,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     exec(program, {})
     assert capsys.readouterr().out.splitlines() == [line[2:] for line in program.splitlines() if line.startswith("# ")]
+    for part in pkgutil.iter_modules(impinge.__path__, "impinge."):
+        assert doctest.testmod(importlib.import_module(part.name)).failed == 0, part.name
     assert doctest.testmod(impinge).failed == 0 < doctest.testmod(impinge).attempted
+
+
+def test_every_public_name_is_documented_and_every_function_has_an_example():
+    public = {name: getattr(impinge, name) for name in impinge.__all__ if name not in ("MeshLike", "__version__")}
+    assert [name for name, found in public.items() if not found.__doc__] == []
+    functions = [name for name, found in public.items() if isinstance(found, types.FunctionType)]
+    assert len(functions) > 10  # (what devices a machine has, no example can say)
+    assert [name for name in functions if ">>>" not in public[name].__doc__ and name != "devices"] == []
 
 
 def test_the_version_is_that_of_the_build():
