@@ -129,7 +129,8 @@ class Clashes:
         return sorted((pair for pair in self.pairs if pair.fails), key=lambda pair: -pair.fails_below)
 
     def table(self) -> NDArray[Any]:
-        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` and `distance` are NaN where there is none.
+        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` is that of the reports, what neither
+        part reaches beyond; it and `distance` are NaN where there is none.
 
         >>> import impinge
         >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -144,7 +145,7 @@ class Clashes:
                 *pair.objects,
                 pair.verdict,
                 pair.fails_below,
-                float("nan") if pair.overlap_depth is None else pair.overlap_depth.depth,
+                float("nan") if pair.overlap_depth is None else max(depth.hi for depth in pair.overlap_depth),
                 float("nan") if pair.nearest is None else pair.nearest.distance,
                 *pair.contacts,
             )

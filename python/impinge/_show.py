@@ -81,7 +81,7 @@ def table_of_clashes(clashes: Clashes) -> str:
         (
             _Badge(pair.verdict.name.lower()),
             *pair.objects,
-            "" if pair.overlap_depth is None else pair.overlap_depth.depth,
+            "" if pair.overlap_depth is None else max(depth.hi for depth in pair.overlap_depth),
             "" if pair.nearest is None else pair.nearest.distance,
             *pair.contacts,
         )
