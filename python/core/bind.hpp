@@ -18,6 +18,7 @@ namespace impinge::python {
 void bind_meshes(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_clashes(pybind11::module_& module);
+void bind_reports(pybind11::module_& module);
 
 /// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device); the strings live as long as
 /// this.

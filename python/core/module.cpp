@@ -53,6 +53,7 @@ PYBIND11_MODULE(_core, module) {
   bind_meshes(module);
   bind_scenes(module);
   bind_clashes(module);
+  bind_reports(module);
   module.def("devices", &devices_of_machine);
 }
 

@@ -58,6 +58,7 @@ from ._queries import (
     touches_poses,
 )
 from ._scene import ObjectDistance, Scene
+from ._show import draw
 
 __all__ = [
     "Cancelled",
@@ -101,6 +102,7 @@ __all__ = [
     "contact_regions",
     "devices",
     "distance",
+    "draw",
     "examine",
     "find_clashes",
     "judge",
