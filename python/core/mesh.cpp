@@ -58,8 +58,6 @@ py::object nearest_tuple(const Nearest& nearest) {
 
 namespace {
 
-std::size_t size_of(const Mesh& a, const Mesh& b) { return a.triangle_count() + b.triangle_count(); }
-
 Mesh make_mesh(py::handle vertices, py::handle triangles, std::uint32_t leaf_size, bool vertices_are_single,
                bool single) {
   const View xyz(vertices), indices(triangles);
@@ -92,42 +90,36 @@ Affine affine_of(const View& matrix) {
   return {rows.R, rows.t};
 }
 
-py::tuple collide_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, const QueryOptions& options,
-                       const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return contacts_tuple(unwrap(
-      run(stop, size_of(a, b), [&](std::stop_token token) { return collide(a, at, b, bt, options.with(token)); })));
+py::tuple collide_pair(const Pair& p, const QueryOptions& options, const Stop* stop) {
+  return contacts_tuple(
+      run_pair(p, stop, [&](std::stop_token token) { return collide(p.a, p.at, p.b, p.bt, options.with(token)); }));
 }
 
-bool touches_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return !unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-            return collide(a, at, b, bt, {.find = Options::Find::first, .threads = threads, .stop = token});
-          })).kinds.empty();
+bool touches_pair(const Pair& p, int threads, const Stop* stop) {
+  return !run_pair(p, stop, [&](std::stop_token token) {
+            return collide(p.a, p.at, p.b, p.bt, {.find = Options::Find::first, .threads = threads, .stop = token});
+          }).kinds.empty();
 }
 
 py::tuple collide_at_poses(const Mesh& a, py::handle poses_a, const Mesh& b, py::handle poses_b,
                            const QueryOptions& options, const Stop* stop) {
   const std::vector<Pose> at = poses_of(View(poses_a), "poses_a"), bt = poses_of(View(poses_b), "poses_b");
-  return contacts_tuple(unwrap(run(stop, size_of(a, b) * std::max(at.size(), bt.size()), [&](std::stop_token token) {
+  const std::size_t triangles = a.triangle_count() + b.triangle_count();
+  return contacts_tuple(unwrap(run(stop, triangles * std::max(at.size(), bt.size()), [&](std::stop_token token) {
     return collide_poses(a, at, b, bt, options.with(token));
   })));
 }
 
-py::object distance_of_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double stop_above,
-                            int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return nearest_tuple(unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return distance(a, at, b, bt, {.threads = threads, .stop = token, .stop_above = stop_above});
-  })));
+py::object distance_of_pair(const Pair& p, double stop_above, int threads, const Stop* stop) {
+  return nearest_tuple(run_pair(p, stop, [&](std::stop_token token) {
+    return distance(p.a, p.at, p.b, p.bt, {.threads = threads, .stop = token, .stop_above = stop_above});
+  }));
 }
 
-bool pair_closer_than(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double limit, int threads,
-                      const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return closer_than(a, at, b, bt, limit, {.threads = threads, .stop = token});
-  }));
+bool pair_closer_than(const Pair& p, double limit, int threads, const Stop* stop) {
+  return run_pair(p, stop, [&](std::stop_token token) {
+    return closer_than(p.a, p.at, p.b, p.bt, limit, {.threads = threads, .stop = token});
+  });
 }
 
 Array locate_points(py::handle points, const Mesh& mesh, py::handle pose, const Stop* stop) {
@@ -149,21 +141,17 @@ Array locate_points(py::handle points, const Mesh& mesh, py::handle pose, const 
   return array_of(std::move(found), "B", 1, {static_cast<py::ssize_t>(count)});
 }
 
-py::tuple depth_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double precision,
-                           int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  const OverlapDepth depth = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return overlap_depth(a, at, b, bt, precision, {.threads = threads, .stop = token});
-  }));
+py::tuple depth_of_overlap(const Pair& p, double precision, int threads, const Stop* stop) {
+  const OverlapDepth depth = run_pair(p, stop, [&](std::stop_token token) {
+    return overlap_depth(p.a, p.at, p.b, p.bt, precision, {.threads = threads, .stop = token});
+  });
   return py::make_tuple(depth.a_in_b.lo, depth.a_in_b.hi, depth.b_in_a.lo, depth.b_in_a.hi);
 }
 
-py::tuple volume_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads,
-                            const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  const OverlapVolume volume = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return overlap_volume(a, at, b, bt, {.threads = threads, .stop = token});
-  }));
+py::tuple volume_of_overlap(const Pair& p, int threads, const Stop* stop) {
+  const OverlapVolume volume = run_pair(p, stop, [&](std::stop_token token) {
+    return overlap_volume(p.a, p.at, p.b, p.bt, {.threads = threads, .stop = token});
+  });
   return py::make_tuple(volume.volume, volume.error);
 }
 
@@ -195,6 +183,9 @@ void bind_meshes(py::module_& module) {
              }());
            })
       .def("memory_bytes", &Mesh::memory_bytes);
+  py::class_<Pair>(module, "Pair").def(py::init([](const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b) {
+    return Pair{a, pose_of(pose_a, "pose_a"), b, pose_of(pose_b, "pose_b")};
+  }));
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
   module.def("collide_poses", &collide_at_poses);

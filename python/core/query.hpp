@@ -112,4 +112,18 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   return *std::move(answer);
 }
 
+/// Two placed meshes.
+struct Pair {
+  Mesh a;
+  Pose at;
+  Mesh b;
+  Pose bt;
+};
+
+/// What `query(stop_token)` answers about the pair; throws its error.
+template <class Query>
+auto run_pair(const Pair& pair, const Stop* stop, Query query) {
+  return unwrap(run(stop, pair.a.triangle_count() + pair.b.triangle_count(), query));
+}
+
 }  // namespace impinge::python

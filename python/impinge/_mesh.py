@@ -147,3 +147,9 @@ def as_core(mesh: MeshLike, what: str) -> _core.Mesh:
         return Mesh(mesh)._core
     except MeshError as problem:
         raise MeshError(f"{what}: {problem}") from None
+
+
+def placed(a: MeshLike, b: MeshLike, pose_a: ArrayLike | None, pose_b: ArrayLike | None) -> _core.Pair:
+    """What queries on two meshes work on."""
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return _core.Pair(as_core(a, "a"), at, as_core(b, "b"), bt)

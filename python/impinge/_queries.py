@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._errors import ImpingeWarning, MeshError
-from ._mesh import MeshLike, as_core
+from ._mesh import MeshLike, as_core, placed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -151,8 +151,7 @@ def collide(
         The backend needs a device, and there is none.
     """
     options = make_options(first, limit, kinds, threads, backend, device)
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return make_contacts(_core.collide(as_core(a, "a"), at, as_core(b, "b"), bt, options, stop))
+    return make_contacts(_core.collide(placed(a, b, pose_a, pose_b), options, stop))
 
 
 def touches(
@@ -170,8 +169,7 @@ def touches(
     ------
     As `collide`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _core.touches(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop)
+    return _core.touches(placed(a, b, pose_a, pose_b), threads, stop)
 
 
 def collide_poses(
@@ -238,8 +236,7 @@ def distance(
     ------
     As `collide`; MeshError also for a mesh without triangles.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    found = _core.distance(as_core(a, "a"), at, as_core(b, "b"), bt, stop_above, threads, stop)
+    found = _core.distance(placed(a, b, pose_a, pose_b), stop_above, threads, stop)
     return None if found is None else make_nearest(found)
 
 
@@ -259,8 +256,7 @@ def closer_than(
     ------
     As `distance`; OptionError also for a limit that is negative or not a number.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _core.closer_than(as_core(a, "a"), at, as_core(b, "b"), bt, limit, threads, stop)
+    return _core.closer_than(placed(a, b, pose_a, pose_b), limit, threads, stop)
 
 
 def locate(points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
@@ -293,8 +289,7 @@ def overlap_depth(
     ------
     As `locate`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return make_depth(_core.overlap_depth(as_core(a, "a"), at, as_core(b, "b"), bt, precision, threads, stop))
+    return make_depth(_core.overlap_depth(placed(a, b, pose_a, pose_b), precision, threads, stop))
 
 
 def overlap_volume(
@@ -312,5 +307,4 @@ def overlap_volume(
     ------
     As `locate`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return OverlapVolume(*_core.overlap_volume(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop))
+    return OverlapVolume(*_core.overlap_volume(placed(a, b, pose_a, pose_b), threads, stop))
