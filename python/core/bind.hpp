@@ -18,12 +18,13 @@ namespace impinge::python {
 void bind_meshes(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_clashes(pybind11::module_& module);
+void bind_motion(pybind11::module_& module);
 
-/// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device); the strings live as long as
-/// this.
+/// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device, by_index); the strings live as
+/// long as this.
 struct QueryOptions {
   QueryOptions(bool first, std::uint64_t limit, std::uint8_t kinds, int threads, std::string backend,
-               std::string device);
+               std::string device, bool by_index);
   [[nodiscard]] Options with(std::stop_token stop) const;
 
   bool first;
@@ -31,6 +32,7 @@ struct QueryOptions {
   std::uint8_t kinds;
   int threads;
   std::string backend, device;
+  bool by_index;
 };
 
 /// (objects, offsets, pairs, kinds, truncated, hash, warnings).

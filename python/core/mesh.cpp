@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "impinge/collide.hpp"
@@ -21,13 +20,14 @@
 namespace impinge::python {
 
 QueryOptions::QueryOptions(bool first_, std::uint64_t limit_, std::uint8_t kinds_, int threads_, std::string backend_,
-                           std::string device_)
+                           std::string device_, bool by_index_)
     : first(first_),
       limit(limit_),
       kinds(kinds_),
       threads(threads_),
       backend(std::move(backend_)),
-      device(std::move(device_)) {}
+      device(std::move(device_)),
+      by_index(by_index_) {}
 
 Options QueryOptions::with(std::stop_token stop) const {
   return {.find = first ? Options::Find::first : Options::Find::all,
@@ -36,6 +36,7 @@ Options QueryOptions::with(std::stop_token stop) const {
           .threads = threads,
           .backend = backend,
           .device = device,
+          .adjacency = by_index ? Adjacency::by_index : Adjacency::by_position,
           .stop = std::move(stop)};
 }
 
@@ -81,7 +82,7 @@ Array numbers_of(const Mesh& mesh, std::span<const T> values, const char* format
           const_cast<T*>(values.data()),
           format,
           itemsize,
-          {static_cast<py::ssize_t>(values.size()), 3},
+          {static_cast<py::ssize_t>(values.size()), static_cast<py::ssize_t>(sizeof(T)) / itemsize},
           true};
 }
 
@@ -99,6 +100,13 @@ bool touches_pair(const Pair& p, int threads, const Stop* stop) {
   return !run_pair(p, stop, [&](std::stop_token token) {
             return collide(p.a, p.at, p.b, p.bt, {.find = Options::Find::first, .threads = threads, .stop = token});
           }).kinds.empty();
+}
+
+py::tuple collide_self(const Mesh& mesh, py::handle pose, const QueryOptions& options, const Stop* stop) {
+  const Pose at = pose_of(pose, "pose");
+  return contacts_tuple(unwrap(run(stop, mesh.triangle_count(), [&](std::stop_token token) {
+    return self_collide(mesh, at, options.with(token));
+  })));
 }
 
 py::tuple collide_at_poses(const Mesh& a, py::handle poses_a, const Mesh& b, py::handle poses_b,
@@ -122,23 +130,13 @@ bool pair_closer_than(const Pair& p, double limit, int threads, const Stop* stop
   });
 }
 
-Array locate_points(py::handle points, const Mesh& mesh, py::handle pose, const Stop* stop) {
-  const View view(points);
-  const auto numbers = view.as<double>();
-  const std::size_t count = numbers.size() / 3;
-  const Pose at = pose_of(pose, "pose");
-  auto found =
-      unwrap(run(stop, mesh.triangle_count() * count, [&](std::stop_token token) -> Result<std::vector<Location>> {
-        std::vector<Location> all(count);
-        for (std::size_t i = 0; i < count; ++i) {
-          if (token.stop_requested()) return Error{Code::cancelled, "the stop token ended the query"};
-          const auto where = locate({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}, mesh, at);
-          if (!where) return Error{where.error().code, "point " + std::to_string(i) + ": " + where.error().message};
-          all[i] = *where;
-        }
-        return all;
-      }));
-  return array_of(std::move(found), "B", 1, {static_cast<py::ssize_t>(count)});
+Array locate_points(const PointLocator& locator, py::handle points, int threads, const Stop* stop) {
+  const auto xyz = copy_of<Point>(points);
+  auto found = unwrap(run(stop, xyz.size(), [&](std::stop_token token) {
+    return locator.locate(xyz, {.threads = threads, .stop = token});
+  }));
+  const auto count = static_cast<py::ssize_t>(found.size());
+  return array_of(std::move(found), "B", 1, {count});
 }
 
 py::tuple depth_of_overlap(const Pair& p, double precision, int threads, const Stop* stop) {
@@ -159,11 +157,12 @@ py::tuple volume_of_overlap(const Pair& p, int threads, const Stop* stop) {
 
 void bind_meshes(py::module_& module) {
   py::class_<QueryOptions>(module, "Options")
-      .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string>());
+      .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string, bool>());
   py::class_<Mesh>(module, "Mesh")
       .def(py::init(&make_mesh))
       .def("vertices", [](const Mesh& mesh) { return numbers_of(mesh, mesh.vertices(), "d", 8); })
       .def("triangles", [](const Mesh& mesh) { return numbers_of(mesh, mesh.triangles(), "i", 4); })
+      .def("edges", [](const Mesh& mesh) { return numbers_of(mesh, mesh.edges(), "i", 4); })
       .def("is_single", [](const Mesh& mesh) { return mesh.precision() == Precision::single; })
       .def("key", [](const Mesh& mesh) { return reinterpret_cast<std::uintptr_t>(mesh.vertices().data()); })
       .def("triangle_count", &Mesh::triangle_count)
@@ -173,6 +172,14 @@ void bind_meshes(py::module_& module) {
              return unwrap([&] {
                const py::gil_scoped_release released;
                return mesh.transformed(map);
+             }());
+           })
+      .def("deformed",
+           [](const Mesh& mesh, py::handle vertices) {
+             const View xyz(vertices);
+             return unwrap([&] {
+               const py::gil_scoped_release released;
+               return mesh.deformed(xyz.as<double>());
              }());
            })
       .def("build_tree",
@@ -188,10 +195,17 @@ void bind_meshes(py::module_& module) {
   }));
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
+  module.def("self_collide", &collide_self);
   module.def("collide_poses", &collide_at_poses);
   module.def("distance", &distance_of_pair);
   module.def("closer_than", &pair_closer_than);
-  module.def("locate", &locate_points);
+  py::class_<PointLocator>(module, "PointLocator")
+      .def(py::init([](const Mesh& mesh, py::handle pose, int threads) {
+        const Pose at = pose_of(pose, "pose");
+        return unwrap(run(nullptr, mesh.triangle_count(),
+                          [&](std::stop_token) { return PointLocator::create(mesh, at, threads); }));
+      }))
+      .def("locate", &locate_points);
   module.def("overlap_depth", &depth_of_overlap);
   module.def("overlap_volume", &volume_of_overlap);
 }

@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._errors import ImpingeWarning, MeshError
-from ._mesh import MeshLike, as_core, placed
+from ._mesh import Mesh, MeshLike, as_core, placed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -100,9 +100,15 @@ class OverlapVolume(NamedTuple):
 
 
 def make_options(
-    first: bool, limit: int | None, kinds: Kind | Iterable[Kind] | None, threads: int, backend: str, device: str
+    first: bool,
+    limit: int | None,
+    kinds: Kind | Iterable[Kind] | None,
+    threads: int,
+    backend: str,
+    device: str,
+    by_index: bool = False,
 ) -> _core.Options:
-    return _core.Options(first, _arrays.limit(limit), _arrays.kinds(kinds), threads, backend, device)
+    return _core.Options(first, _arrays.limit(limit), _arrays.kinds(kinds), threads, backend, device, by_index)
 
 
 def make_contacts(found: tuple[Any, ...], name_of: dict[int, Hashable] | None = None) -> Contacts:
@@ -152,6 +158,40 @@ def collide(
     """
     options = make_options(first, limit, kinds, threads, backend, device)
     return make_contacts(_core.collide(placed(a, b, pose_a, pose_b), options, stop))
+
+
+def self_collide(
+    mesh: MeshLike,
+    pose: ArrayLike | None = None,
+    *,
+    by_index: bool = False,
+    first: bool = False,
+    limit: int | None = None,
+    kinds: Kind | Iterable[Kind] | None = None,
+    threads: int = 0,
+    backend: str = "auto",
+    device: str = "",
+    stop: _core.Stop | None = None,
+) -> Contacts:
+    """Every pair of triangles i < j of one mesh that share a point beyond the vertices which they have in common, exactly.
+
+    Neighbours are there where they go through each other or are folded flat onto each other, not for being neighbours: pairs that share a
+    point outside of the convex hull of their common vertices, or have all three in common. Vertices are common where they are equal;
+    with `by_index` only where their index is, so that the two sides of a seam touch. The one row is of objects 0 and 0. Options as `collide`.
+
+    Raises
+    ------
+    As `collide`.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> fan = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0.5, 0]]  # the second triangle lies on the first
+    >>> impinge.self_collide((fan, [[0, 1, 2], [0, 1, 3]])).pairs
+    array([[0, 1]], dtype=int32)
+    """
+    options = make_options(first, limit, kinds, threads, backend, device, by_index)
+    return make_contacts(_core.self_collide(as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), options, stop))
 
 
 def touches(
@@ -259,16 +299,61 @@ def closer_than(
     return _core.closer_than(placed(a, b, pose_a, pose_b), limit, threads, stop)
 
 
-def locate(points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
-    """Where points, (..., 3), lie to a closed mesh, exactly: (...,) of `Location`. Each point takes time linear in the mesh.
+class PointLocator:
+    """A closed mesh at a pose, prepared so that many points are located fast; immutable, safe to use from many threads.
 
     Raises
     ------
     As `collide`; MeshError also for a mesh that is not closed.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> locator = impinge.PointLocator(tetrahedron)
+    >>> [impinge.Location(where).name for where in locator.locate([[0.1, 0.1, 0.1], [0.5, 0.5, 0], [1, 1, 1]])]
+    ['INSIDE', 'BOUNDARY', 'OUTSIDE']
     """
-    array = _arrays.points(points, "points", MeshError)
-    found = np.asarray(_core.locate(array, as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), stop))
-    return found.reshape(array.shape[:-1])
+
+    def __init__(self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0) -> None:
+        self._mesh, self._pose = mesh if isinstance(mesh, Mesh) else Mesh(mesh), _arrays.pose(pose, "pose")
+        self._core = _core.PointLocator(self._mesh._core, self._pose, threads)
+
+    def locate(self, points: ArrayLike, *, threads: int = 0, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
+        """Where points, (..., 3), lie, exactly: (...,) of `Location`.
+
+        Raises
+        ------
+        MeshError
+            Another shape or type.
+        RangeError
+            A coordinate is not below 2^300.
+        OptionError, Cancelled, OutOfMemoryError
+        """
+        array = _arrays.points(points, "points", MeshError)
+        return np.asarray(self._core.locate(array, threads, stop)).reshape(array.shape[:-1])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PointLocator, (self._mesh, self._pose)
+
+
+def locate(
+    points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None
+) -> NDArray[np.uint8]:
+    """Where points, (..., 3), lie to a closed mesh, exactly: (...,) of `Location`. Ask for many at once, or a `PointLocator` again and again.
+
+    Raises
+    ------
+    As `PointLocator` and its `locate`.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> tetrahedron = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> impinge.locate([0.1, 0.1, 0.1], tetrahedron) == impinge.Location.INSIDE
+    True
+    """
+    return PointLocator(mesh, pose, threads=threads).locate(points, threads=threads, stop=stop)
 
 
 def overlap_depth(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any, Hashable, Iterable, Iterator, NamedTuple, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Hashable, Iterable, Iterator, Literal, NamedTuple, Sequence, overload
 
 import numpy as np
 
@@ -23,13 +24,42 @@ class ObjectDistance(NamedTuple):
     nearest: Nearest
 
 
+@dataclass(frozen=True, eq=False)
+class Configurations:
+    """What was found of many configurations, with a witness of each that touches; which of several is open."""
+
+    touches: NDArray[np.bool_]  #: (T,)
+    names: tuple[tuple[Hashable, Hashable] | None, ...]  #: T: two objects that touch; None: none do
+    faces: NDArray[np.int32]  #: (T, 2): a triangle of each of the two that touch; -1: none do
+
+
+@dataclass(frozen=True, eq=False)
+class Manifolds:
+    """What a solver of rigid bodies asks of each connected region of contact, a and b being its objects. The arrays own their memory."""
+
+    objects: NDArray[np.int32]  #: (M, 2): indices, as in `Contacts`
+    names: tuple[tuple[Hashable, Hashable], ...]  #: M: of a and b
+    ids: NDArray[np.int64]  #: (M,): one's stays while the region persists, and is never used again
+    middles: NDArray[np.float64]  #: (M, 3): of the contour, by length
+    normals: NDArray[np.float64]  #: (M, 3): unit, the way in which b must go to leave a; 0 where contact says none
+    depths: NDArray[np.float64]  #: (M,): of the deepest points
+    sizes: NDArray[np.int32]  #: (M,): how many points there are, 1 to 4; rows behind them are 0
+    points: NDArray[np.float64]  #: (M, 4, 2, 3): one of a and one of b each; along the normal a's is beyond b's by the point's depth
+    point_depths: NDArray[np.float64]  #: (M, 4): 0 or more
+
+    def __repr__(self) -> str:
+        return f"<impinge.Manifolds: {len(self.ids)} of {len(set(self.names))} pairs of objects>"
+
+
 class _Object:
     """What the scene knows of one object; its pose is in the library."""
 
-    __slots__ = ("group", "id", "mesh")
+    __slots__ = ("filter", "group", "id", "mesh", "self_too")
 
     def __init__(self, id: int, mesh: Mesh, group: int) -> None:
         self.id, self.mesh, self.group = id, mesh, group
+        self.filter: tuple[int, int] | None = None
+        self.self_too = False
 
 
 class Scene:
@@ -101,7 +131,7 @@ class Scene:
             self._changed(0)
 
     def set_mesh(self, name: Hashable, mesh: MeshLike, pose: ArrayLike | None = None) -> None:
-        """Gives an object another shape and place; its name, group and ignored pairs stay.
+        """Gives an object another shape and place; its name and all that was said of it stay.
 
         Raises
         ------
@@ -109,10 +139,31 @@ class Scene:
         """
         mesh, matrix = _as_mesh(mesh), _arrays.pose(pose, "pose")
         with _core.Writing(self._core):
+            self._set_mesh(self._object(name), mesh, matrix)
+
+    def set_vertices(self, name: Hashable, vertices: ArrayLike) -> None:
+        """Deforms an object's mesh where it stands, as `Mesh.deformed`: vertices (V, 3), in the mesh's frame. Others that share the mesh
+        keep theirs. With an error it stays as it was.
+
+        Raises
+        ------
+        UnknownObjectError
+        MeshError
+            Another shape or type, or a coordinate that is not finite.
+
+        Examples
+        --------
+        >>> import impinge
+        >>> scene, mesh = impinge.Scene(), impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene.add(mesh, name="sheet"), scene.add(mesh, name="floor")
+        ('sheet', 'floor')
+        >>> scene.set_vertices("sheet", [[0, 0, 1], [1, 0, 1], [0, 1, 0.5]])
+        >>> scene.distance().nearest.distance
+        0.5
+        """
+        with _core.Writing(self._core):
             found = self._object(name)
-            self._core.set_mesh(found.id, mesh._core, matrix)
-            self._changed(mesh._core.triangle_count() - found.mesh._core.triangle_count())
-            found.mesh = mesh
+            self._set_mesh(found, found.mesh.deformed(vertices), np.asarray(self._core.pose(found.id)))
 
     def remove(self, name: Hashable) -> None:
         """Forgets an object, and the pairs that ignore it.
@@ -145,6 +196,58 @@ class Scene:
                 self._ignored.pop(frozenset((a, b)), None)
             self._changed(0)
 
+    def set_filter(self, name: Hashable, category: int = 1, mask: int = 2**64 - 1) -> None:
+        """Two objects are tested against each other if the mask of each has a bit of the other's category, both of 64 bits, besides what
+        groups and ignored pairs leave out. A new object has category 1 and every bit in its mask.
+
+        Raises
+        ------
+        UnknownObjectError
+        OptionError
+            A number not between 0 and 2^64 - 1.
+
+        Examples
+        --------
+        >>> import impinge
+        >>> scene, mesh = impinge.Scene(), impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> arm, floor = scene.add(mesh, name="arm"), scene.add(mesh, name="floor")
+        >>> scene.set_filter("arm", category=2)
+        >>> scene.set_filter("floor", mask=~2 & 2**64 - 1)  # all but arms
+        >>> scene.touches_any()
+        False
+        """
+        for what, bits in (("category", category), ("mask", mask)):
+            if not 0 <= bits < 2**64:
+                raise OptionError(f"{what} is {bits}; choose 0 to 2^64 - 1")
+        with _core.Writing(self._core):
+            found = self._object(name)
+            self._core.set_filter(found.id, category, mask)
+            found.filter = (category, mask)
+            self._changed(0)
+
+    def self(self, name: Hashable, on: bool = True) -> None:
+        """Whether `collide` tests this object against itself too, as `self_collide` does, in a row of the object and itself, whatever its
+        group and filter. At first it does not.
+
+        Raises
+        ------
+        UnknownObjectError
+
+        Examples
+        --------
+        >>> import impinge
+        >>> scene, folded = impinge.Scene(), impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0.5, 0]], [[0, 1, 2], [0, 1, 3]])
+        >>> cloth = scene.add(folded, name="cloth")
+        >>> scene.self("cloth")
+        >>> scene.collide().names
+        (('cloth', 'cloth'),)
+        """
+        with _core.Writing(self._core):
+            found = self._object(name)
+            self._core.self(found.id, on)
+            found.self_too = bool(on)
+            self._changed(0)
+
     def pose(self, name: Hashable) -> NDArray[np.float64]:
         """(4, 4). Raises UnknownObjectError."""
         with _core.Reading(self._core):
@@ -175,13 +278,15 @@ class Scene:
         threads: int = 0,
         backend: str = "auto",
         device: str = "",
+        by_index: bool = False,
         stop: _core.Stop | None = None,
     ) -> Contacts:
         """Every pair of triangles of two different objects that share a point; `names` says whose the rows are.
 
-        With `first` one pair for each two objects that touch. Options and errors as the function `collide`.
+        With `first` one pair for each two objects that touch; `by_index` as in `self_collide`, of objects that `self` says it of. Options
+        and errors as the function `collide`.
         """
-        options = make_options(first, limit, kinds, threads, backend, device)
+        options = make_options(first, limit, kinds, threads, backend, device, by_index)
         with self._reading(threads):
             return make_contacts(self._core.collide(options, stop), self._name_of)
 
@@ -220,11 +325,36 @@ class Scene:
         with self._reading(threads):
             return self._core.touches_any(threads, stop)
 
+    @overload
     def collide_configurations(
-        self, names: Sequence[Hashable], poses: ArrayLike, *, threads: int = 0, stop: _core.Stop | None = None
+        self,
+        names: Sequence[Hashable],
+        poses: ArrayLike,
+        *,
+        witnesses: Literal[False] = ...,
+        threads: int = ...,
+        stop: _core.Stop | None = ...,
     ) -> NDArray[np.bool_]:
+        ...
+
+    @overload
+    def collide_configurations(
+        self, names: Sequence[Hashable], poses: ArrayLike, *, witnesses: Literal[True], threads: int = ..., stop: _core.Stop | None = ...
+    ) -> Configurations:
+        ...
+
+    def collide_configurations(
+        self,
+        names: Sequence[Hashable],
+        poses: ArrayLike,
+        *,
+        witnesses: bool = False,
+        threads: int = 0,
+        stop: _core.Stop | None = None,
+    ) -> NDArray[np.bool_] | Configurations:
         """For each configuration, a pose for each of these objects, (T, M, 4, 4) in all: whether one of them touches another one or
-        any other object of the scene, (T,). The others are not tested against each other. The scene does not change.
+        any other object of the scene, (T,). The others are not tested against each other. The scene does not change. With `witnesses`
+        two triangles that touch are told too.
 
         Raises
         ------
@@ -232,7 +362,12 @@ class Scene:
         """
         matrices = self._path(names, poses)
         with self._reading(threads):
-            return np.asarray(self._core.collide_configurations(self._ids(names), matrices, threads, stop))
+            touches, found = self._core.collide_configurations(self._ids(names), matrices, witnesses, threads, stop)
+            if not witnesses:
+                return np.asarray(touches)
+            rows = np.asarray(found)
+            pairs = tuple(None if a < 0 else (self._name_of[a], self._name_of[b]) for a, b in rows[:, :2].tolist())
+            return Configurations(np.asarray(touches), pairs, rows[:, 2:].copy())
 
     def first_touching(
         self, names: Sequence[Hashable], poses: ArrayLike, *, threads: int = 0, stop: _core.Stop | None = None
@@ -261,10 +396,32 @@ class Scene:
         with self._reading(threads):
             id = None if name is None else self._object(name).id
             found = self._core.distance(id, stop_above, threads, stop)
-            if found is None:
-                return None
-            a, b, nearest = found
-            return ObjectDistance((self._name_of[a], self._name_of[b]), make_nearest(nearest))
+            return None if found is None else self._object_distance(found)
+
+    def closest(
+        self, count: int, *, stop_above: float = float("inf"), threads: int = 0, stop: _core.Stop | None = None
+    ) -> list[ObjectDistance]:
+        """The so many pairs of objects that are nearest to each other, the nearest first; fewer if there are fewer, or within `stop_above`.
+
+        Which of several that are equally near come is open.
+
+        Raises
+        ------
+        RangeError, OptionError, Cancelled, OutOfMemoryError
+
+        Examples
+        --------
+        >>> import impinge, numpy as np
+        >>> scene, mesh = impinge.Scene(), impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> for name, z in zip("abc", (0, 1, 3)):
+        ...     _ = scene.add(mesh.transformed([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, z], [0, 0, 0, 1]]), name=name)
+        >>> [(pair.objects, pair.nearest.distance) for pair in scene.closest(2)]
+        [(('a', 'b'), 1.0), (('b', 'c'), 2.0)]
+        """
+        if not 0 <= count < 2**63:
+            raise OptionError(f"count is {count}; choose 0 or more")
+        with self._reading(threads):
+            return [self._object_distance(found) for found in self._core.closest(count, stop_above, threads, stop)]
 
     def distance_configurations(
         self,
@@ -295,6 +452,15 @@ class Scene:
                 self._stale = False
         return _core.Reading(self._core)
 
+    def _set_mesh(self, found: _Object, mesh: Mesh, pose: NDArray[np.float64] | None) -> None:
+        self._core.set_mesh(found.id, mesh._core, pose)
+        self._changed(mesh._core.triangle_count() - found.mesh._core.triangle_count())
+        found.mesh = mesh
+
+    def _object_distance(self, found: tuple[Any, ...]) -> ObjectDistance:
+        a, b, nearest = found
+        return ObjectDistance((self._name_of[a], self._name_of[b]), make_nearest(nearest))
+
     def _changed(self, more_triangles: int) -> None:
         self._core.triangles += more_triangles
         self._stale = True
@@ -318,20 +484,66 @@ class Scene:
     def __getstate__(self) -> dict[str, Any]:
         with _core.Reading(self._core):
             objects = [
-                (name, found.mesh, np.array(self._core.pose(found.id)), found.group) for name, found in self._objects.items()
+                (name, found.mesh, np.array(self._core.pose(found.id)), found.group, found.filter, found.self_too)
+                for name, found in self._objects.items()
             ]
             return {"objects": objects, "ignored": list(self._ignored.values()), "next": self._next}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self)
-        for name, mesh, pose, group in state["objects"]:
+        for name, mesh, pose, group, bits, self_too in state["objects"]:
             self.add(mesh, pose, name=name, group=group)
+            if bits is not None:
+                self.set_filter(name, *bits)
+            if self_too:
+                self.self(name)
         for a, b in state["ignored"]:
             self.ignore(a, b)
         self._next = state["next"]
 
     def __repr__(self) -> str:
         return f"<impinge.Scene: {len(self)} objects, {self._core.triangles} faces>"
+
+
+class ContactManifolds:
+    """Makes manifolds of a scene's contacts, frame by frame, and keeps what the next frame needs: ids and the order of points.
+
+    What they are is said in the C++ header manifolds.hpp. Safe to use from many threads, one frame after the other.
+
+    Examples
+    --------
+    >>> import impinge, numpy as np
+    >>> n = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> down = impinge.Mesh([[0, 0, 0], [4, 0, 4], [0, 4, 4], [-4, -4, 4]], [face[::-1] for face in n])
+    >>> floor = impinge.Mesh([[9, 9, 0], [-9, 9, 0], [0, -9, 0], [0, 0, -9]], n)
+    >>> scene, manifolds = impinge.Scene(), impinge.ContactManifolds()
+    >>> _ = scene.add(floor, name="floor"), scene.add(down, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -0.25], [0, 0, 0, 1]], name="tip")
+    >>> found = manifolds.update(scene, scene.collide())
+    >>> found.names, found.depths.tolist(), abs(found.normals).tolist()
+    ((('floor', 'tip'),), [0.25], [[0.0, 0.0, 1.0]])
+    """
+
+    def __init__(self) -> None:
+        self._core = _core.ContactManifolds()
+
+    def update(self, scene: Scene, contacts: Contacts) -> Manifolds:
+        """The manifolds of all contacts that `Scene.collide` has found, in the order of their objects; none of an object with itself.
+
+        Raises
+        ------
+        UnknownObjectError
+            Objects or triangles that the scene does not have.
+        OptionError
+            Contacts that were cut off at a limit, or whose arrays were changed so that they do not fit together.
+        OutOfMemoryError
+        """
+        objects, pairs = (np.require(array, np.int32, ["C", "A"]) for array in (contacts.objects, contacts.pairs))
+        offsets = np.require(contacts.offsets, np.int64, ["C", "A"])
+        with _core.Reading(scene._core):
+            found = self._core.update(scene._core, objects, offsets, pairs, contacts.truncated)
+            of, ids, middles, normals, depths, sizes, points, point_depths = [np.asarray(array) for array in found]
+            names = tuple((scene._name_of[a], scene._name_of[b]) for a, b in of.tolist())
+        return Manifolds(of, names, ids, middles, normals, depths, sizes, points, point_depths)
 
 
 def _as_mesh(mesh: MeshLike) -> Mesh:

@@ -20,8 +20,8 @@ from . import _convex
 from ._clash import judge
 from ._errors import OptionError
 from ._mesh import MeshLike
-from ._placed import CollisionObject, as_matrix, is_within, place
-from ._queries import Contacts, Kind, Location, Nearest, collide, distance, locate
+from ._placed import CollisionObject, as_matrix, is_nested, is_within, place
+from ._queries import Contacts, Kind, Nearest, collide, distance
 from ._scene import Scene
 from ._shared_points import shared_points
 
@@ -258,7 +258,7 @@ class CollisionManager:
         """The objects, but for those whose surfaces it meets, that it lies inside of, or the other way round."""
         names, boxes, corners = self._places()
         for k in np.flatnonzero(is_within(visitor._corner, boxes) | is_within(corners, visitor._box)):
-            if names[k] not in met and self._is_nested(self._objs[names[k]]["obj"], visitor):
+            if names[k] not in met and is_nested(self._objs[names[k]]["obj"], visitor, self._solid):
                 yield names[k]
 
     def _pairs_within(self) -> Iterator[_Pair]:
@@ -270,7 +270,7 @@ class CollisionManager:
             for inner in (names[k] for k in np.flatnonzero(is_within(corners, boxes[:, i])) if k != i):
                 if {(outer, inner), (inner, outer)} & met or self.is_pair_ignored(outer, inner):
                     continue
-                if self._is_nested(self._objs[outer]["obj"], self._objs[inner]["obj"]):
+                if is_nested(self._objs[outer]["obj"], self._objs[inner]["obj"], self._solid):
                     met.add((outer, inner))
                     pairs.append((outer, inner))
         for a, b in pairs:
@@ -285,14 +285,6 @@ class CollisionManager:
             boxes = np.array([placed._box for placed in objects]).reshape(-1, 2, 3).swapaxes(0, 1)
             self._known_places = (list(self._objs), boxes, np.array([placed._corner for placed in objects]).reshape(-1, 3))
         return self._known_places
-
-    def _is_nested(self, a: CollisionObject, b: CollisionObject) -> bool:
-        """Whether one of two whose surfaces are apart lies inside the other, which is a solid."""
-        for outer, inner in ((a, b), (b, a)):
-            if is_within(inner._corner, outer._box):
-                if outer._is_solid(self._solid) and locate(inner._corner, outer._mesh, outer._pose) == Location.INSIDE:
-                    return True
-        return False
 
     def _counts(self, pair: _Pair) -> bool:
         """Whether what touches or is nested is deep enough to collide."""

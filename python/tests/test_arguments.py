@@ -86,6 +86,7 @@ with_nan[3, 1] = np.nan
 sheared = np.eye(4)
 sheared[0, 1] = 0.5
 CUBES = (CUBE, CUBE_FACES), (CUBE, CUBE_FACES)
+FACE = CUBE[:3]
 REFUSED = [
     (lambda: impinge.Mesh(with_nan, CUBE_FACES), impinge.MeshError, "vertex 3 has a coordinate that is not a finite number"),
     (lambda: impinge.Mesh(CUBE.T, CUBE_FACES), impinge.MeshError, r"vertices has the shape \(3, 8\), not \(V, 3\); transpose it"),
@@ -128,7 +129,31 @@ REFUSED = [
     (lambda: impinge.judge(*CUBES, tolerance=-1), impinge.OptionError, "tolerance"),
     (lambda: impinge.contact_regions(*CUBES, tolerance=9), impinge.OptionError, "tolerance"),
     (lambda: impinge.locate([1, 2], CUBES[0]), impinge.MeshError, r"points has the shape \(2,\), not \(..., 3\)"),
-    (lambda: impinge.locate([1, 2, 3], (CUBE, CUBE_FACES[1:])), impinge.MeshError, "point 0: the mesh is not closed"),
+    (lambda: impinge.locate([1, 2, 3], (CUBE, CUBE_FACES[1:])), impinge.MeshError, "the mesh is not closed"),
+    (lambda: impinge.PointLocator(CUBES[0], sheared), impinge.PoseError, "not a rotation"),
+    (lambda: impinge.PointLocator(CUBES[0]).locate([[0, 0, 0], [1e200, 0, 0]]), impinge.RangeError, r"points\[1\]"),
+    (lambda: impinge.self_collide(CUBES[0], moved(1e200, 0, 0)), impinge.RangeError, "2\\^300"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES).deformed(with_nan), impinge.MeshError, "vertex 3 has a coordinate that is not a finite number"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES).deformed(CUBE[:5]), impinge.MeshError, "end within vertex 5, but the mesh has 8"),
+    (lambda: impinge.Mesh(CUBE, CUBE_FACES).deformed(CUBE.T), impinge.MeshError, r"not \(V, 3\); transpose it"),
+    (lambda: impinge.find_impacts(CUBES[0]), impinge.MeshError, r"a\[0\]: ndarray is no mesh"),
+    (lambda: impinge.find_impacts(impinge.Mesh(*CUBES[0])), impinge.MeshError, "a is no pair of meshes"),
+    (lambda: impinge.find_impacts(CUBES, ((with_nan, CUBE_FACES), CUBES[0])), impinge.MeshError, r"b\[0\]: vertex 3 has"),
+    (lambda: impinge.find_impacts(CUBES, (CUBES[0], (with_nan, CUBE_FACES))), impinge.MeshError, r"b\[1\]: vertex 3 has"),
+    (lambda: impinge.find_impacts((CUBES[0], (CUBE[:5], []))), impinge.MeshError, "8 vertices at the start and 5 at the end"),
+    (lambda: impinge.find_impacts(CUBES, (CUBES[0], (CUBE, CUBE_FACES[::-1]))), impinge.MeshError, "the second mesh's triangle 0 has other vertices"),
+    (lambda: impinge.find_impacts(CUBES, end=1.5), impinge.OptionError, "not 1.5"),
+    (lambda: impinge.find_impacts(CUBES, end=np.nan), impinge.OptionError, "end of the time"),
+    (lambda: impinge.find_impacts(CUBES, limit=-1), impinge.OptionError, "limit is -1"),
+    (lambda: impinge.orient3d(0, 0, 0, 0), impinge.OptionError, r"a has the shape \(\), not \(..., 3\)"),
+    (lambda: impinge.orient3d(FACE, FACE[:2], FACE, FACE), impinge.OptionError, r"cannot be broadcast.*b \(2,\)"),
+    (lambda: impinge.orient3d(*FACE, [0, 0, 2.0**300]), impinge.RangeError, "d has a coordinate that is not below 2\\^300"),
+    (lambda: impinge.triangles_meet(FACE, with_nan[2:5]), impinge.RangeError, "t has a coordinate"),
+    (lambda: impinge.triangles_meet(FACE[:2], FACE), impinge.OptionError, r"s has the shape \(2, 3\), not \(..., 3, 3\)"),
+    (lambda: impinge.vertex_face_impact(FACE[0], FACE, with_nan[3], FACE), impinge.RangeError, "vertex_to has a coordinate that is not a finite"),
+    (lambda: impinge.edge_edge_impact(FACE, FACE, FACE, FACE), impinge.OptionError, r"a_from has the shape \(3, 3\), not \(..., 2, 3\)"),
+    (lambda: impinge.set_num_threads(-1), impinge.OptionError, "number of threads is -1"),
+    (lambda: impinge.set_num_threads(1.5), impinge.OptionError, "number of threads is 1.5"),
     (lambda: impinge.Mesh(CUBE, CUBE_FACES).transformed(moved(np.nan, 0, 0)), impinge.PoseError, "not a finite number"),
 ]
 

@@ -3,7 +3,9 @@
 """What the process sees: locks, signals, memory, time to import, types."""
 
 import doctest
+import importlib
 import os
+import pkgutil
 import re
 import signal
 import subprocess
@@ -18,16 +20,23 @@ import pytest
 import impinge
 from oracle import CUBE, CUBE_FACES
 
-# 4 * 10^8 pairs of coplanar triangles, of which none is wanted: far longer than a test would wait.
+# 4 * 10^8 pairs of coplanar triangles, of which none is wanted, and as many of triangles through each other: far longer than a test would wait.
 ENDLESS = """
 import impinge, numpy as np
 copies = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.tile([0, 1, 2], (20000, 1)))
+thicket = impinge.Mesh(np.random.default_rng(1).normal(size=(60000, 3)), np.arange(60000).reshape(-1, 3))
+moved = thicket.deformed(thicket.vertices[::-1])
 def endless(stop=None):
     impinge.collide(copies, copies, kinds=impinge.Kind.CROSSING, threads=1, stop=stop)
+def endless_self(stop=None):
+    impinge.self_collide(thicket, threads=1, stop=stop)
+def endless_impacts(stop=None):
+    impinge.find_impacts((thicket, moved), by_index=True, threads=1, stop=stop)
 """
 
 
-def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
+@pytest.mark.parametrize("query", ["endless", "endless_self", "endless_impacts"])
+def test_a_query_lets_other_threads_run_and_a_stop_ends_it(query):
     namespace = {}
     exec(ENDLESS, namespace)
     for on_main in (False, True):  # the main thread waits for a helper
@@ -37,13 +46,13 @@ def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
         setter.start()  # never runs while a query holds the interpreter's lock
         if on_main:
             with pytest.raises(impinge.Cancelled):
-                namespace["endless"](stop)
+                namespace[query](stop)
         else:
             caught = []
 
             def work():
                 try:
-                    namespace["endless"](stop)
+                    namespace[query](stop)
                 except impinge.Cancelled as error:
                     caught.append(error)
 
@@ -54,6 +63,8 @@ def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
         assert stop.is_set()
     with pytest.raises(impinge.Cancelled):
         impinge.touches((CUBE, CUBE_FACES), (CUBE, CUBE_FACES), stop=stop)
+    with pytest.raises(impinge.Cancelled):
+        impinge.orient3d(*CUBE[:4], stop=stop)
 
 
 @pytest.mark.parametrize(
@@ -77,6 +88,18 @@ def test_ctrl_c_ends_a_query(query, end):
     finally:
         child.kill()
     assert child.returncode != 0 and said.splitlines()[-1].startswith(end), said
+
+
+def test_threads_are_as_many_as_are_allowed():
+    program = ENDLESS + "import os\nsome = (thicket.vertices, thicket.faces[:1500])\nimpinge.collide(some, some)\nprint(len(os.listdir('/proc/self/task')))"
+    some = range(1 + (len(os.sched_getaffinity(0)) > 1), 1 << 20)
+    for allowed, expected in (("1", [1]), ("0", some), ("two", None)):
+        environment = {**os.environ, "IMPINGE_NUM_THREADS": allowed}
+        done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
+        if expected is None:
+            assert "OptionError: the environment's IMPINGE_NUM_THREADS is 'two'; choose" in done.stderr
+        else:
+            assert int(done.stdout) in expected
 
 
 def resident():
@@ -142,6 +165,8 @@ def test_the_page_and_the_docstring_print_what_they_say(capsys):
     (program,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     exec(program, {})
     assert capsys.readouterr().out.splitlines() == [line[2:] for line in program.splitlines() if line.startswith("# ")]
+    for part in pkgutil.iter_modules(impinge.__path__, "impinge."):
+        assert doctest.testmod(importlib.import_module(part.name)).failed == 0, part.name
     assert doctest.testmod(impinge).failed == 0 < doctest.testmod(impinge).attempted
 
 
