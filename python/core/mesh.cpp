@@ -65,7 +65,7 @@ Mesh make_mesh(py::handle vertices, py::handle triangles, std::uint32_t leaf_siz
   const TreeConfig tree{leaf_size};
   const auto index = indices.as<std::uint32_t>();
   const auto make = [&](auto coordinates) {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     if constexpr (std::is_same_v<decltype(coordinates), std::span<const float>>) {
       return Mesh::create(coordinates, index, tree);
     } else {
@@ -170,7 +170,7 @@ void bind_meshes(py::module_& module) {
            [](const Mesh& mesh, py::handle matrix) {
              const Affine map = affine_of(View(matrix));
              return unwrap([&] {
-               const py::gil_scoped_release released;
+               const Unlocked released;
                return mesh.transformed(map);
              }());
            })
@@ -178,14 +178,14 @@ void bind_meshes(py::module_& module) {
            [](const Mesh& mesh, py::handle vertices) {
              const View xyz(vertices);
              return unwrap([&] {
-               const py::gil_scoped_release released;
+               const Unlocked released;
                return mesh.deformed(xyz.as<double>());
              }());
            })
       .def("build_tree",
            [](const Mesh& mesh, int threads) {
              unwrap([&] {
-               const py::gil_scoped_release released;
+               const Unlocked released;
                return mesh.build_tree(threads);
              }());
            })

@@ -17,7 +17,7 @@ namespace {
 
 py::list devices_of_machine() {
   const auto found = unwrap([] {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return devices();
   }());
   py::list all;

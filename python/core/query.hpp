@@ -28,6 +28,26 @@ struct Stop {
   std::stop_source source;
 };
 
+/// Lets go of the interpreter's lock. pybind11's gil_scoped_release ends the process where the interpreter ends
+/// meanwhile: a thread that wants the lock back is unwound then, out of a destructor. This one waits for the end of the
+/// process.
+class Unlocked {
+ public:
+  Unlocked() : state_(PyEval_SaveThread()) {}
+  ~Unlocked() {
+    try {
+      PyEval_RestoreThread(state_);
+    } catch (...) {  // nothing but that unwinding, which may not end here
+      for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
 /// Throws the package's exception for the error.
 [[noreturn]] void raise(const Error& error);
 
@@ -64,7 +84,7 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   using Answer = decltype(query(std::stop_token{}));
   const std::stop_token asked = stop != nullptr ? stop->source.get_token() : std::stop_token{};
   if (size < kMayTakeLong || !is_main_thread()) {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return query(asked);
   }
 
@@ -74,7 +94,7 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   std::exception_ptr failure;
   std::optional<py::error_already_set> signal;
   {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     std::mutex mutex;
     std::condition_variable changed;
     bool done = false;

@@ -42,7 +42,7 @@ struct Hold {
   void enter() {
     std::shared_mutex& lock = mutex();
     if (kAlone ? lock.try_lock() : lock.try_lock_shared()) return;
-    const py::gil_scoped_release released;
+    const Unlocked released;
     kAlone ? lock.lock() : lock.lock_shared();
   }
   void exit(const py::args&) { kAlone ? mutex().unlock() : mutex().unlock_shared(); }
@@ -60,7 +60,7 @@ void bind_hold(py::module_& module, const char* name) {
 template <class Change>
 auto unlocked(SharedScene& shared, Change change) {
   return unwrap([&] {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return change(shared.scene);
   }());
 }
@@ -228,6 +228,7 @@ void bind_scenes(py::module_& module) {
   py::class_<SharedScene>(module, "Scene")
       .def(py::init<>())
       .def_readwrite("triangles", &SharedScene::triangles)
+      .def("forget_threads", &SharedScene::forget_threads)
       .def("add",
            [](SharedScene& shared, const Mesh& mesh, py::handle pose, std::uint32_t group) {
              const Pose at = pose_of(pose, "pose");

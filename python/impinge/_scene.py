@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import os
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Hashable, Iterable, Iterator, Literal, NamedTuple, Sequence, overload
+from weakref import WeakSet
 
 import numpy as np
 
@@ -75,6 +77,7 @@ class Scene:
         self._ignored: dict[frozenset[Hashable], tuple[Hashable, Hashable]] = {}
         self._next = 0
         self._stale = False
+        _scenes.add(self)
 
     # --- objects
 
@@ -544,6 +547,15 @@ class ContactManifolds:
             of, ids, middles, normals, depths, sizes, points, point_depths = [np.asarray(array) for array in found]
             names = tuple((scene._name_of[a], scene._name_of[b]) for a, b in of.tolist())
         return Manifolds(of, names, ids, middles, normals, depths, sizes, points, point_depths)
+
+
+def _after_fork() -> None:
+    for scene in _scenes:
+        scene._core.forget_threads()
+
+
+_scenes: WeakSet[Scene] = WeakSet()
+os.register_at_fork(after_in_child=_after_fork)
 
 
 def _as_mesh(mesh: MeshLike) -> Mesh:

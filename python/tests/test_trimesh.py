@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The drop-in for trimesh's collision managers, against formulas for boxes, and convex solids that are moved apart."""
 
+import copy
 import pickle
 import sys
 import types
@@ -125,10 +126,10 @@ def test_managers_pickle():
     m = manager((0, 0, 0), (0.5, 0, 0), (3, 0, 0))
     m.set_transform("cube2", moved(3, 0, 0) @ np.diag([2, 1, 1, 1]))
     m.set_pair_ignored("cube0", "cube1")
-    again = pickle.loads(pickle.dumps(m))
-    assert again.in_collision_internal() is False and again.min_distance_internal(return_names=True) == (1, ("cube1", "cube2"))
-    again.set_transform("cube2", moved(1.5, 0, 0))
-    assert again.in_collision_internal(return_names=True)[1] == {("cube1", "cube2")} and not m.in_collision_internal()
+    for again in (pickle.loads(pickle.dumps(m)), copy.deepcopy(m)):
+        assert again.in_collision_internal() is False and again.min_distance_internal(return_names=True) == (1, ("cube1", "cube2"))
+        again.set_transform("cube2", moved(1.5, 0, 0))
+        assert again.in_collision_internal(return_names=True)[1] == {("cube1", "cube2")} and not m.in_collision_internal()
 
 
 def test_of_nothing():
