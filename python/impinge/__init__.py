@@ -40,6 +40,7 @@ from ._errors import (
     UnknownObjectError,
 )
 from ._files import Device, Model, Object, devices, read, set_num_threads
+from ._manifolds import ContactManifolds, Manifolds
 from ._mesh import HasVerticesFaces, Mesh, MeshLike
 from ._motion import Feature, Impacts, Moving, find_impacts
 from ._placed import penetration
@@ -64,7 +65,7 @@ from ._queries import (
     touches,
     touches_poses,
 )
-from ._scene import Configurations, ContactManifolds, Manifolds, ObjectDistance, Scene
+from ._scene import Configurations, ObjectDistance, Scene
 
 __all__ = [
     "Cancelled",
