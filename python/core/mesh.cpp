@@ -91,6 +91,31 @@ Affine affine_of(const View& matrix) {
   return {rows.R, rows.t};
 }
 
+/// The matrices of `make(k)` for each k below count; an error names its place.
+template <class Make>
+Array poses_made(std::size_t count, const char* what, Make make) {
+  std::vector<Pose> poses(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Result<Pose> made = make(k);
+    const std::string which = count == 1 ? "" : '[' + std::to_string(k) + ']';
+    if (!made) raise({made.error().code, what + which + ": " + made.error().message});
+    poses[k] = *made;
+  }
+  return matrices_of(poses);
+}
+
+Array nearest_poses(py::handle matrices) {
+  const std::vector<Pose> maps = poses_of(View(matrices), "matrix");
+  return poses_made(maps.size(), "matrix", [&](std::size_t k) { return Pose::nearest({maps[k].R, maps[k].t}); });
+}
+
+Array poses_of_quaternions(py::handle quaternions, py::handle translations) {
+  const auto turns = copy_of<Quaternion>(quaternions);
+  const auto shifts = copy_of<std::array<double, 3>>(translations);
+  return poses_made(turns.size(), "quaternion",
+                    [&](std::size_t k) { return Pose::from_quaternion(turns[k], shifts.at(k)); });
+}
+
 py::tuple collide_pair(const Pair& p, const QueryOptions& options, const Stop* stop) {
   return contacts_tuple(
       run_pair(p, stop, [&](std::stop_token token) { return collide(p.a, p.at, p.b, p.bt, options.with(token)); }));
@@ -193,6 +218,8 @@ void bind_meshes(py::module_& module) {
   py::class_<Pair>(module, "Pair").def(py::init([](const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b) {
     return Pair{a, pose_of(pose_a, "pose_a"), b, pose_of(pose_b, "pose_b")};
   }));
+  module.def("nearest_poses", &nearest_poses);
+  module.def("poses_of_quaternions", &poses_of_quaternions);
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
   module.def("self_collide", &collide_self);

@@ -66,7 +66,8 @@ std::vector<Pose> poses_of(const View& matrices, const char* what);
 /// One matrix; None is the identity.
 Pose pose_of(py::handle matrix, const char* what);
 
-/// The (4, 4) matrix of a pose.
+/// The (N, 4, 4) matrices of poses, and the (4, 4) matrix of one.
+Array matrices_of(std::span<const Pose> poses);
 Array matrix_of(const Pose& pose);
 
 /// From how many triangles on, counted with each pose, a query may take so long that somebody presses Ctrl-C. Below,

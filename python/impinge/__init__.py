@@ -44,6 +44,7 @@ from ._manifolds import ContactManifolds, Manifolds
 from ._mesh import HasVerticesFaces, Mesh, MeshLike
 from ._motion import Feature, Impacts, Moving, find_impacts
 from ._placed import penetration
+from ._pose import nearest_pose, pose_from_quaternion
 from ._predicates import edge_edge_impact, orient3d, triangles_meet, vertex_face_impact
 from ._queries import (
     Contacts,
@@ -123,10 +124,12 @@ __all__ = [
     "find_impacts",
     "judge",
     "locate",
+    "nearest_pose",
     "orient3d",
     "overlap_depth",
     "overlap_volume",
     "penetration",
+    "pose_from_quaternion",
     "read",
     "self_collide",
     "set_num_threads",

@@ -48,6 +48,21 @@ def test_poses_are_the_contracts_formula(angle, x, y):
     assert as_list(impinge.collide(cube, cube, None, pose)) == expected
 
 
+def test_poses_of_quaternions_and_of_rounded_rotations():
+    rng = np.random.default_rng(2)
+    q, t = rng.normal(size=(2, 5, 4)), rng.normal(size=(5, 3))
+    pose = impinge.pose_from_quaternion(q, t)
+    assert pose.shape == (2, 5, 4, 4) and (pose[..., :3, 3] == t).all()
+    w, (x, y, z) = q[..., 0] / np.linalg.norm(q, axis=-1), np.moveaxis(q[..., 1:] / np.linalg.norm(q, axis=-1, keepdims=True), -1, 0)
+    assert np.allclose(pose[..., 0, :3], np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)], axis=-1))
+    rough = pose.astype(np.float16).astype(float)
+    near = impinge.nearest_pose(rough)
+    turn = near[..., :3, :3]
+    u, _, v = np.linalg.svd(rough[..., :3, :3])
+    assert np.allclose(turn, u @ v, atol=1e-12) and (near[..., :3, 3] == rough[..., :3, 3]).all()
+    assert all(impinge.touches(cube, cube, one, one) for one in near.reshape(-1, 4, 4))
+
+
 def test_flush_cubes_touch_in_64_pairs_16_of_them_coplanar():  # examples/CMakeLists.txt says why
     found = impinge.collide(cube, cube, None, moved(1, 0, 0))
     assert found and len(found.pairs) == 64 and np.bincount(found.kinds).tolist() == [0, 48, 16]
