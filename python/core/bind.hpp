@@ -35,6 +35,16 @@ struct QueryOptions {
   bool by_index;
 };
 
+/// `MeasureOptions` likewise: (stop_above, enough_below, threads).
+struct DistanceOptions {
+  double stop_above, enough_below;
+  int threads;
+
+  [[nodiscard]] MeasureOptions with(std::stop_token stop) const {
+    return {.threads = threads, .stop = std::move(stop), .stop_above = stop_above, .enough_below = enough_below};
+  }
+};
+
 /// (objects, offsets, pairs, kinds, truncated, hash, warnings).
 pybind11::tuple contacts_tuple(Contacts&& contacts);
 /// (distance, error, points, (triangle, triangle)); None where the distance is infinite.

@@ -143,10 +143,9 @@ py::tuple collide_at_poses(const Mesh& a, py::handle poses_a, const Mesh& b, py:
   })));
 }
 
-py::object distance_of_pair(const Pair& p, double stop_above, int threads, const Stop* stop) {
-  return nearest_tuple(run_pair(p, stop, [&](std::stop_token token) {
-    return distance(p.a, p.at, p.b, p.bt, {.threads = threads, .stop = token, .stop_above = stop_above});
-  }));
+py::object distance_of_pair(const Pair& p, const DistanceOptions& options, const Stop* stop) {
+  return nearest_tuple(
+      run_pair(p, stop, [&](std::stop_token token) { return distance(p.a, p.at, p.b, p.bt, options.with(token)); }));
 }
 
 bool pair_closer_than(const Pair& p, double limit, int threads, const Stop* stop) {
@@ -183,6 +182,7 @@ py::tuple volume_of_overlap(const Pair& p, int threads, const Stop* stop) {
 void bind_meshes(py::module_& module) {
   py::class_<QueryOptions>(module, "Options")
       .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string, bool>());
+  py::class_<DistanceOptions>(module, "DistanceOptions").def(py::init<double, double, int>());
   py::class_<Mesh>(module, "Mesh")
       .def(py::init(&make_mesh))
       .def("vertices", [](const Mesh& mesh) { return numbers_of(mesh, mesh.vertices(), "d", 8); })

@@ -129,30 +129,28 @@ std::optional<std::size_t> first_touching(SharedScene& shared, const std::vector
   }));
 }
 
-py::object distance_of_all(SharedScene& shared, std::optional<std::uint64_t> id, double stop_above, int threads,
+py::object distance_of_all(SharedScene& shared, std::optional<std::uint64_t> id, const DistanceOptions& options,
                            const Stop* stop) {
   const auto found = unwrap(run(stop, shared.triangles, [&](std::stop_token token) {
-    const MeasureOptions options{.threads = threads, .stop = token, .stop_above = stop_above};
-    return id ? shared.scene.distance_with(to_id(*id), options) : shared.scene.distance(options);
+    return id ? shared.scene.distance_with(to_id(*id), options.with(token))
+              : shared.scene.distance(options.with(token));
   }));
   return found ? py::object(to_python(*found)) : py::none();
 }
 
-py::list closest_pairs(SharedScene& shared, std::size_t count, double stop_above, int threads, const Stop* stop) {
-  const auto found = unwrap(run(stop, shared.triangles, [&](std::stop_token token) {
-    return shared.scene.closest(count, {.threads = threads, .stop = token, .stop_above = stop_above});
-  }));
+py::list closest_pairs(SharedScene& shared, std::size_t count, const DistanceOptions& options, const Stop* stop) {
+  const auto found = unwrap(run(
+      stop, shared.triangles, [&](std::stop_token token) { return shared.scene.closest(count, options.with(token)); }));
   py::list all;
   for (const ObjectDistance& pair : found) all.append(to_python(pair));
   return all;
 }
 
 Array distance_configurations(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses,
-                              double stop_above, int threads, const Stop* stop) {
+                              const DistanceOptions& options, const Stop* stop) {
   const Path path(ids, poses);
   const auto found = unwrap(run(stop, path.size(shared), [&](std::stop_token token) {
-    return shared.scene.distance_configurations(path.ids, path.poses,
-                                                {.threads = threads, .stop = token, .stop_above = stop_above});
+    return shared.scene.distance_configurations(path.ids, path.poses, options.with(token));
   }));
   std::vector<double> distances(found.size(), std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < found.size(); ++k)

@@ -265,18 +265,20 @@ def distance(
     pose_b: ArrayLike | None = None,
     *,
     stop_above: float = float("inf"),
+    enough_below: float = 0.0,
     threads: int = 0,
     stop: _core.Stop | None = None,
 ) -> Nearest | None:
     """The nearest points of two meshes, as sets of triangles: what closed ones enclose does not count.
 
-    None if they are farther apart than `stop_above`.
+    None if they are farther apart than `stop_above`; where the distance is below `enough_below`, any below it may be given, sooner.
 
     Raises
     ------
     As `collide`; MeshError also for a mesh without triangles.
     """
-    found = _core.distance(placed(a, b, pose_a, pose_b), stop_above, threads, stop)
+    options = _core.DistanceOptions(stop_above, enough_below, threads)
+    found = _core.distance(placed(a, b, pose_a, pose_b), options, stop)
     return None if found is None else make_nearest(found)
 
 

@@ -368,11 +368,17 @@ class Scene:
             return self._core.first_touching(self._ids(names), matrices, threads, stop)
 
     def distance(
-        self, name: Hashable = None, *, stop_above: float = float("inf"), threads: int = 0, stop: _core.Stop | None = None
+        self,
+        name: Hashable = None,
+        *,
+        stop_above: float = float("inf"),
+        enough_below: float = 0.0,
+        threads: int = 0,
+        stop: _core.Stop | None = None,
     ) -> ObjectDistance | None:
         """The two objects that are nearest to each other, or the one nearest to the named one; of all that are tested against each other.
 
-        None if there are none, or none within `stop_above`.
+        None if there are none, or none within `stop_above`; `enough_below` as in the function `distance`.
 
         Raises
         ------
@@ -380,15 +386,21 @@ class Scene:
         """
         with self._reading(threads):
             id = None if name is None else self._object(name).id
-            found = self._core.distance(id, stop_above, threads, stop)
+            found = self._core.distance(id, _core.DistanceOptions(stop_above, enough_below, threads), stop)
             return None if found is None else self._object_distance(found)
 
     def closest(
-        self, count: int, *, stop_above: float = float("inf"), threads: int = 0, stop: _core.Stop | None = None
+        self,
+        count: int,
+        *,
+        stop_above: float = float("inf"),
+        enough_below: float = 0.0,
+        threads: int = 0,
+        stop: _core.Stop | None = None,
     ) -> list[ObjectDistance]:
         """The so many pairs of objects that are nearest to each other, the nearest first; fewer if there are fewer, or within `stop_above`.
 
-        Which of several that are equally near come is open.
+        Which of several that are equally near come is open, and in what order those below `enough_below` do.
 
         Raises
         ------
@@ -405,8 +417,9 @@ class Scene:
         """
         if not 0 <= count < 2**63:
             raise OptionError(f"count is {count}; choose 0 or more")
+        options = _core.DistanceOptions(stop_above, enough_below, threads)
         with self._reading(threads):
-            return [self._object_distance(found) for found in self._core.closest(count, stop_above, threads, stop)]
+            return [self._object_distance(found) for found in self._core.closest(count, options, stop)]
 
     def distance_configurations(
         self,
@@ -414,18 +427,20 @@ class Scene:
         poses: ArrayLike,
         *,
         stop_above: float = float("inf"),
+        enough_below: float = 0.0,
         threads: int = 0,
         stop: _core.Stop | None = None,
     ) -> NDArray[np.float64]:
         """For each configuration, as in `collide_configurations`, the distance of what moves and everything: (T,); infinity above `stop_above`.
+        `enough_below` as in the function `distance`.
 
         Raises
         ------
         As `collide_configurations`.
         """
-        matrices = self._path(names, poses)
+        matrices, options = self._path(names, poses), _core.DistanceOptions(stop_above, enough_below, threads)
         with self._reading(threads):
-            return np.asarray(self._core.distance_configurations(self._ids(names), matrices, stop_above, threads, stop))
+            return np.asarray(self._core.distance_configurations(self._ids(names), matrices, options, stop))
 
     # --- within
 

@@ -124,6 +124,7 @@ REFUSED = [
     (lambda: impinge.collide(*CUBES, kinds=[]), impinge.OptionError, "kinds is empty"),
     (lambda: impinge.collide(*CUBES, kinds=[4]), impinge.OptionError, "kinds has 4"),
     (lambda: impinge.closer_than(*CUBES, -1), impinge.OptionError, "limit"),
+    (lambda: impinge.distance(*CUBES, enough_below=np.nan), impinge.OptionError, "a limit of distance is a number"),
     (lambda: impinge.distance(([], []), CUBES[0]), impinge.MeshError, "triangle"),
     (lambda: impinge.overlap_depth(*CUBES, precision=2), impinge.OptionError, "precision"),
     (lambda: impinge.judge(*CUBES, tolerance=-1), impinge.OptionError, "tolerance"),

@@ -101,6 +101,7 @@ def test_distance_of_cubes(shift):
         assert np.linalg.norm(found.points[0] - found.points[1]) == pytest.approx(expected)
         assert np.allclose(np.abs(found.points[1] - found.points[0])[gap > 0], gap[gap > 0])
         assert impinge.distance(cube, cube, None, moved(*shift), stop_above=expected / 2) is None
+        assert expected - 1e-9 <= impinge.distance(cube, cube, None, moved(*shift), enough_below=2 * expected).distance < 2 * expected
         assert impinge.closer_than(cube, cube, 1.01 * expected, None, moved(*shift))
         assert not impinge.closer_than(cube, cube, 0.99 * expected, None, moved(*shift))
 

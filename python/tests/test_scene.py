@@ -121,6 +121,8 @@ def test_configurations_and_distances():
         there[[4, 5]] = step
         least.append((gaps(there) + np.diag([np.inf] * 12))[[4, 5]].min())
     assert scene.distance_configurations(names, paths) == pytest.approx(least, abs=1e-9)
+    some = scene.distance_configurations(names, paths, enough_below=2)
+    assert all(found == pytest.approx(gap, abs=1e-9) if gap >= 2 else gap - 1e-9 <= found < 2 for found, gap in zip(some, least))
     near = scene.distance_configurations(names, paths, stop_above=1.2)
     assert np.isinf(near).tolist() == (np.array(least) > 1.2).tolist() and np.isfinite(near).any()
 
