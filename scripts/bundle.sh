@@ -33,45 +33,11 @@ bundle=$folder/$name
 readonly most_megabytes=60
 readonly programs=(bin/impinge bin/impinge-gpu-figures libexec/impinge/impinge-import)
 
-# What the host has of its own.
-is_of_the_host() {
-  case $1 in
-    linux-vdso.so.* | ld-linux*.so.* | libc.so.6 | libm.so.6 | libdl.so.2 | libpthread.so.0 | librt.so.1) ;;
-    libstdc++.so.6 | libgcc_s.so.1) ;;
-    *) return 1 ;;
-  esac
-}
-
-# bring_libraries PROGRAM FOLDER: all that the program needs, and what those need in turn.
-bring_libraries() {
-  local library arrow path rest
-  mkdir -p "$2"
-  while read -r library arrow path rest; do
-    if is_of_the_host "$(basename "$library")" || [ -f "$2/$library" ]; then continue; fi
-    if [ "$arrow" != '=>' ] || [ ! -f "$path" ]; then fail "$1 needs $library, which is not on this machine"; fi
-    cp -L "$path" "$2/$library"
-    chmod 644 "$2/$library"
-    bring_licence "$path"
-  done < <(env -u LD_LIBRARY_PATH ldd "$1")
-}
-
-# bring_licence FILE: of the Debian package that the file belongs to, and those that it speaks of.
-bring_licence() {
-  local package file notice common
-  file=$(readlink -f "$1")
-  # Where /lib is a link to /usr/lib, packages know their files by either name.
-  package=$(dpkg -S "$file" 2>/dev/null || dpkg -S "${file#/usr}" 2>/dev/null || true)
-  package=${package%%:*}
-  notice=/usr/share/doc/$package/copyright
-  if [ -z "$package" ] || [ ! -f "$notice" ]; then fail "no licence was found for $1"; fi
-  cp "$notice" "$bundle/licenses/$package.txt"
-  while read -r common; do
-    cp -L "$common" "$bundle/licenses/$(basename "$common").txt"
-  done < <(grep -oE '/usr/share/common-licenses/[A-Za-z0-9.+-]*[A-Za-z0-9]' "$notice" | sort -u)
-}
+licences=$bundle/licenses
+. "$root/scripts/libraries.sh"
 
 rm -rf "$bundle" "$bundle.tar.gz"
-mkdir -p "$bundle/licenses"
+mkdir -p "$licences"
 cmake --install "$build" --prefix "$bundle" --component programs --strip >/dev/null
 libdir=$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$build/CMakeCache.txt")
 # The importer first: it looks in the others' folder too, and would find there what the system is to be asked for.
@@ -83,20 +49,15 @@ for header in /usr/include/CLI/CLI.hpp /usr/include/nlohmann/json.hpp /usr/inclu
   bring_licence "$header"
 done
 cp "$root/LICENSE" "$bundle/LICENSE"
-mv "$bundle/libexec/impinge/web-ifc-license.md" "$bundle/licenses/web-ifc.md"
+mv "$bundle/libexec/impinge/web-ifc-license.md" "$licences/web-ifc.md"
 install -m 755 "$root/scripts/gpu-figures.sh" "$bundle/gpu-figures.sh"
 
-# newest PREFIX: the newest version of the host's library that any file here asks for.
-newest() {
-  find "$bundle" -type f \( -perm -u+x -o -name '*.so*' \) -exec readelf --version-info -W {} + 2>/dev/null |
-    grep -oE "\b$1_[0-9.]+" | sort -uV | tail -n 1 | sed "s/^$1_//"
-}
 cat >"$bundle/README.md" <<README
 # impinge $version
 
 impinge finds every pair of triangles that touch between meshes, exactly. Unpack this folder anywhere; nothing needs to
-be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC) or newer and a libstdc++ that has
-GLIBCXX_$(newest GLIBCXX).
+be installed. It runs on a Linux ($(uname -m)) with glibc $(newest GLIBC "$bundle") or newer and a libstdc++ that has
+GLIBCXX_$(newest GLIBCXX "$bundle").
 
     bin/impinge check FILE...     # which objects touch: OBJ, OFF, PLY, STL, glTF, 3MF, COLLADA and others, and IFC
     bin/impinge clash FILE... --html report.html   # which parts clash, and a page to look at it
@@ -115,15 +76,13 @@ README
 
 # --- whether it is as promised ------------------------------------------------------------------------------------------
 
-is_elf() { [ "$(head -c 4 "$1" | tail -c 3)" = ELF ]; }
-
 # check_needs FILE FOLDER: every library that the file needs is in the folder or the host's.
 check_needs() {
   local library
   while read -r library; do
     is_of_the_host "$library" || [ -f "$2/$library" ] ||
       fail "${1#"$bundle/"} needs $library, which is not in the bundle"
-  done < <(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
+  done < <(needs_of "$1")
 }
 
 while read -r -d '' file; do
@@ -153,10 +112,7 @@ cd "$elsewhere"
 unset LD_LIBRARY_PATH IMPINGE_IMPORTER
 for program in "${programs[@]}"; do
   readelf -d "$name/$program" | grep -qE '\((RUNPATH|RPATH)\).*\[\$ORIGIN' || fail "$program has no run path of its own"
-  while read -r library _ path _; do
-    if is_of_the_host "$(basename "$library")"; then continue; fi
-    [ "${path#"$elsewhere/"}" != "$path" ] || fail "$program takes $library from $path, not from the bundle"
-  done < <(ldd "$name/$program")
+  check_origin "$name/$program" "$elsewhere"
 done
 
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >flat.obj

@@ -192,6 +192,13 @@ FclRobot::~FclRobot() = default;
 
 void FclRobot::place(std::span<const Pose> poses) { move_all(state_->contact.links, poses); }
 
+void FclRobot::move_obstacle(std::size_t i, const Pose& pose) {
+  Body& body = *state_->contact.obstacles[i];
+  body.setTransform(fcl_transform(pose));
+  body.computeAABB();
+  state_->contact.manager->update(&body);
+}
+
 bool FclRobot::touches(std::span<const Pose> poses) {
   const auto& links = state_->contact.links;
   FirstContact& first = state_->first;

@@ -47,6 +47,8 @@ class FclRobot {
 
   /// A pose a link, and the boxes around them that the manager goes by.
   void place(std::span<const Pose> poses);
+  /// Moves one obstacle, of which the manager is told.
+  void move_obstacle(std::size_t i, const Pose& pose);
   /// Whether links at these poses touch an obstacle or each other; meshes have trees of oriented boxes.
   bool touches(std::span<const Pose> poses);
   /// How far they are from the nearest of those; meshes have the trees that FCL's manual recommends for distances.

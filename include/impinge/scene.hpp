@@ -124,6 +124,9 @@ class Scene {
                                 Workspace* workspace = nullptr) const;
   /// Whether any two different objects share a point: the search stops at the first that do. Errors: as `collide`.
   Result<bool> touches_any(const ConfigurationOptions& options = {}, Workspace* workspace = nullptr) const;
+  /// The same of a mesh that is not in the scene and any object. Errors: likewise.
+  Result<bool> touches_with(const Mesh& mesh, const Pose& pose = {}, const ConfigurationOptions& options = {},
+                            Workspace* workspace = nullptr) const;
 
   /// For each configuration, which is a pose for each of these objects, whether one of them touches another one or any
   /// other object of the scene. Objects that are not named are not tested against each other. The scene does not

@@ -220,6 +220,7 @@ void bind_meshes(py::module_& module) {
   }));
   module.def("nearest_poses", &nearest_poses);
   module.def("poses_of_quaternions", &poses_of_quaternions);
+  module.def("off_rotation", &off_rotation);
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
   module.def("self_collide", &collide_self);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/core/query.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace impinge::python {
@@ -13,23 +16,52 @@ void raise(const Error& error) {
   throw py::error_already_set();
 }
 
+namespace {
+
+bool is_affine(const double* m) { return m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1; }
+
+Pose upper_rows(const double* m) {
+  return {{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, {m[3], m[7], m[11]}};
+}
+
+[[noreturn]] void raise_last_row(const std::string& what) {
+  raise({Code::bad_pose,
+         what + " has a last row other than 0 0 0 1; a pose is a (4, 4) matrix that maps column vectors"});
+}
+
+}  // namespace
+
 std::vector<Pose> poses_of(const View& matrices, const char* what) {
   const std::span<const double> numbers = matrices.as<double>();
   std::vector<Pose> poses(numbers.size() / 16);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const double* const m = numbers.data() + 16 * k;
-    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1) {
-      const std::string which = poses.size() == 1 ? "" : '[' + std::to_string(k) + ']';
-      raise({Code::bad_pose,
-             what + which + " has a last row other than 0 0 0 1; a pose is a (4, 4) matrix that maps column vectors"});
-    }
-    poses[k] = {{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, {m[3], m[7], m[11]}};
+    if (!is_affine(m)) raise_last_row(poses.size() == 1 ? what : what + ('[' + std::to_string(k) + ']'));
+    poses[k] = upper_rows(m);
   }
   return poses;
 }
 
 Pose pose_of(py::handle matrix, const char* what) {
-  return matrix.is_none() ? Pose{} : poses_of(View(matrix), what).at(0);
+  if (matrix.is_none()) return {};
+  const View view(matrix);
+  const double* const m = view.as<double>().data();
+  if (!is_affine(m)) raise_last_row(what);
+  return upper_rows(m);
+}
+
+double off_rotation(py::handle matrix) {
+  const View view(matrix);
+  const double* const m = view.as<double>().data();
+  const auto& R = upper_rows(m).R;
+  const double determinant =
+      R[0] * (R[4] * R[8] - R[5] * R[7]) - R[1] * (R[3] * R[8] - R[5] * R[6]) + R[2] * (R[3] * R[7] - R[4] * R[6]);
+  if (!is_affine(m) || !(determinant > 0)) return std::numeric_limits<double>::infinity();
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = i; k < 3; ++k)
+      off = std::max(off, std::abs(R[i] * R[k] + R[3 + i] * R[3 + k] + R[6 + i] * R[6 + k] - (i == k ? 1 : 0)));
+  return off;
 }
 
 Array matrices_of(std::span<const Pose> poses) {

@@ -66,6 +66,9 @@ std::vector<Pose> poses_of(const View& matrices, const char* what);
 /// One matrix; None is the identity.
 Pose pose_of(py::handle matrix, const char* what);
 
+/// max|RᵀR - I| of a (4, 4) matrix; infinity for a mirror image, or with another last row than 0 0 0 1.
+double off_rotation(py::handle matrix);
+
 /// The (N, 4, 4) matrices of poses, and the (4, 4) matrix of one.
 Array matrices_of(std::span<const Pose> poses);
 Array matrix_of(const Pose& pose);

@@ -80,12 +80,26 @@ py::tuple collide_one(SharedScene& shared, std::uint64_t id, const QueryOptions&
   })));
 }
 
+/// Of a query of a mesh and the scene. The first contact with each object near it is a matter of microseconds, so such
+/// an object counts as one triangle.
+std::size_t size_of_visit(const SharedScene& shared, const Mesh& mesh, bool first) {
+  return mesh.triangle_count() + (first ? shared.scene.size() : shared.triangles);
+}
+
 py::tuple collide_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose, const QueryOptions& options,
                        const Stop* stop) {
   const Pose at = pose_of(pose, "pose");
-  return contacts_tuple(unwrap(run(stop, shared.triangles + mesh.triangle_count(), [&](std::stop_token token) {
+  return contacts_tuple(unwrap(run(stop, size_of_visit(shared, mesh, options.first), [&](std::stop_token token) {
     return shared.scene.collide_with(mesh, at, options.with(token));
   })));
+}
+
+bool touches_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose) {
+  const Pose at = pose_of(pose, "pose");
+  const std::size_t size = size_of_visit(shared, mesh, true);
+  return unwrap(run(nullptr, size, [&](std::stop_token token) {
+    return shared.scene.touches_with(mesh, at, {.threads = size < kMayTakeLong ? 1 : 0, .stop = token});
+  }));
 }
 
 bool touches_any(SharedScene& shared, int threads, const Stop* stop) {
@@ -232,6 +246,8 @@ void bind_scenes(py::module_& module) {
              const Pose at = pose_of(pose, "pose");
              return to_number(unlocked(shared, [&](Scene& scene) { return scene.add(mesh, at, group); }));
            })
+      .def("set_pose", [](SharedScene& shared, std::uint64_t id,
+                          py::handle matrix) { unwrap(shared.scene.set_pose(to_id(id), pose_of(matrix, "pose"))); })
       .def("set_poses",
            [](SharedScene& shared, const std::vector<std::uint64_t>& numbers, py::handle matrices) {
              const std::vector<ObjectId> ids = to_ids(numbers);
@@ -262,6 +278,7 @@ void bind_scenes(py::module_& module) {
       .def("collide", &collide_all)
       .def("collide_with", &collide_one)
       .def("collide_with_mesh", &collide_mesh)
+      .def("touches_mesh", &touches_mesh)
       .def("touches_any", &touches_any)
       .def("collide_configurations", &collide_configurations)
       .def("distance_configurations", &distance_configurations)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 _IDENTITY = np.eye(4)[None]
+_F8 = np.dtype(np.float64)
 
 
 def _array(values: Any, what: str, error: type[ImpingeError]) -> NDArray[Any]:
@@ -80,6 +81,8 @@ def faces(values: ArrayLike, vertex_count: int) -> NDArray[np.uint32]:
 
 def matrix(values: ArrayLike, what: str) -> NDArray[np.float64]:
     """Of the shape (4, 4)."""
+    if type(values) is np.ndarray and values.shape == (4, 4) and values.dtype == _F8 and values.flags.carray:
+        return values  # most are so, and the checks below take longer than many a query
     array = numbers(values, what, PoseError)
     if array.shape != (4, 4):
         raise PoseError(f"{what} has the shape {array.shape}, not (4, 4)")

@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from . import _convex
+from . import _convex, _core
 from ._clash import examine
 from ._errors import MeshError
 from ._mesh import Mesh, MeshLike
@@ -31,26 +31,38 @@ class CollisionObject:
 
     def _move(self, transform: NDArray[np.float64]) -> None:
         """A rotation is a pose; one with rounding errors of single precision is made one; any other map is baked into the mesh."""
-        linear = transform[:3, :3]
-        off = np.abs(linear.T @ linear - np.eye(3)).max()
-        pose = np.eye(4)
-        if off <= 1e-4 and np.linalg.det(linear) > 0:
-            u, _, v = np.linalg.svd(linear)
-            pose[:3, :3], pose[:3, 3] = linear if off <= 1e-6 else u @ v, transform[:3, 3]
-            mesh = self._base
-        else:
-            pose[:3] = transform[:3]
-            mesh = self._base.transformed(pose)
+        off = _core.off_rotation(transform)
+        mesh, pose = self._base, transform
+        if not off <= 1e-4:
             pose = np.eye(4)
-        self._transform: NDArray[np.float64] = transform
-        self._mesh, self._pose = mesh, pose
+            pose[:3] = transform[:3]
+            mesh, pose = mesh.transformed(pose), np.eye(4)
+        elif off > 0.99e-6:  # poses are off by 1e-6 at most, in whatever order that is rounded
+            u, _, v = np.linalg.svd(transform[:3, :3])
+            pose = transform.copy()
+            pose[:3, :3] = u @ v
+        self._transform, self._mesh, self._pose = transform, mesh, pose
         self._hull: _convex.Hull | None = None
-        # A box of the world around it, and a point of it, in floating point and so a little larger: they only choose what is looked at.
-        middle, half = mesh.bounds.mean(axis=0) @ pose[:3, :3].T + pose[:3, 3], np.ptp(mesh.bounds, axis=0) / 2 @ np.abs(pose[:3, :3].T)
-        half = half + 1e-9 * (1 + np.abs(middle) + half).max()
-        self._box = np.array([middle - half, middle + half])
-        corner = mesh.vertices[mesh.faces[0, 0]] if len(mesh.faces) else np.full(3, np.nan)
-        self._corner = pose[:3, :3] @ corner + pose[:3, 3]
+        self._known_bounds: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
+
+    def _bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """A box of the world around it, (2, 3), and a point of it, in floating point and so a little larger: they only choose what is looked at."""
+        if self._known_bounds is None:
+            mesh, turn, shift = self._mesh, self._pose[:3, :3], self._pose[:3, 3]
+            low, high = mesh.bounds
+            middle, half = turn @ ((low + high) / 2) + shift, np.abs(turn) @ ((high - low) / 2)
+            half = half + 1e-9 * (1 + np.abs(middle) + half).max()
+            corner = mesh.vertices[mesh.faces[0, 0]] if len(mesh.faces) else np.full(3, np.nan)
+            self._known_bounds = np.array([middle - half, middle + half]), turn @ corner + shift
+        return self._known_bounds
+
+    @property
+    def _box(self) -> NDArray[np.float64]:
+        return self._bounds()[0]
+
+    @property
+    def _corner(self) -> NDArray[np.float64]:
+        return self._bounds()[1]
 
     def getTranslation(self) -> NDArray[np.float64]:
         """(3,)"""
@@ -62,14 +74,17 @@ class CollisionObject:
 
     def _placed_hull(self) -> _convex.Hull | None:
         """The world's hull if the mesh is convex, and trimesh says no else."""
-        if self._convex is False:
-            return None
-        if self._hull is None:
-            if self._mesh not in _hulls:
-                _hulls[self._mesh] = _convex.hull_of(self._mesh)
+        if self._hull is None and self._is_convex():
             hull = _hulls[self._mesh]
             self._hull = None if hull is None else hull.moved(self._pose)
         return self._hull
+
+    def _is_convex(self) -> bool:
+        if self._convex is False:
+            return False
+        if self._mesh not in _hulls:
+            _hulls[self._mesh] = _convex.hull_of(self._mesh)
+        return _hulls[self._mesh] is not None
 
     def _is_solid(self, which: str) -> bool:
         """Whether it is one of those that are solids: "convex", "closed" or "none"."""
@@ -77,7 +92,7 @@ class CollisionObject:
             if self._mesh not in _closed:
                 _closed[self._mesh] = examine(self._mesh).closed
             return _closed[self._mesh]
-        return which == "convex" and self._placed_hull() is not None
+        return which == "convex" and self._is_convex()
 
     def _corners(self, faces: NDArray[np.int32]) -> NDArray[np.float64]:
         """(K, 3, 3): the world corners of some faces."""
@@ -139,7 +154,7 @@ def is_within(points: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[
 def as_matrix(transform: ArrayLike | None) -> NDArray[np.float64]:
     if transform is None:
         return np.eye(4)
-    matrix = np.array(transform, np.float64)
+    matrix = np.array(transform, np.float64, order="C")
     if matrix.shape != (4, 4):
         raise ValueError("transform must be (4,4)!")
     return matrix

@@ -97,7 +97,10 @@ class Scene:
         ------
         UnknownObjectError, PoseError
         """
-        self.set_poses((name,), _arrays.poses(None, "") if pose is None else _arrays.matrix(pose, "pose")[None])
+        matrix = _arrays.pose(pose, "pose")
+        with _core.Writing(self._core):
+            self._core.set_pose(self._object(name).id, matrix)
+            self._changed(0)
 
     def set_poses(self, names: Sequence[Hashable], poses: ArrayLike) -> None:
         """Moves many, poses (M, 4, 4): all of them, or with an error none.
@@ -304,6 +307,11 @@ class Scene:
             if matrix is not None:
                 raise OptionError("a pose goes with a Mesh; an object of the scene has its own")
             return make_contacts(self._core.collide_with(self._object(other).id, options, stop), self._name_of)
+
+    def _touches(self, mesh: Mesh, pose: NDArray[np.float64]) -> bool:
+        """Whether a mesh that is not in the scene touches any object: `collide_with`, without the contacts."""
+        with self._reading(1):
+            return self._core.touches_mesh(mesh._core, pose)
 
     def touches_any(self, *, threads: int = 0, stop: _core.Stop | None = None) -> bool:
         """Whether any two objects share a point: the search stops at the first that do. Errors as `collide`."""

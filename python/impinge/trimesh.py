@@ -107,7 +107,9 @@ class CollisionManager:
         self._objs: dict[Hashable, dict[str, Any]] = {}
         self._scene = Scene()
         self._ignored: dict[frozenset[Hashable], tuple[Hashable, Hashable]] = {}
-        self._known_places: tuple[list[Hashable], NDArray[np.float64], NDArray[np.float64]] | None = None
+        self._known_places: tuple[dict[Hashable, int], NDArray[np.float64], NDArray[np.float64]] | None = None
+        self._moved: set[Hashable] = set()  # since then
+        self._known_solids: bool | None = None
 
     # --- objects
 
@@ -118,7 +120,7 @@ class CollisionManager:
             self._scene.remove(name)
         self._scene.add(placed._mesh, placed._pose, name=name)
         self._objs[name] = {"obj": placed, "geom": placed._base}
-        self._known_places = None
+        self._known_places = self._known_solids = None
         for pair in self._ignored.values():
             if name in pair and all(other in self._objs for other in pair):
                 self._scene.ignore(*pair)
@@ -129,7 +131,7 @@ class CollisionManager:
         self._object(name)
         self._scene.remove(name)
         del self._objs[name]
-        self._known_places = None
+        self._known_places = self._known_solids = None
 
     def set_transform(self, name: Hashable, transform: ArrayLike) -> None:
         """Moves an object. Raises ValueError."""
@@ -140,7 +142,8 @@ class CollisionManager:
             self._scene.set_pose(name, placed._pose)
         else:
             self._scene.set_mesh(name, placed._mesh, placed._pose)
-        self._known_places = None
+            self._known_solids = None
+        self._moved.add(name)
 
     def set_pair_ignored(self, name_a: Hashable, name_b: Hashable, ignored: bool = True) -> None:
         """Leaves a pair, in either order, out of what is asked of the manager itself, or takes it back in."""
@@ -175,6 +178,8 @@ class CollisionManager:
     ) -> Any:
         """Whether a mesh collides with any object: a bool; with the set of their names; with a list of ContactData ("__external" is the mesh)."""
         visitor = place(mesh, transform)
+        if not return_names and not return_data and self._touching:
+            return self._scene._touches(visitor._mesh, visitor._pose) or any(True for _ in self._nested_with(visitor, []))
         return self._answer(self._pairs_with(visitor, _EXTERNAL), lambda names: names[0], return_names, return_data)
 
     def in_collision_poses(self, mesh: MeshLike, transforms: ArrayLike) -> NDArray[np.bool_]:
@@ -256,6 +261,8 @@ class CollisionManager:
 
     def _nested_with(self, visitor: CollisionObject, met: list[Hashable]) -> Iterator[Hashable]:
         """The objects, but for those whose surfaces it meets, that it lies inside of, or the other way round."""
+        if not (visitor._is_solid(self._solid) or self._has_solids()):
+            return
         names, boxes, corners = self._places()
         for k in np.flatnonzero(is_within(visitor._corner, boxes) | is_within(corners, visitor._box)):
             if names[k] not in met and is_nested(self._objs[names[k]]["obj"], visitor, self._solid):
@@ -266,7 +273,7 @@ class CollisionManager:
         pairs = list(self._scene.collide(first=True).names or ())
         met = set(pairs)
         names, boxes, corners = self._places()
-        for i, outer in enumerate(names if self._solid != "none" else ()):
+        for i, outer in enumerate(names if self._has_solids() else ()):
             for inner in (names[k] for k in np.flatnonzero(is_within(corners, boxes[:, i])) if k != i):
                 if {(outer, inner), (inner, outer)} & met or self.is_pair_ignored(outer, inner):
                     continue
@@ -283,8 +290,20 @@ class CollisionManager:
         if self._known_places is None:
             objects = [item["obj"] for item in self._objs.values()]
             boxes = np.array([placed._box for placed in objects]).reshape(-1, 2, 3).swapaxes(0, 1)
-            self._known_places = (list(self._objs), boxes, np.array([placed._corner for placed in objects]).reshape(-1, 3))
-        return self._known_places
+            corners = np.array([placed._corner for placed in objects]).reshape(-1, 3)
+            self._known_places = {name: k for k, name in enumerate(self._objs)}, boxes, corners
+        else:
+            rows, boxes, corners = self._known_places
+            for name in self._moved:
+                boxes[:, rows[name]], corners[rows[name]] = self._objs[name]["obj"]._bounds()
+        self._moved.clear()
+        return list(self._objs), boxes, corners
+
+    def _has_solids(self) -> bool:
+        """Whether any object may have others inside of it."""
+        if self._known_solids is None:
+            self._known_solids = any(item["obj"]._is_solid(self._solid) for item in self._objs.values())
+        return self._known_solids
 
     def _counts(self, pair: _Pair) -> bool:
         """Whether what touches or is nested is deep enough to collide."""
@@ -395,7 +414,15 @@ def scene_to_collision(scene: Any) -> tuple[CollisionManager, dict[Hashable, Col
 
 def install() -> None:
     """Puts these into `trimesh.collision`. Raises ImportError without trimesh."""
-    import trimesh.collision as theirs  # type: ignore[import]
+    try:
+        import trimesh.collision as theirs  # type: ignore[import]
+    except ModuleNotFoundError as problem:
+        if problem.name not in ("trimesh", "trimesh.collision"):  # something that trimesh needs
+            raise
+        raise ImportError(
+            "trimesh is not here, so there is no trimesh.collision to replace: install trimesh, or use impinge.trimesh.CollisionManager "
+            "as it is, which needs no trimesh"
+        ) from None
 
     for name in ("CollisionManager", "ContactData", "DistanceData", "scene_to_collision"):
         setattr(theirs, name, globals()[name])

@@ -4,7 +4,7 @@
 
 import doctest
 import gc
-import importlib
+import importlib.metadata
 import multiprocessing
 import os
 import pkgutil
@@ -226,5 +226,6 @@ def test_the_page_and_the_docstring_print_what_they_say(capsys):
 
 
 def test_the_version_is_that_of_the_build():
-    project = (Path(__file__).parents[2] / "CMakeLists.txt").read_text()
-    assert f"project(impinge VERSION {impinge.__version__} " in project
+    header = (Path(__file__).parents[2] / "include" / "impinge" / "version.hpp").read_text()
+    assert f'#define IMPINGE_VERSION "{impinge.__version__}"' in header
+    assert importlib.metadata.version("impinge") == impinge.__version__

@@ -319,6 +319,26 @@ def test_what_a_manager_refuses(call, sentence):
         call(manager((0, 0, 0)))
 
 
+def test_what_lies_inside_follows_every_change():
+    rng = np.random.default_rng(11)
+    m = drop_in.CollisionManager()
+    for k in range(5):
+        m.add_object(k, box(2), moved(100 * k, 0, 0))
+    small, at = box(0.5), np.array([[100.0 * k, 0, 0] for k in range(5)])
+    for _ in range(50):
+        k = int(rng.integers(5))
+        at[k] = 100 * rng.integers(0, 8, 3)  # apart by 100, or in the same place
+        if rng.integers(4):
+            m.set_transform(k, moved(*at[k]))
+        else:
+            m.remove_object(k)
+            m.add_object(k, box(2), moved(*at[k]))
+        probe = at[rng.integers(5)] + [100 * rng.integers(2), 0, 0]
+        inside = {int(i) for i in np.flatnonzero((at == probe).all(axis=1))}
+        assert m.in_collision_single(small, moved(*probe)) is bool(inside)
+        assert m.in_collision_single(small, moved(*probe), return_names=True) == (bool(inside), inside)
+
+
 def test_scenes_of_trimesh_and_install(monkeypatch):
     places = {"left": (moved(0, 0, 0), "box"), "right": (moved(0.5, 0, 0), "box")}
     graph = type("Graph", (), {"nodes_geometry": list(places), "__getitem__": lambda self, node: places[node]})()
@@ -335,3 +355,7 @@ def test_scenes_of_trimesh_and_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh.collision", theirs)
     drop_in.install()
     assert theirs.CollisionManager is drop_in.CollisionManager and theirs.scene_to_collision is drop_in.scene_to_collision
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    monkeypatch.delitem(sys.modules, "trimesh.collision")
+    with pytest.raises(ImportError, match="install trimesh, or use impinge.trimesh.CollisionManager"):
+        drop_in.install()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <iterator>
@@ -9,13 +10,16 @@
 #include <optional>
 #include <string>
 
+#include "broad/may_touch.hpp"
 #include "core/guarded.hpp"
 #include "core/stopped.hpp"
 #include "impinge/scene.hpp"
 #include "pipeline/configuration_search.hpp"
+#include "pipeline/domain_error.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/workspace_state.hpp"
+#include "scene/validate_pose.hpp"
 #include "schedule/parallel.hpp"
 
 namespace impinge {
@@ -207,6 +211,36 @@ Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::
   return nearest;
 }
 
+/// Whether any of these pairs touches; `placed` has the objects by their numbers.
+template <class Placed>
+Result<bool> any_touches(broad::ObjectPairs& pairs, const Placed& placed, const ConfigurationOptions& options,
+                         Workspace::State& memory) {
+  // A few are put in order, the nearest first: they are the likeliest to touch.
+  const auto square = [&](const broad::ObjectPair& pair) {
+    const Vec3 d = placed(pair.a).object.sphere.center - placed(pair.b).object.sphere.center;
+    return dot(d, d);
+  };
+  if (pairs.size() <= kAtOnce)
+    std::sort(pairs.begin(), pairs.end(),
+              [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
+  std::atomic<bool> found = false;
+  const auto search_some = [&](TouchSearch& search, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !found; ++i)
+      if (search.find(placed(pairs[i].a), placed(pairs[i].b))) found = true;
+  };
+  if (options.threads == 1 || pairs.size() <= kAtOnce) {
+    memory.touch.restart(options.stop);
+    search_some(memory.touch, 0, pairs.size());
+  } else {
+    run_each(on_threads(options.threads), (pairs.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
+      TouchSearch search(options.stop);
+      search_some(search, chunk * kAtOnce, std::min((chunk + 1) * kAtOnce, pairs.size()));
+    });
+  }
+  if (options.stop.stop_requested() && !found) return cancelled();
+  return found.load();
+}
+
 Result<std::optional<ObjectDistance>> first_of(const Result<std::vector<ObjectDistance>>& nearest) {
   if (!nearest) return nearest.error();
   return nearest->empty() ? std::nullopt : std::optional(nearest->front());
@@ -256,34 +290,36 @@ Result<bool> Scene::touches_any(const ConfigurationOptions& options, Workspace* 
     const State& s = *state_;
     if (auto valid = validate(s, options.threads); !valid) return valid.error();
     const QueryMemory memory(workspace);
-    const broad::ObjectPairs& pairs = memory->pairs;
     (*CurrentPairs(s.near_pairs, options.threads))
         .find(s.view(), memory->pairs, memory->near_pairs,
               {.stop = options.stop, .for_each = on_threads(options.threads)});
-    // A few are put in order, the nearest first: they are the likeliest to touch.
-    const auto square = [&](const broad::ObjectPair& pair) {
-      const Vec3 d = s.objects[pair.a].sphere.center - s.objects[pair.b].sphere.center;
-      return dot(d, d);
-    };
-    if (pairs.size() <= kAtOnce)
-      std::sort(memory->pairs.begin(), memory->pairs.end(),
-                [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
-    std::atomic<bool> found = false;
-    const auto search_some = [&](TouchSearch& search, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end && !found; ++i)
-        if (search.find(s.placed(pairs[i].a), s.placed(pairs[i].b))) found = true;
-    };
-    if (options.threads == 1 || pairs.size() <= kAtOnce) {
-      memory->touch.restart(options.stop);
-      search_some(memory->touch, 0, pairs.size());
-    } else {
-      run_each(on_threads(options.threads), (pairs.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
-        TouchSearch search(options.stop);
-        search_some(search, chunk * kAtOnce, std::min((chunk + 1) * kAtOnce, pairs.size()));
-      });
+    return any_touches(
+        memory->pairs, [&s](std::uint32_t object) { return s.placed(object); }, options, *memory);
+  });
+}
+
+Result<bool> Scene::touches_with(const Mesh& mesh, const Pose& pose, const ConfigurationOptions& options,
+                                 Workspace* workspace) const {
+  return guarded([&]() -> Result<bool> {
+    const State& s = *state_;
+    if (auto valid = validate(s, options.threads); !valid) return valid.error();
+    if (auto valid = scene::validate(pose); !valid) return valid.error();
+    const scene::PlacedObject guest = scene::place(mesh.state().data, pose, 0);
+    if (!guest.in_domain) return out_of_domain("the mesh");
+    const QueryMemory memory(workspace);
+    constexpr std::array<std::uint32_t, 1> kOne{0};
+    (*CurrentPairs(s.near_pairs, options.threads)).find_near(kOne, {&guest.box, 1}, memory->near_pairs.jumping);
+    const auto guest_index = static_cast<std::uint32_t>(s.objects.size());
+    memory->pairs.clear();
+    for (const std::uint64_t found : memory->near_pairs.jumping.found) {
+      const auto object = static_cast<std::uint32_t>(found);
+      if (overlap(s.objects[object].box, guest.box) && broad::spheres_meet(s.objects[object].sphere, guest.sphere))
+        memory->pairs.push_back({object, guest_index});
     }
-    if (options.stop.stop_requested() && !found) return cancelled();
-    return found.load();
+    const auto placed = [&](std::uint32_t object) {
+      return object == guest_index ? PlacedMesh{guest, mesh.state()} : s.placed(object);
+    };
+    return any_touches(memory->pairs, placed, options, *memory);
   });
 }
 

@@ -236,9 +236,17 @@ struct Model {
     }
     return {pairs.begin(), pairs.end()};
   }
+  /// Whether a cube at this pose, which is not in the scene, touches any.
+  [[nodiscard]] bool has_any_at(const Pose& pose) const {
+    return std::any_of(entries.begin(), entries.end(), [&](const Entry& one) {
+      return std::equal(pose.t.begin(), pose.t.end(), one.pose.t.begin(),
+                        [](double x, double y) { return std::abs(x - y) <= 1; });
+    });
+  }
 };
 
-/// All questions to the scene, with each number of its objects moved in turn.
+/// All questions to the scene, and of a guest beside each of its objects, with each number of its objects moved in
+/// turn.
 void expect_as_model(const Scene& scene, const Model& model) {
   const auto all = [](const Model::Entry&) { return true; };
   const std::vector<Pair> expected = model.touching(all);
@@ -248,6 +256,9 @@ void expect_as_model(const Scene& scene, const Model& model) {
   for (const Model::Entry& entry : model.entries) {
     RC_ASSERT(scene.collide_with(entry.id, {.threads = 1})->objects ==
               model.touching([&](const Model::Entry& one) { return one.id == entry.id; }));
+    Pose guest = entry.pose;
+    guest.t[0] += 2;
+    RC_ASSERT(scene.touches_with(cube(), guest).value() == model.has_any_at(guest));
     movers.push_back(entry.id);
     Model moved = model;
     std::vector<Pose> poses;
@@ -362,6 +373,7 @@ TEST(Scene, AnswersConfigurationsAsIfItsObjectsStoodThere) {
     // A guest stands where the mover does; it is of no group and ignores nothing.
     const Contacts of_guest = scene.collide_with(ball, poses[3 * i + 1]).value();
     Scene with_guest = scene;
+    EXPECT_EQ(scene.touches_with(ball, poses[3 * i + 1]).value(), !of_guest.objects.empty());
     const ObjectId guest = with_guest.add(ball, poses[3 * i + 1]).value();
     const Contacts of_object = with_guest.collide_with(guest).value();
     EXPECT_EQ(of_guest.triangles, of_object.triangles);
