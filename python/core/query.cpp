@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "impinge/collide.hpp"
+
 namespace impinge::python {
 
 void raise(const Error& error) {
@@ -75,6 +77,11 @@ Array matrix_of(const Pose& pose) {
   Array matrix = matrices_of({&pose, 1});
   matrix.shape = {4, 4};
   return matrix;
+}
+
+const char* bad_pose_of(const Pair& pair) {
+  const auto nothing = Mesh::create(std::span<const double>{}, {});
+  return nothing && collide(*nothing, pair.at, *nothing, {}) ? "pose_b" : "pose_a";
 }
 
 bool is_main_thread() {

@@ -144,10 +144,16 @@ struct Pair {
   Pose bt;
 };
 
+/// Which of the poses is none, for the error that says so.
+const char* bad_pose_of(const Pair& pair);
+
 /// What `query(stop_token)` answers about the pair; throws its error.
 template <class Query>
 auto run_pair(const Pair& pair, const Stop* stop, Query query) {
-  return unwrap(run(stop, pair.a.triangle_count() + pair.b.triangle_count(), query));
+  auto answer = run(stop, pair.a.triangle_count() + pair.b.triangle_count(), query);
+  if (!answer.has_value() && answer.error().code == Code::bad_pose)
+    raise({Code::bad_pose, bad_pose_of(pair) + (": " + answer.error().message)});
+  return unwrap(std::move(answer));
 }
 
 }  // namespace impinge::python

@@ -94,11 +94,12 @@ py::tuple collide_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose, c
   })));
 }
 
-bool touches_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose) {
+bool touches_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose, int threads, const Stop* stop) {
   const Pose at = pose_of(pose, "pose");
   const std::size_t size = size_of_visit(shared, mesh, true);
-  return unwrap(run(nullptr, size, [&](std::stop_token token) {
-    return shared.scene.touches_with(mesh, at, {.threads = size < kMayTakeLong ? 1 : 0, .stop = token});
+  if (threads == 0 && size < kMayTakeLong) threads = 1;
+  return unwrap(run(stop, size, [&](std::stop_token token) {
+    return shared.scene.touches_with(mesh, at, {.threads = threads, .stop = token});
   }));
 }
 
@@ -278,7 +279,7 @@ void bind_scenes(py::module_& module) {
       .def("collide", &collide_all)
       .def("collide_with", &collide_one)
       .def("collide_with_mesh", &collide_mesh)
-      .def("touches_mesh", &touches_mesh)
+      .def("touches_with", &touches_mesh)
       .def("touches_any", &touches_any)
       .def("collide_configurations", &collide_configurations)
       .def("distance_configurations", &distance_configurations)

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._errors import OptionError, UnknownObjectError
-from ._mesh import Mesh, MeshLike
+from ._mesh import Mesh, MeshLike, as_core
 from ._queries import Contacts, Kind, Nearest, make_contacts, make_nearest, make_options
 
 if TYPE_CHECKING:
@@ -308,10 +308,23 @@ class Scene:
                 raise OptionError("a pose goes with a Mesh; an object of the scene has its own")
             return make_contacts(self._core.collide_with(self._object(other).id, options, stop), self._name_of)
 
-    def _touches(self, mesh: Mesh, pose: NDArray[np.float64]) -> bool:
-        """Whether a mesh that is not in the scene touches any object: `collide_with`, without the contacts."""
-        with self._reading(1):
-            return self._core.touches_mesh(mesh._core, pose)
+    def touches_with(
+        self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None
+    ) -> bool:
+        """Whether a mesh that is not in the scene, at a pose (4, 4), touches any object. Errors as `collide`.
+
+        Examples
+        --------
+        >>> import impinge
+        >>> scene, mesh = impinge.Scene(), impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> floor = scene.add(mesh, name="floor")
+        >>> [scene.touches_with(mesh, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, z], [0, 0, 0, 1]]) for z in (0, 1e-9)]
+        [True, False]
+        """
+        matrix = _arrays.pose(pose, "pose")
+        core = as_core(mesh, "mesh")
+        with self._reading(threads):
+            return self._core.touches_with(core, matrix, threads, stop)
 
     def touches_any(self, *, threads: int = 0, stop: _core.Stop | None = None) -> bool:
         """Whether any two objects share a point: the search stops at the first that do. Errors as `collide`."""

@@ -179,7 +179,7 @@ class CollisionManager:
         """Whether a mesh collides with any object: a bool; with the set of their names; with a list of ContactData ("__external" is the mesh)."""
         visitor = place(mesh, transform)
         if not return_names and not return_data and self._touching:
-            return self._scene._touches(visitor._mesh, visitor._pose) or any(True for _ in self._nested_with(visitor, []))
+            return self._scene.touches_with(visitor._mesh, visitor._pose) or any(True for _ in self._nested_with(visitor, []))
         return self._answer(self._pairs_with(visitor, _EXTERNAL), lambda names: names[0], return_names, return_data)
 
     def in_collision_poses(self, mesh: MeshLike, transforms: ArrayLike) -> NDArray[np.bool_]:

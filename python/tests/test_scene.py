@@ -45,6 +45,7 @@ def test_collide_names_the_objects_that_touch(seed):
         assert {a if b == f"cube {i}" else b for a, b in found.names} == expected
     visitor = np.array([2.5, 3, 3])
     found = scene.collide_with(cube, moved(*visitor))
+    assert scene.touches_with(cube, moved(*visitor)) == scene.touches_with((CUBE, CUBE_FACES), moved(*visitor), threads=1) == bool(found)
     assert [a for a, b in found.names] == [f"cube {j}" for j in range(25) if gaps(np.vstack([places, visitor]))[j, 25] == 0]
     assert all(b is None for a, b in found.names) and (found.objects[:, 1] == -1).all()
 
@@ -240,6 +241,8 @@ def test_scenes_pickle_and_copy():
         (lambda s: s.distance("nobody"), impinge.UnknownObjectError, "nobody"),
         (lambda s: s.set_vertices("nobody", CUBE), impinge.UnknownObjectError, "nobody"),
         (lambda s: s.set_vertices("cube 1", CUBE[1:]), impinge.MeshError, "has 8 vertices"),
+        (lambda s: s.touches_with("cube 1"), impinge.MeshError, "mesh: str is no mesh"),
+        (lambda s: s.touches_with(cube, threads=-1), impinge.OptionError, "threads is -1"),
         (lambda s: s.set_filter("nobody"), impinge.UnknownObjectError, "nobody"),
         (lambda s: s.set_filter("cube 1", mask=-1), impinge.OptionError, "mask is -1"),
         (lambda s: s.self("nobody"), impinge.UnknownObjectError, "nobody"),
