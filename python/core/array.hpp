@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -21,7 +22,7 @@ namespace py = pybind11;
 struct Array {
   std::shared_ptr<const void> owner;
   void* data = nullptr;
-  const char* format = "d";  ///< of the module struct: d, i, q or B
+  const char* format = "d";  ///< of the module struct: d, i, q, b, B or ?
   py::ssize_t itemsize = 0;
   std::vector<py::ssize_t> shape;
   bool readonly = false;
@@ -46,6 +47,9 @@ class View {
   View(const View&) = delete;
   View& operator=(const View&) = delete;
 
+  [[nodiscard]] std::span<const std::byte> bytes() const {
+    return {static_cast<const std::byte*>(buffer_.buf), static_cast<std::size_t>(buffer_.len)};
+  }
   template <class T>
   [[nodiscard]] std::span<const T> as() const {
     if (buffer_.itemsize != static_cast<py::ssize_t>(sizeof(T)))
@@ -56,5 +60,14 @@ class View {
  private:
   Py_buffer buffer_{};
 };
+
+/// The numbers of a C-contiguous array that Python owns, as structs that consist of them.
+template <class T>
+std::vector<T> copy_of(py::handle array) {
+  const View view(array);
+  std::vector<T> values(view.bytes().size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), view.bytes().data(), values.size() * sizeof(T));
+  return values;
+}
 
 }  // namespace impinge::python

@@ -19,12 +19,13 @@ void bind_meshes(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_clashes(pybind11::module_& module);
 void bind_reports(pybind11::module_& module);
+void bind_motion(pybind11::module_& module);
 
-/// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device); the strings live as long as
-/// this.
+/// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device, by_index); the strings live as
+/// long as this.
 struct QueryOptions {
   QueryOptions(bool first, std::uint64_t limit, std::uint8_t kinds, int threads, std::string backend,
-               std::string device);
+               std::string device, bool by_index);
   [[nodiscard]] Options with(std::stop_token stop) const;
 
   bool first;
@@ -32,6 +33,17 @@ struct QueryOptions {
   std::uint8_t kinds;
   int threads;
   std::string backend, device;
+  bool by_index;
+};
+
+/// `MeasureOptions` likewise: (stop_above, enough_below, threads).
+struct DistanceOptions {
+  double stop_above, enough_below;
+  int threads;
+
+  [[nodiscard]] MeasureOptions with(std::stop_token stop) const {
+    return {.threads = threads, .stop = std::move(stop), .stop_above = stop_above, .enough_below = enough_below};
+  }
 };
 
 /// (objects, offsets, pairs, kinds, truncated, hash, warnings).

@@ -96,11 +96,9 @@ py::tuple find_in_scene(SharedScene& shared, const VerdictOptions& options, Shar
   return py::make_tuple(pairs, parts);
 }
 
-py::tuple judge_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, const VerdictOptions& options,
-                     const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  Clash found = unwrap(run(stop, a.triangle_count() + b.triangle_count(),
-                           [&](std::stop_token token) { return judge(a, at, b, bt, options.with(token)); }));
+py::tuple judge_pair(const Pair& p, const VerdictOptions& options, const Stop* stop) {
+  Clash found =
+      run_pair(p, stop, [&](std::stop_token token) { return judge(p.a, p.at, p.b, p.bt, options.with(token)); });
   return to_python(found);
 }
 
@@ -110,12 +108,10 @@ py::tuple examine_mesh(const Mesh& mesh, py::handle pose, const VerdictOptions& 
       run(stop, mesh.triangle_count(), [&](std::stop_token token) { return examine(mesh, at, options.with(token)); })));
 }
 
-py::list regions_of_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double tolerance,
-                         int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  auto found = unwrap(run(stop, a.triangle_count() + b.triangle_count(), [&](std::stop_token token) {
-    return contact_regions(a, at, b, bt, {.tolerance = tolerance, .threads = threads, .stop = token});
-  }));
+py::list regions_of_pair(const Pair& p, double tolerance, int threads, const Stop* stop) {
+  auto found = run_pair(p, stop, [&](std::stop_token token) {
+    return contact_regions(p.a, p.at, p.b, p.bt, {.tolerance = tolerance, .threads = threads, .stop = token});
+  });
   return to_python(found);
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "impinge/collide.hpp"
@@ -21,13 +20,14 @@
 namespace impinge::python {
 
 QueryOptions::QueryOptions(bool first_, std::uint64_t limit_, std::uint8_t kinds_, int threads_, std::string backend_,
-                           std::string device_)
+                           std::string device_, bool by_index_)
     : first(first_),
       limit(limit_),
       kinds(kinds_),
       threads(threads_),
       backend(std::move(backend_)),
-      device(std::move(device_)) {}
+      device(std::move(device_)),
+      by_index(by_index_) {}
 
 Options QueryOptions::with(std::stop_token stop) const {
   return {.find = first ? Options::Find::first : Options::Find::all,
@@ -36,6 +36,7 @@ Options QueryOptions::with(std::stop_token stop) const {
           .threads = threads,
           .backend = backend,
           .device = device,
+          .adjacency = by_index ? Adjacency::by_index : Adjacency::by_position,
           .stop = std::move(stop)};
 }
 
@@ -58,15 +59,13 @@ py::object nearest_tuple(const Nearest& nearest) {
 
 namespace {
 
-std::size_t size_of(const Mesh& a, const Mesh& b) { return a.triangle_count() + b.triangle_count(); }
-
 Mesh make_mesh(py::handle vertices, py::handle triangles, std::uint32_t leaf_size, bool vertices_are_single,
                bool single) {
   const View xyz(vertices), indices(triangles);
   const TreeConfig tree{leaf_size};
   const auto index = indices.as<std::uint32_t>();
   const auto make = [&](auto coordinates) {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     if constexpr (std::is_same_v<decltype(coordinates), std::span<const float>>) {
       return Mesh::create(coordinates, index, tree);
     } else {
@@ -83,7 +82,7 @@ Array numbers_of(const Mesh& mesh, std::span<const T> values, const char* format
           const_cast<T*>(values.data()),
           format,
           itemsize,
-          {static_cast<py::ssize_t>(values.size()), 3},
+          {static_cast<py::ssize_t>(values.size()), static_cast<py::ssize_t>(sizeof(T)) / itemsize},
           true};
 }
 
@@ -92,78 +91,89 @@ Affine affine_of(const View& matrix) {
   return {rows.R, rows.t};
 }
 
-py::tuple collide_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, const QueryOptions& options,
-                       const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return contacts_tuple(unwrap(
-      run(stop, size_of(a, b), [&](std::stop_token token) { return collide(a, at, b, bt, options.with(token)); })));
+/// The matrices of `make(k)` for each k below count; an error names its place.
+template <class Make>
+Array poses_made(std::size_t count, const char* what, Make make) {
+  std::vector<Pose> poses(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Result<Pose> made = make(k);
+    const std::string which = count == 1 ? "" : '[' + std::to_string(k) + ']';
+    if (!made) raise({made.error().code, what + which + ": " + made.error().message});
+    poses[k] = *made;
+  }
+  return matrices_of(poses);
 }
 
-bool touches_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return !unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-            return collide(a, at, b, bt, {.find = Options::Find::first, .threads = threads, .stop = token});
-          })).kinds.empty();
+Array nearest_poses(py::handle matrices) {
+  const std::vector<Pose> maps = poses_of(View(matrices), "matrix");
+  return poses_made(maps.size(), "matrix", [&](std::size_t k) { return Pose::nearest({maps[k].R, maps[k].t}); });
+}
+
+Array poses_of_quaternions(py::handle quaternions, py::handle translations) {
+  const auto turns = copy_of<Quaternion>(quaternions);
+  const auto shifts = copy_of<std::array<double, 3>>(translations);
+  return poses_made(turns.size(), "quaternion",
+                    [&](std::size_t k) { return Pose::from_quaternion(turns[k], shifts.at(k)); });
+}
+
+py::tuple collide_pair(const Pair& p, const QueryOptions& options, const Stop* stop) {
+  return contacts_tuple(
+      run_pair(p, stop, [&](std::stop_token token) { return collide(p.a, p.at, p.b, p.bt, options.with(token)); }));
+}
+
+bool touches_pair(const Pair& p, int threads, const Stop* stop) {
+  return !run_pair(p, stop, [&](std::stop_token token) {
+            return collide(p.a, p.at, p.b, p.bt, {.find = Options::Find::first, .threads = threads, .stop = token});
+          }).kinds.empty();
+}
+
+py::tuple collide_self(const Mesh& mesh, py::handle pose, const QueryOptions& options, const Stop* stop) {
+  const Pose at = pose_of(pose, "pose");
+  return contacts_tuple(unwrap(run(stop, mesh.triangle_count(), [&](std::stop_token token) {
+    return self_collide(mesh, at, options.with(token));
+  })));
 }
 
 py::tuple collide_at_poses(const Mesh& a, py::handle poses_a, const Mesh& b, py::handle poses_b,
                            const QueryOptions& options, const Stop* stop) {
   const std::vector<Pose> at = poses_of(View(poses_a), "poses_a"), bt = poses_of(View(poses_b), "poses_b");
-  return contacts_tuple(unwrap(run(stop, size_of(a, b) * std::max(at.size(), bt.size()), [&](std::stop_token token) {
+  const std::size_t triangles = a.triangle_count() + b.triangle_count();
+  return contacts_tuple(unwrap(run(stop, triangles * std::max(at.size(), bt.size()), [&](std::stop_token token) {
     return collide_poses(a, at, b, bt, options.with(token));
   })));
 }
 
-py::object distance_of_pair(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double stop_above,
-                            int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return nearest_tuple(unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return distance(a, at, b, bt, {.threads = threads, .stop = token, .stop_above = stop_above});
-  })));
+py::object distance_of_pair(const Pair& p, const DistanceOptions& options, const Stop* stop) {
+  return nearest_tuple(
+      run_pair(p, stop, [&](std::stop_token token) { return distance(p.a, p.at, p.b, p.bt, options.with(token)); }));
 }
 
-bool pair_closer_than(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double limit, int threads,
-                      const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  return unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return closer_than(a, at, b, bt, limit, {.threads = threads, .stop = token});
+bool pair_closer_than(const Pair& p, double limit, int threads, const Stop* stop) {
+  return run_pair(p, stop, [&](std::stop_token token) {
+    return closer_than(p.a, p.at, p.b, p.bt, limit, {.threads = threads, .stop = token});
+  });
+}
+
+Array locate_points(const PointLocator& locator, py::handle points, int threads, const Stop* stop) {
+  const auto xyz = copy_of<Point>(points);
+  auto found = unwrap(run(stop, xyz.size(), [&](std::stop_token token) {
+    return locator.locate(xyz, {.threads = threads, .stop = token});
   }));
+  const auto count = static_cast<py::ssize_t>(found.size());
+  return array_of(std::move(found), "B", 1, {count});
 }
 
-Array locate_points(py::handle points, const Mesh& mesh, py::handle pose, const Stop* stop) {
-  const View view(points);
-  const auto numbers = view.as<double>();
-  const std::size_t count = numbers.size() / 3;
-  const Pose at = pose_of(pose, "pose");
-  auto found =
-      unwrap(run(stop, mesh.triangle_count() * count, [&](std::stop_token token) -> Result<std::vector<Location>> {
-        std::vector<Location> all(count);
-        for (std::size_t i = 0; i < count; ++i) {
-          if (token.stop_requested()) return Error{Code::cancelled, "the stop token ended the query"};
-          const auto where = locate({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}, mesh, at);
-          if (!where) return Error{where.error().code, "point " + std::to_string(i) + ": " + where.error().message};
-          all[i] = *where;
-        }
-        return all;
-      }));
-  return array_of(std::move(found), "B", 1, {static_cast<py::ssize_t>(count)});
-}
-
-py::tuple depth_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, double precision,
-                           int threads, const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  const OverlapDepth depth = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return overlap_depth(a, at, b, bt, precision, {.threads = threads, .stop = token});
-  }));
+py::tuple depth_of_overlap(const Pair& p, double precision, int threads, const Stop* stop) {
+  const OverlapDepth depth = run_pair(p, stop, [&](std::stop_token token) {
+    return overlap_depth(p.a, p.at, p.b, p.bt, precision, {.threads = threads, .stop = token});
+  });
   return py::make_tuple(depth.a_in_b.lo, depth.a_in_b.hi, depth.b_in_a.lo, depth.b_in_a.hi);
 }
 
-py::tuple volume_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, int threads,
-                            const Stop* stop) {
-  const Pose at = pose_of(pose_a, "pose_a"), bt = pose_of(pose_b, "pose_b");
-  const OverlapVolume volume = unwrap(run(stop, size_of(a, b), [&](std::stop_token token) {
-    return overlap_volume(a, at, b, bt, {.threads = threads, .stop = token});
-  }));
+py::tuple volume_of_overlap(const Pair& p, int threads, const Stop* stop) {
+  const OverlapVolume volume = run_pair(p, stop, [&](std::stop_token token) {
+    return overlap_volume(p.a, p.at, p.b, p.bt, {.threads = threads, .stop = token});
+  });
   return py::make_tuple(volume.volume, volume.error);
 }
 
@@ -171,11 +181,13 @@ py::tuple volume_of_overlap(const Mesh& a, py::handle pose_a, const Mesh& b, py:
 
 void bind_meshes(py::module_& module) {
   py::class_<QueryOptions>(module, "Options")
-      .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string>());
+      .def(py::init<bool, std::uint64_t, std::uint8_t, int, std::string, std::string, bool>());
+  py::class_<DistanceOptions>(module, "DistanceOptions").def(py::init<double, double, int>());
   py::class_<Mesh>(module, "Mesh")
       .def(py::init(&make_mesh))
       .def("vertices", [](const Mesh& mesh) { return numbers_of(mesh, mesh.vertices(), "d", 8); })
       .def("triangles", [](const Mesh& mesh) { return numbers_of(mesh, mesh.triangles(), "i", 4); })
+      .def("edges", [](const Mesh& mesh) { return numbers_of(mesh, mesh.edges(), "i", 4); })
       .def("is_single", [](const Mesh& mesh) { return mesh.precision() == Precision::single; })
       .def("key", [](const Mesh& mesh) { return reinterpret_cast<std::uintptr_t>(mesh.vertices().data()); })
       .def("triangle_count", &Mesh::triangle_count)
@@ -183,25 +195,45 @@ void bind_meshes(py::module_& module) {
            [](const Mesh& mesh, py::handle matrix) {
              const Affine map = affine_of(View(matrix));
              return unwrap([&] {
-               const py::gil_scoped_release released;
+               const Unlocked released;
                return mesh.transformed(map);
+             }());
+           })
+      .def("deformed",
+           [](const Mesh& mesh, py::handle vertices) {
+             const View xyz(vertices);
+             return unwrap([&] {
+               const Unlocked released;
+               return mesh.deformed(xyz.as<double>());
              }());
            })
       .def("build_tree",
            [](const Mesh& mesh, int threads) {
              unwrap([&] {
-               const py::gil_scoped_release released;
+               const Unlocked released;
                return mesh.build_tree(threads);
              }());
            })
       .def("memory_bytes", &Mesh::memory_bytes);
+  py::class_<Pair>(module, "Pair").def(py::init([](const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b) {
+    return Pair{a, pose_of(pose_a, "pose_a"), b, pose_of(pose_b, "pose_b")};
+  }));
+  module.def("nearest_poses", &nearest_poses);
+  module.def("poses_of_quaternions", &poses_of_quaternions);
   module.def("off_rotation", &off_rotation);
   module.def("collide", &collide_pair);
   module.def("touches", &touches_pair);
+  module.def("self_collide", &collide_self);
   module.def("collide_poses", &collide_at_poses);
   module.def("distance", &distance_of_pair);
   module.def("closer_than", &pair_closer_than);
-  module.def("locate", &locate_points);
+  py::class_<PointLocator>(module, "PointLocator")
+      .def(py::init([](const Mesh& mesh, py::handle pose, int threads) {
+        const Pose at = pose_of(pose, "pose");
+        return unwrap(run(nullptr, mesh.triangle_count(),
+                          [&](std::stop_token) { return PointLocator::create(mesh, at, threads); }));
+      }))
+      .def("locate", &locate_points);
   module.def("overlap_depth", &depth_of_overlap);
   module.def("overlap_volume", &volume_of_overlap);
 }

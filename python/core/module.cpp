@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <tbb/global_control.h>
+
+#include <memory>
 
 #include "impinge/devices.hpp"
 #include "impinge/version.hpp"
@@ -14,7 +17,7 @@ namespace {
 
 py::list devices_of_machine() {
   const auto found = unwrap([] {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return devices();
   }());
   py::list all;
@@ -23,6 +26,14 @@ py::list devices_of_machine() {
                               device.is_certified, device.complaint));
   }
   return all;
+}
+
+/// 0: as many as oneTBB offers.
+void set_num_threads(std::size_t threads) {
+  // Never destroyed: at the program's end TBB may be gone before it.
+  static auto& limit = *new std::unique_ptr<tbb::global_control>;
+  limit.reset();
+  if (threads > 0) limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 }
 
 }  // namespace
@@ -54,7 +65,9 @@ PYBIND11_MODULE(_core, module) {
   bind_scenes(module);
   bind_clashes(module);
   bind_reports(module);
+  bind_motion(module);
   module.def("devices", &devices_of_machine);
+  module.def("set_num_threads", &set_num_threads);
 }
 
 }  // namespace impinge::python

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "impinge/collide.hpp"
+
 namespace impinge::python {
 
 void raise(const Error& error) {
@@ -64,11 +66,22 @@ double off_rotation(py::handle matrix) {
   return off;
 }
 
+Array matrices_of(std::span<const Pose> poses) {
+  std::vector<double> numbers;
+  for (const auto& [R, t] : poses)
+    numbers.insert(numbers.end(), {R[0], R[1], R[2], t[0], R[3], R[4], R[5], t[1], R[6], R[7], R[8], t[2], 0, 0, 0, 1});
+  return array_of(std::move(numbers), "d", 8, {static_cast<py::ssize_t>(poses.size()), 4, 4});
+}
+
 Array matrix_of(const Pose& pose) {
-  const auto& [R, t] = pose;
-  return array_of(
-      std::vector<double>{R[0], R[1], R[2], t[0], R[3], R[4], R[5], t[1], R[6], R[7], R[8], t[2], 0, 0, 0, 1}, "d", 8,
-      {4, 4});
+  Array matrix = matrices_of({&pose, 1});
+  matrix.shape = {4, 4};
+  return matrix;
+}
+
+const char* bad_pose_of(const Pair& pair) {
+  const auto nothing = Mesh::create(std::span<const double>{}, {});
+  return nothing && collide(*nothing, pair.at, *nothing, {}) ? "pose_b" : "pose_a";
 }
 
 bool is_main_thread() {

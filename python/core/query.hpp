@@ -28,6 +28,26 @@ struct Stop {
   std::stop_source source;
 };
 
+/// Lets go of the interpreter's lock. pybind11's gil_scoped_release ends the process where the interpreter ends
+/// meanwhile: a thread that wants the lock back is unwound then, out of a destructor. This one waits for the end of the
+/// process.
+class Unlocked {
+ public:
+  Unlocked() : state_(PyEval_SaveThread()) {}
+  ~Unlocked() {
+    try {
+      PyEval_RestoreThread(state_);
+    } catch (...) {  // nothing but that unwinding, which may not end here
+      for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
 /// Throws the package's exception for the error.
 [[noreturn]] void raise(const Error& error);
 
@@ -49,7 +69,8 @@ Pose pose_of(py::handle matrix, const char* what);
 /// max|RᵀR - I| of a (4, 4) matrix; infinity for a mirror image, or with another last row than 0 0 0 1.
 double off_rotation(py::handle matrix);
 
-/// The (4, 4) matrix of a pose.
+/// The (N, 4, 4) matrices of poses, and the (4, 4) matrix of one.
+Array matrices_of(std::span<const Pose> poses);
 Array matrix_of(const Pose& pose);
 
 /// From how many triangles on, counted with each pose, a query may take so long that somebody presses Ctrl-C. Below,
@@ -67,7 +88,7 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   using Answer = decltype(query(std::stop_token{}));
   const std::stop_token asked = stop != nullptr ? stop->source.get_token() : std::stop_token{};
   if (size < kMayTakeLong || !is_main_thread()) {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return query(asked);
   }
 
@@ -77,7 +98,7 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   std::exception_ptr failure;
   std::optional<py::error_already_set> signal;
   {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     std::mutex mutex;
     std::condition_variable changed;
     bool done = false;
@@ -113,6 +134,26 @@ auto run(const Stop* stop, std::size_t size, Query query) {
   if (signal) throw py::error_already_set(*std::exchange(signal, std::nullopt));
   if (failure) std::rethrow_exception(failure);
   return *std::move(answer);
+}
+
+/// Two placed meshes.
+struct Pair {
+  Mesh a;
+  Pose at;
+  Mesh b;
+  Pose bt;
+};
+
+/// Which of the poses is none, for the error that says so.
+const char* bad_pose_of(const Pair& pair);
+
+/// What `query(stop_token)` answers about the pair; throws its error.
+template <class Query>
+auto run_pair(const Pair& pair, const Stop* stop, Query query) {
+  auto answer = run(stop, pair.a.triangle_count() + pair.b.triangle_count(), query);
+  if (!answer.has_value() && answer.error().code == Code::bad_pose)
+    raise({Code::bad_pose, bad_pose_of(pair) + (": " + answer.error().message)});
+  return unwrap(std::move(answer));
 }
 
 }  // namespace impinge::python

@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "impinge/manifolds.hpp"
 #include "python/core/array.hpp"
 #include "python/core/bind.hpp"
 #include "python/core/query.hpp"
@@ -39,7 +42,7 @@ struct Hold {
   void enter() {
     std::shared_mutex& lock = mutex();
     if (kAlone ? lock.try_lock() : lock.try_lock_shared()) return;
-    const py::gil_scoped_release released;
+    const Unlocked released;
     kAlone ? lock.lock() : lock.lock_shared();
   }
   void exit(const py::args&) { kAlone ? mutex().unlock() : mutex().unlock_shared(); }
@@ -57,14 +60,13 @@ void bind_hold(py::module_& module, const char* name) {
 template <class Change>
 auto unlocked(SharedScene& shared, Change change) {
   return unwrap([&] {
-    const py::gil_scoped_release released;
+    const Unlocked released;
     return change(shared.scene);
   }());
 }
 
-py::object to_python(const std::optional<ObjectDistance>& found) {
-  if (!found) return py::none();
-  return py::make_tuple(found->objects[0], found->objects[1], nearest_tuple(found->nearest));
+py::tuple to_python(const ObjectDistance& found) {
+  return py::make_tuple(found.objects[0], found.objects[1], nearest_tuple(found.nearest));
 }
 
 py::tuple collide_all(SharedScene& shared, const QueryOptions& options, const Stop* stop) {
@@ -92,11 +94,12 @@ py::tuple collide_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose, c
   })));
 }
 
-bool touches_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose) {
+bool touches_mesh(SharedScene& shared, const Mesh& mesh, py::handle pose, int threads, const Stop* stop) {
   const Pose at = pose_of(pose, "pose");
   const std::size_t size = size_of_visit(shared, mesh, true);
-  return unwrap(run(nullptr, size, [&](std::stop_token token) {
-    return shared.scene.touches_with(mesh, at, {.threads = size < kMayTakeLong ? 1 : 0, .stop = token});
+  if (threads == 0 && size < kMayTakeLong) threads = 1;
+  return unwrap(run(stop, size, [&](std::stop_token token) {
+    return shared.scene.touches_with(mesh, at, {.threads = threads, .stop = token});
   }));
 }
 
@@ -118,14 +121,19 @@ struct Path {
   }
 };
 
-Array collide_configurations(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses, int threads,
-                             const Stop* stop) {
+py::tuple collide_configurations(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses,
+                                 bool witnesses, int threads, const Stop* stop) {
   const Path path(ids, poses);
   Configurations found = unwrap(run(stop, path.size(shared), [&](std::stop_token token) {
-    return shared.scene.collide_configurations(path.ids, path.poses, {.threads = threads, .stop = token});
+    return shared.scene.collide_configurations(path.ids, path.poses,
+                                               {.witnesses = witnesses, .threads = threads, .stop = token});
   }));
-  const auto count = static_cast<py::ssize_t>(found.touches.size());
-  return array_of(std::move(found.touches), "?", 1, {count});
+  constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::vector<Touch> touches;
+  for (const auto& touch : found.witnesses) touches.push_back(touch.value_or(Touch{{kNone, kNone}, {kNone, kNone}}));
+  const auto count = static_cast<py::ssize_t>(found.touches.size()), rows = static_cast<py::ssize_t>(touches.size());
+  return py::make_tuple(array_of(std::move(found.touches), "?", 1, {count}),
+                        array_of(std::move(touches), "i", 4, {rows, 4}));
 }
 
 std::optional<std::size_t> first_touching(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses,
@@ -136,20 +144,28 @@ std::optional<std::size_t> first_touching(SharedScene& shared, const std::vector
   }));
 }
 
-py::object distance_of_all(SharedScene& shared, std::optional<std::uint64_t> id, double stop_above, int threads,
+py::object distance_of_all(SharedScene& shared, std::optional<std::uint64_t> id, const DistanceOptions& options,
                            const Stop* stop) {
-  return to_python(unwrap(run(stop, shared.triangles, [&](std::stop_token token) {
-    const MeasureOptions options{.threads = threads, .stop = token, .stop_above = stop_above};
-    return id ? shared.scene.distance_with(to_id(*id), options) : shared.scene.distance(options);
-  })));
+  const auto found = unwrap(run(stop, shared.triangles, [&](std::stop_token token) {
+    return id ? shared.scene.distance_with(to_id(*id), options.with(token))
+              : shared.scene.distance(options.with(token));
+  }));
+  return found ? py::object(to_python(*found)) : py::none();
+}
+
+py::list closest_pairs(SharedScene& shared, std::size_t count, const DistanceOptions& options, const Stop* stop) {
+  const auto found = unwrap(run(
+      stop, shared.triangles, [&](std::stop_token token) { return shared.scene.closest(count, options.with(token)); }));
+  py::list all;
+  for (const ObjectDistance& pair : found) all.append(to_python(pair));
+  return all;
 }
 
 Array distance_configurations(SharedScene& shared, const std::vector<std::uint64_t>& ids, py::handle poses,
-                              double stop_above, int threads, const Stop* stop) {
+                              const DistanceOptions& options, const Stop* stop) {
   const Path path(ids, poses);
   const auto found = unwrap(run(stop, path.size(shared), [&](std::stop_token token) {
-    return shared.scene.distance_configurations(path.ids, path.poses,
-                                                {.threads = threads, .stop = token, .stop_above = stop_above});
+    return shared.scene.distance_configurations(path.ids, path.poses, options.with(token));
   }));
   std::vector<double> distances(found.size(), std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -159,6 +175,64 @@ Array distance_configurations(SharedScene& shared, const std::vector<std::uint64
 
 Array pose_of_object(SharedScene& shared, std::uint64_t id) { return matrix_of(unwrap(shared.scene.pose(to_id(id)))); }
 
+/// What one frame after the other uses.
+struct SharedManifolds {
+  ContactManifolds manifolds;
+  std::mutex mutex;
+};
+
+/// Rows that fit together; whether the scene has what they name, it says itself.
+Contacts contacts_of(py::handle objects, py::handle offsets, py::handle pairs, bool truncated) {
+  Contacts contacts;
+  contacts.objects = copy_of<std::array<std::uint32_t, 2>>(objects);
+  contacts.offsets = copy_of<std::uint64_t>(offsets);
+  contacts.triangles = copy_of<TrianglePair>(pairs);
+  contacts.truncated = truncated;
+  const auto& ends = contacts.offsets;
+  if (ends.size() != contacts.objects.size() + 1 || ends.front() != 0 || ends.back() != contacts.triangles.size() ||
+      !std::is_sorted(ends.begin(), ends.end()))
+    raise({Code::bad_option, "the arrays of the contacts do not fit together; give contacts as a scene found them"});
+  return contacts;
+}
+
+py::tuple update_manifolds(SharedManifolds& shared, SharedScene& scene, py::handle objects, py::handle offsets,
+                           py::handle pairs, bool truncated) {
+  const Contacts contacts = contacts_of(objects, offsets, pairs, truncated);
+  const auto found =
+      unwrap(run(nullptr, contacts.triangles.size(), [&](std::stop_token) -> Result<std::vector<Manifold>> {
+        const std::lock_guard lock(shared.mutex);
+        const auto all = shared.manifolds.update(scene.scene, contacts);
+        if (!all) return all.error();
+        return std::vector<Manifold>(all->begin(), all->end());
+      }));
+  std::vector<std::array<std::uint32_t, 2>> of;
+  std::vector<std::uint64_t> ids;
+  std::vector<Point> middles, normals;
+  std::vector<double> depths;
+  std::vector<std::uint32_t> sizes;
+  std::vector<std::array<Point, 2>> points;
+  std::vector<double> point_depths;
+  for (const Manifold& manifold : found) {
+    of.push_back(manifold.objects);
+    ids.push_back(manifold.id);
+    middles.push_back(manifold.middle);
+    normals.push_back(manifold.normal);
+    depths.push_back(manifold.depth);
+    sizes.push_back(manifold.size);
+    for (std::uint32_t i = 0; i < manifold.points.size(); ++i) {
+      const ManifoldPoint point = i < manifold.size ? manifold.points[i] : ManifoldPoint{};
+      points.push_back({point.a, point.b});
+      point_depths.push_back(point.depth);
+    }
+  }
+  const auto count = static_cast<py::ssize_t>(found.size());
+  return py::make_tuple(
+      array_of(std::move(of), "i", 4, {count, 2}), array_of(std::move(ids), "q", 8, {count}),
+      array_of(std::move(middles), "d", 8, {count, 3}), array_of(std::move(normals), "d", 8, {count, 3}),
+      array_of(std::move(depths), "d", 8, {count}), array_of(std::move(sizes), "i", 4, {count}),
+      array_of(std::move(points), "d", 8, {count, 4, 2, 3}), array_of(std::move(point_depths), "d", 8, {count, 4}));
+}
+
 }  // namespace
 
 void bind_scenes(py::module_& module) {
@@ -167,6 +241,7 @@ void bind_scenes(py::module_& module) {
   py::class_<SharedScene>(module, "Scene")
       .def(py::init<>())
       .def_readwrite("triangles", &SharedScene::triangles)
+      .def("forget_threads", &SharedScene::forget_threads)
       .def("add",
            [](SharedScene& shared, const Mesh& mesh, py::handle pose, std::uint32_t group) {
              const Pose at = pose_of(pose, "pose");
@@ -193,18 +268,25 @@ void bind_scenes(py::module_& module) {
                return ignored ? scene.ignore(to_id(a), to_id(b)) : scene.unignore(to_id(a), to_id(b));
              });
            })
+      .def("set_filter",
+           [](SharedScene& shared, std::uint64_t id, std::uint64_t category, std::uint64_t mask) {
+             unwrap(shared.scene.set_filter(to_id(id), {category, mask}));
+           })
+      .def("self", [](SharedScene& shared, std::uint64_t id, bool on) { unwrap(shared.scene.self(to_id(id), on)); })
       .def("pose", &pose_of_object)
       .def("update", [](SharedScene& shared,
                         int threads) { unlocked(shared, [&](Scene& scene) { return scene.update(threads); }); })
       .def("collide", &collide_all)
       .def("collide_with", &collide_one)
       .def("collide_with_mesh", &collide_mesh)
-      .def("touches_mesh", &touches_mesh)
+      .def("touches_with", &touches_mesh)
       .def("touches_any", &touches_any)
       .def("collide_configurations", &collide_configurations)
       .def("distance_configurations", &distance_configurations)
       .def("first_touching", &first_touching)
-      .def("distance", &distance_of_all);
+      .def("distance", &distance_of_all)
+      .def("closest", &closest_pairs);
+  py::class_<SharedManifolds>(module, "ContactManifolds").def(py::init<>()).def("update", &update_manifolds);
 }
 
 }  // namespace impinge::python

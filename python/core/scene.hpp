@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
 #include <shared_mutex>
 
 #include "impinge/scene.hpp"
@@ -15,6 +16,9 @@ struct SharedScene {
   Scene scene;
   std::shared_mutex mutex;
   std::size_t triangles = 0;  ///< of all objects; kept by the Python above
+
+  /// In a child process: threads that held the mutex when it was forked are not there to let go of it.
+  void forget_threads() { new (&mutex) std::shared_mutex; }
 };
 
 }  // namespace impinge::python

@@ -9,6 +9,7 @@
 True
 """
 
+from . import _files
 from ._clash import (
     Clash,
     Clashes,
@@ -22,6 +23,7 @@ from ._clash import (
     find_clashes,
     judge,
 )
+from ._convex import Penetration
 from ._core import VERSION as __version__
 from ._core import ClashMemory, Stop
 from ._errors import (
@@ -37,8 +39,13 @@ from ._errors import (
     RangeError,
     UnknownObjectError,
 )
-from ._files import Device, Model, Object, devices, read
+from ._files import Device, Model, Object, devices, read, set_num_threads
+from ._manifolds import ContactManifolds, Manifolds
 from ._mesh import HasVerticesFaces, Mesh, MeshLike
+from ._motion import Feature, Impacts, Moving, find_impacts
+from ._placed import penetration
+from ._pose import nearest_pose, pose_from_quaternion
+from ._predicates import edge_edge_impact, orient3d, triangles_meet, vertex_face_impact
 from ._queries import (
     Contacts,
     Interval,
@@ -47,6 +54,7 @@ from ._queries import (
     Nearest,
     OverlapDepth,
     OverlapVolume,
+    PointLocator,
     closer_than,
     collide,
     collide_poses,
@@ -54,10 +62,11 @@ from ._queries import (
     locate,
     overlap_depth,
     overlap_volume,
+    self_collide,
     touches,
     touches_poses,
 )
-from ._scene import ObjectDistance, Scene
+from ._scene import Configurations, ObjectDistance, Scene
 from ._show import draw
 
 __all__ = [
@@ -65,20 +74,26 @@ __all__ = [
     "Clash",
     "ClashMemory",
     "Clashes",
+    "Configurations",
     "ContactCounts",
+    "ContactManifolds",
     "Contacts",
     "Device",
+    "Feature",
     "FileError",
     "HasVerticesFaces",
+    "Impacts",
     "ImpingeError",
     "ImpingeWarning",
     "Interval",
     "Kind",
     "Location",
+    "Manifolds",
     "Mesh",
     "MeshError",
     "MeshLike",
     "Model",
+    "Moving",
     "Nearest",
     "NoDeviceError",
     "Object",
@@ -89,6 +104,8 @@ __all__ = [
     "OverlapVolume",
     "PartClass",
     "PartFacts",
+    "Penetration",
+    "PointLocator",
     "PoseError",
     "RangeError",
     "Region",
@@ -103,14 +120,26 @@ __all__ = [
     "devices",
     "distance",
     "draw",
+    "edge_edge_impact",
     "examine",
     "find_clashes",
+    "find_impacts",
     "judge",
     "locate",
+    "nearest_pose",
+    "orient3d",
     "overlap_depth",
     "overlap_volume",
+    "penetration",
+    "pose_from_quaternion",
     "read",
+    "self_collide",
+    "set_num_threads",
     "touches",
     "touches_poses",
+    "triangles_meet",
+    "vertex_face_impact",
     "__version__",
 ]
+
+_files.take_environment()

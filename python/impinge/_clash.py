@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Hashable, NamedTuple
 import numpy as np
 
 from . import _arrays, _core, _show
-from ._mesh import MeshLike, as_core
+from ._mesh import MeshLike, as_core, placed
 from ._queries import Nearest, OverlapDepth, make_depth, make_nearest
 
 if TYPE_CHECKING:
@@ -263,8 +263,7 @@ def judge(
     MeshError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
     """
     options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, threads)
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _clash(_core.judge(as_core(a, "a"), at, as_core(b, "b"), bt, options, stop), (0, 1))
+    return _clash(_core.judge(placed(a, b, pose_a, pose_b), options, stop), (0, 1))
 
 
 def find_clashes(
@@ -350,6 +349,5 @@ def contact_regions(
     ------
     As `judge`; OptionError also for a tolerance that is negative or too large.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    found = _core.contact_regions(as_core(a, "a"), at, as_core(b, "b"), bt, tolerance, threads, stop)
+    found = _core.contact_regions(placed(a, b, pose_a, pose_b), tolerance, threads, stop)
     return [_region(region) for region in found]

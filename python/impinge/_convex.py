@@ -32,12 +32,15 @@ class Hull(NamedTuple):
 
     vertices: F8  #: (V, 3), in the mesh's order
     normals: F8  #: (F, 3): unit, outwards
-    edges: F8  #: (E, 3): unit directions of those between faces that are not coplanar
-    beside: F8  #: (2, E, 3): the normals of the two faces at each edge
+    corners: F8  #: (F, 3): one of each face
+    starts: F8  #: (E, 3): one end of each edge between faces that are not coplanar
+    edges: F8  #: (E, 3): unit directions of these edges
+    beside: NDArray[np.int64]  #: (2, E): the two faces at each edge
 
     def moved(self, pose: F8) -> Hull:
-        turn = pose[:3, :3].T
-        return Hull(self.vertices @ turn + pose[:3, 3], self.normals @ turn, self.edges @ turn, self.beside @ turn)
+        turn, shift = pose[:3, :3].T, pose[:3, 3]
+        vertices, corners, starts = (points @ turn + shift for points in (self.vertices, self.corners, self.starts))
+        return Hull(vertices, self.normals @ turn, corners, starts, self.edges @ turn, self.beside)
 
 
 def hull_of(mesh: Mesh) -> Hull | None:
@@ -73,45 +76,76 @@ def hull_of(mesh: Mesh) -> Hull | None:
 
     left, right = normals[owner[forth]], normals[owner[back]]
     bends = (half[forth, 0] < half[forth, 1]) & (np.linalg.norm(left - right, axis=1) > _ROUNDING)
-    along = vertices[half[forth, 1]] - vertices[half[forth, 0]]
-    along = along[bends] / np.linalg.norm(along[bends], axis=1)[:, None]
-    return Hull(vertices[used[np.argsort(first[used])]], normals, along, np.stack([left[bends], right[bends]]))
+    starts = vertices[half[forth, 0]][bends]
+    along = vertices[half[forth, 1]][bends] - starts
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    beside = np.stack([owner[forth][bends], owner[back][bends]])
+    return Hull(vertices[used[np.argsort(first[used])]], normals, corners[:, 0], starts, along, beside)
 
 
 def penetration(a: Hull, b: Hull) -> Penetration:
     """Of two placed hulls. Directions are the face normals of both, and the cross products of edges whose arcs on the Gaussian sphere cross
     (Gregorius, "The Separating Axis Test between Convex Polyhedra", 2013). Of equally deep ones the lexicographically smallest."""
-    directions = np.unique(np.concatenate([a.normals, -b.normals, _edge_directions(a, b)]).round(12) + 0.0, axis=0)
+    rounding = _ROUNDING * (np.ptp(a.vertices, axis=0).max() + np.ptp(b.vertices, axis=0).max())
+    of_a, of_b = a.normals, -b.normals
+    far_b, far_a = _farthest(b, -of_a), _farthest(a, of_b)
+    depths_a = np.einsum("ij,ij->i", a.corners - far_b, of_a)
+    depths_b = np.einsum("ij,ij->i", far_a - b.corners, of_b)
+    limit = max(min(depths_a.min(), depths_b.min()), 0.0) + 2 * rounding
+    some_a = _shallow(a.starts - far_b[a.beside], of_a[a.beside], limit)
+    some_b = _shallow(far_a[b.beside] - b.starts, of_b[b.beside], limit)
+    of_edges = _edge_directions(a.edges[some_a], of_a[a.beside[:, some_a]], b.edges[some_b], of_b[b.beside[:, some_b]])
+
+    directions = np.concatenate([of_a[depths_a <= limit], of_b[depths_b <= limit], of_edges])
+    directions = np.unique(directions.round(12) + 0.0, axis=0)
     directions /= np.linalg.norm(directions, axis=1)[:, None]
-    depths = np.concatenate(
-        [
-            (a.vertices @ some.T).max(axis=0) - (b.vertices @ some.T).min(axis=0)
-            for some in np.array_split(directions, 1 + len(directions) * (len(a.vertices) + len(b.vertices)) // 2**22)
-        ]
-    )
-    size = np.ptp(a.vertices, axis=0).max() + np.ptp(b.vertices, axis=0).max()
-    best = np.flatnonzero(depths <= depths.min() + _ROUNDING * size)[0]  # directions are sorted
+    depths = np.einsum("ij,ij->i", _farthest(a, directions) - _farthest(b, -directions), directions)
+    best = np.flatnonzero(depths <= depths.min() + rounding)[0]  # directions are sorted
     normal = directions[best]
-    return Penetration(float(depths[best]), normal, _point(a, b, normal, _ROUNDING * size))
+    return Penetration(float(depths[best]), normal, _point(a, b, normal, rounding))
 
 
-def _edge_directions(a: Hull, b: Hull) -> F8:
-    """(N, 3): the normals of those faces of the Minkowski difference that two edges span, unit, away from a."""
-    (n0, n1), (m0, m1) = a.beside, -b.beside
-    found = []
-    for part in np.array_split(np.arange(len(a.edges)), 1 + len(a.edges) * len(b.edges) // 2**20):
-        p0, p1 = n0[part], n1[part]
-        of_a, of_b = np.cross(p0, p1), np.cross(m0, m1)
+def _farthest(hull: Hull, directions: F8) -> F8:
+    """(N, 3): the vertices that are farthest in directions, (N, 3)."""
+    parts = np.array_split(directions, 1 + len(directions) * len(hull.vertices) // 2**22)
+    across = hull.vertices.T.copy()  # in this layout the product takes a fourth of the time
+    farthest: F8 = hull.vertices[np.concatenate([(some @ across).argmax(axis=1) for some in parts])]
+    return farthest
+
+
+def _shallow(far: F8, normals: F8, limit: float) -> NDArray[np.bool_]:
+    """(E,): for which edges' arcs, between normals (2, E, 3), the depth may somewhere be at most a limit that is above 0.
+
+    far, (2, E, 3), are points of the Minkowski difference that are farthest in these normals. The depth in a direction n is at least far * n
+    for both of them: along an arc the greater of two sinusoids, each concave where it is above 0, so that the least is at an end of the
+    arc, which is a face's direction, or where both are equal. Where they are the same point, no arc of the other hull crosses this one.
+    """
+    (p, q), (m, n) = far, normals
+    across = np.einsum("ij,ij->i", p - q, m)[:, None] * n - np.einsum("ij,ij->i", p - q, n)[:, None] * m
+    lengths = np.linalg.norm(across, axis=1)
+    shallow: NDArray[np.bool_] = (np.einsum("ij,ij->i", p, across) <= limit * lengths) & (lengths > 0)
+    return shallow
+
+
+def _edge_directions(edges_a: F8, beside_a: F8, edges_b: F8, beside_b: F8) -> F8:
+    """(N, 3): the normals of those faces of the Minkowski difference that two edges span, unit, away from a. beside: (2, E, 3) each, the
+    difference's normals at the ends of the edges' arcs."""
+    m0, m1 = beside_b
+    of_b = np.cross(m0, m1)
+    found = [np.empty((0, 3))]
+    for part in np.array_split(np.arange(len(edges_a)), 1 + len(edges_a) * len(edges_b) // 2**20):
+        p0, p1 = beside_a[:, part]
+        of_a = np.cross(p0, p1)
         c0, c1 = of_a @ m0.T, of_a @ m1.T  # on which sides of a's arc the ends of b's are
         d0, d1 = p0 @ of_b.T, p1 @ of_b.T
         i, j = np.nonzero((c0 * c1 < 0) & (d0 * d1 < 0) & (c1 * d0 > 0))
-        across = np.cross(a.edges[part[i]], b.edges[j])
+        across = np.cross(edges_a[part[i]], edges_b[j])
         lengths = np.linalg.norm(across, axis=1)
         some = lengths > _ROUNDING
         across = across[some] / lengths[some, None]
         outward = np.einsum("ij,ij->i", across, p0[i[some]] + p1[i[some]])
         found.append(across * np.sign(outward)[:, None])
-    return np.concatenate(found) if found else np.empty((0, 3))
+    return np.concatenate(found)
 
 
 def _point(a: Hull, b: Hull, normal: F8, rounding: float) -> F8:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
-"""Mesh files, and devices."""
+"""Mesh files, and what queries run on."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from . import _core
+from ._errors import OptionError
 from ._mesh import Mesh
 from ._scene import Scene
 
@@ -102,6 +103,36 @@ class Device(NamedTuple):
     memory_bytes: int
     is_certified: bool  #: its arithmetic was tried out, and every bound that answers rest on holds
     complaint: str  #: why it is not, and is left out
+
+
+def set_num_threads(threads: int) -> None:
+    """Lets all queries of this process together run on at most so many threads from now on, whatever their own `threads` say; 0: no limit.
+
+    The limit is oneTBB's, and so that of everything in the process that uses the same library. The environment's IMPINGE_NUM_THREADS sets
+    it when impinge is imported.
+
+    Raises
+    ------
+    OptionError
+        A negative number, or none.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> impinge.set_num_threads(2)
+    >>> impinge.set_num_threads(0)
+    """
+    if not isinstance(threads, int) or not 0 <= threads < 2**31:
+        raise OptionError(f"the number of threads is {threads!r}; choose 1 or more, or 0 for no limit")
+    _core.set_num_threads(threads)
+
+
+def take_environment() -> None:
+    """Does what the environment says."""
+    threads = os.environ.get("IMPINGE_NUM_THREADS", "0")
+    if not threads.isdecimal():
+        raise OptionError(f"the environment's IMPINGE_NUM_THREADS is {threads!r}; choose 1 or more, or 0 for no limit")
+    set_num_threads(int(threads))
 
 
 def devices() -> list[Device]:

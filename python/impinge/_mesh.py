@@ -72,6 +72,11 @@ class Mesh:
         return np.asarray(self._core.triangles())
 
     @property
+    def edges(self) -> NDArray[np.int32]:
+        """(E, 2), read-only, without a copy: the edges of its faces, (larger, smaller) vertex, ascending, each once. `Impacts` names them by row."""
+        return np.asarray(self._core.edges())
+
+    @property
     def bounds(self) -> NDArray[np.float64]:
         """(2, 3), read-only: the lowest and highest coordinates of vertices in use; NaN if none is."""
         if not hasattr(self, "_bounds"):
@@ -103,6 +108,25 @@ class Mesh:
             A vertex is mapped beyond the range of doubles.
         """
         return self._wrap(self._core.transformed(_arrays.matrix(matrix, "matrix")), self._leaf_size)
+
+    def deformed(self, vertices: ArrayLike) -> Mesh:
+        """The same faces with other vertices, (V, 3), as many as there are, in your unit of length.
+
+        Answers are those of a new mesh of these numbers, but its tree is this one's, refitted, which is faster than making one.
+
+        Raises
+        ------
+        MeshError
+            Another shape or type, or a coordinate that is not finite.
+
+        Examples
+        --------
+        >>> import impinge
+        >>> mesh = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> mesh.deformed(mesh.vertices + [0, 0, 2]).bounds.tolist()
+        [[0.0, 0.0, 2.0], [1.0, 1.0, 2.0]]
+        """
+        return self._wrap(self._core.deformed(_arrays.vertices(vertices).astype(np.float64, copy=False)), self._leaf_size)
 
     def build_tree(self, threads: int = 0) -> Mesh:
         """Makes the whole tree now, on so many threads (0: all), and returns the mesh. Queries else make what they need of it."""
@@ -156,3 +180,9 @@ def as_core(mesh: MeshLike, what: str) -> _core.Mesh:
         return Mesh(mesh)._core
     except MeshError as problem:
         raise MeshError(f"{what}: {problem}") from None
+
+
+def placed(a: MeshLike, b: MeshLike, pose_a: ArrayLike | None, pose_b: ArrayLike | None) -> _core.Pair:
+    """What queries on two meshes work on."""
+    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
+    return _core.Pair(as_core(a, "a"), at, as_core(b, "b"), bt)

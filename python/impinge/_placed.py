@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
-"""The objects of `impinge.trimesh`: meshes at any affine transform."""
+"""The objects of `impinge.trimesh`: meshes at any affine transform. And the shortest way out of two convex ones."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ import numpy as np
 
 from . import _convex, _core
 from ._clash import examine
+from ._errors import MeshError
 from ._mesh import Mesh, MeshLike
+from ._queries import Location, locate, touches
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -97,6 +99,50 @@ class CollisionObject:
         corners = self._mesh.vertices[self._mesh.faces[faces]]
         world: NDArray[np.float64] = corners @ self._pose[:3, :3].T + self._pose[:3, 3]
         return world
+
+
+def penetration(
+    a: MeshLike, b: MeshLike, pose_a: ArrayLike | None = None, pose_b: ArrayLike | None = None
+) -> _convex.Penetration | None:
+    """The shortest way out of two convex solids that share a point; None where they share none.
+
+    That they do is exact; depth, normal and point, in your unit of length, are up to rounding. Of equally short ways out it is the one with
+    the lexicographically smallest normal. Convex is one closed surface, turned outwards, with no edge that bends inwards by more than 1e-5
+    of the size.
+
+    Raises
+    ------
+    MeshError
+        One is not convex.
+    PoseError, RangeError
+
+    Examples
+    --------
+    >>> import impinge
+    >>> n = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> a, b = impinge.Mesh([[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]], n), impinge.Mesh([[0, 0, 0], [-8, 0, 0], [0, 8, 0], [0, 0, -8]], n)
+    >>> found = impinge.penetration(a, b, None, [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]])
+    >>> found.depth, found.normal.tolist()
+    (0.5, [-1.0, 0.0, 0.0])
+    """
+    meet = touches(a, b, pose_a, pose_b)
+    one, other = place(a, pose_a), place(b, pose_b)
+    hull, other_hull = one._placed_hull(), other._placed_hull()
+    if hull is None or other_hull is None:
+        raise MeshError(f"{'a' if hull is None else 'b'} is not convex; ask overlap_depth or judge")
+    if not meet and not is_nested(one, other, "convex"):
+        return None
+    found = _convex.penetration(hull, other_hull)
+    return found._replace(depth=max(found.depth, 0.0))
+
+
+def is_nested(a: CollisionObject, b: CollisionObject, which: str) -> bool:
+    """Whether one of two whose surfaces are apart lies inside the other, which is one of those that are solids."""
+    for outer, inner in ((a, b), (b, a)):
+        if is_within(inner._corner, outer._box) and outer._is_solid(which):
+            if locate(inner._corner, outer._mesh, outer._pose) == Location.INSIDE:
+                return True
+    return False
 
 
 def is_within(points: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _arrays, _core, _show
 from ._errors import ImpingeWarning, MeshError
-from ._mesh import MeshLike, as_core
+from ._mesh import Mesh, MeshLike, as_core, placed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -103,9 +103,15 @@ class OverlapVolume(NamedTuple):
 
 
 def make_options(
-    first: bool, limit: int | None, kinds: Kind | Iterable[Kind] | None, threads: int, backend: str, device: str
+    first: bool,
+    limit: int | None,
+    kinds: Kind | Iterable[Kind] | None,
+    threads: int,
+    backend: str,
+    device: str,
+    by_index: bool = False,
 ) -> _core.Options:
-    return _core.Options(first, _arrays.limit(limit), _arrays.kinds(kinds), threads, backend, device)
+    return _core.Options(first, _arrays.limit(limit), _arrays.kinds(kinds), threads, backend, device, by_index)
 
 
 def make_contacts(found: tuple[Any, ...], name_of: dict[int, Hashable] | None = None) -> Contacts:
@@ -160,8 +166,41 @@ def collide(
         The backend needs a device, and there is none.
     """
     options = make_options(first, limit, kinds, threads, backend, device)
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return make_contacts(_core.collide(as_core(a, "a"), at, as_core(b, "b"), bt, options, stop))
+    return make_contacts(_core.collide(placed(a, b, pose_a, pose_b), options, stop))
+
+
+def self_collide(
+    mesh: MeshLike,
+    pose: ArrayLike | None = None,
+    *,
+    by_index: bool = False,
+    first: bool = False,
+    limit: int | None = None,
+    kinds: Kind | Iterable[Kind] | None = None,
+    threads: int = 0,
+    backend: str = "auto",
+    device: str = "",
+    stop: _core.Stop | None = None,
+) -> Contacts:
+    """Every pair of triangles i < j of one mesh that share a point beyond the vertices which they have in common, exactly.
+
+    Neighbours are there where they go through each other or are folded flat onto each other, not for being neighbours: pairs that share a
+    point outside of the convex hull of their common vertices, or have all three in common. Vertices are common where they are equal;
+    with `by_index` only where their index is, so that the two sides of a seam touch. The one row is of objects 0 and 0. Options as `collide`.
+
+    Raises
+    ------
+    As `collide`.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> fan = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0.5, 0]]  # the second triangle lies on the first
+    >>> impinge.self_collide((fan, [[0, 1, 2], [0, 1, 3]])).pairs
+    array([[0, 1]], dtype=int32)
+    """
+    options = make_options(first, limit, kinds, threads, backend, device, by_index)
+    return make_contacts(_core.self_collide(as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), options, stop))
 
 
 def touches(
@@ -184,8 +223,7 @@ def touches(
     ------
     As `collide`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _core.touches(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop)
+    return _core.touches(placed(a, b, pose_a, pose_b), threads, stop)
 
 
 def collide_poses(
@@ -255,12 +293,13 @@ def distance(
     pose_b: ArrayLike | None = None,
     *,
     stop_above: float = float("inf"),
+    enough_below: float = 0.0,
     threads: int = 0,
     stop: _core.Stop | None = None,
 ) -> Nearest | None:
     """The nearest points of two meshes, as sets of triangles: what closed ones enclose does not count.
 
-    None if they are farther apart than `stop_above`.
+    None if they are farther apart than `stop_above`; where the distance is below `enough_below`, any below it may be given, sooner.
 
     >>> import impinge
     >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -271,8 +310,8 @@ def distance(
     ------
     As `collide`; MeshError also for a mesh without triangles.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    found = _core.distance(as_core(a, "a"), at, as_core(b, "b"), bt, stop_above, threads, stop)
+    options = _core.DistanceOptions(stop_above, enough_below, threads)
+    found = _core.distance(placed(a, b, pose_a, pose_b), options, stop)
     return None if found is None else make_nearest(found)
 
 
@@ -297,12 +336,11 @@ def closer_than(
     ------
     As `distance`; OptionError also for a limit that is negative or not a number.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _core.closer_than(as_core(a, "a"), at, as_core(b, "b"), bt, limit, threads, stop)
+    return _core.closer_than(placed(a, b, pose_a, pose_b), limit, threads, stop)
 
 
-def locate(points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
-    """Where points, (..., 3), lie to a closed mesh, exactly: (...,) of `Location`. Each point takes time linear in the mesh.
+class PointLocator:
+    """A closed mesh at a pose, prepared so that many points are located fast; immutable, safe to use from many threads.
 
     >>> import impinge
     >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -312,10 +350,55 @@ def locate(points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, 
     Raises
     ------
     As `collide`; MeshError also for a mesh that is not closed.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> locator = impinge.PointLocator(tetrahedron)
+    >>> [impinge.Location(where).name for where in locator.locate([[0.1, 0.1, 0.1], [0.5, 0.5, 0], [1, 1, 1]])]
+    ['INSIDE', 'BOUNDARY', 'OUTSIDE']
     """
-    array = _arrays.points(points, "points", MeshError)
-    found = np.asarray(_core.locate(array, as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), stop))
-    return found.reshape(array.shape[:-1])
+
+    def __init__(self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0) -> None:
+        self._mesh, self._pose = mesh if isinstance(mesh, Mesh) else Mesh(mesh), _arrays.pose(pose, "pose")
+        self._core = _core.PointLocator(self._mesh._core, self._pose, threads)
+
+    def locate(self, points: ArrayLike, *, threads: int = 0, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
+        """Where points, (..., 3), lie, exactly: (...,) of `Location`.
+
+        Raises
+        ------
+        MeshError
+            Another shape or type.
+        RangeError
+            A coordinate is not below 2^300.
+        OptionError, Cancelled, OutOfMemoryError
+        """
+        array = _arrays.points(points, "points", MeshError)
+        return np.asarray(self._core.locate(array, threads, stop)).reshape(array.shape[:-1])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PointLocator, (self._mesh, self._pose)
+
+
+def locate(
+    points: ArrayLike, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None
+) -> NDArray[np.uint8]:
+    """Where points, (..., 3), lie to a closed mesh, exactly: (...,) of `Location`. Ask for many at once, or a `PointLocator` again and again.
+
+    Raises
+    ------
+    As `PointLocator` and its `locate`.
+
+    Examples
+    --------
+    >>> import impinge
+    >>> tetrahedron = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> impinge.locate([0.1, 0.1, 0.1], tetrahedron) == impinge.Location.INSIDE
+    True
+    """
+    return PointLocator(mesh, pose, threads=threads).locate(points, threads=threads, stop=stop)
 
 
 def overlap_depth(
@@ -342,8 +425,7 @@ def overlap_depth(
     ------
     As `locate`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return make_depth(_core.overlap_depth(as_core(a, "a"), at, as_core(b, "b"), bt, precision, threads, stop))
+    return make_depth(_core.overlap_depth(placed(a, b, pose_a, pose_b), precision, threads, stop))
 
 
 def overlap_volume(
@@ -366,5 +448,4 @@ def overlap_volume(
     ------
     As `locate`.
     """
-    at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return OverlapVolume(*_core.overlap_volume(as_core(a, "a"), at, as_core(b, "b"), bt, threads, stop))
+    return OverlapVolume(*_core.overlap_volume(placed(a, b, pose_a, pose_b), threads, stop))

@@ -20,8 +20,8 @@ from . import _convex
 from ._clash import judge
 from ._errors import OptionError
 from ._mesh import MeshLike
-from ._placed import CollisionObject, as_matrix, is_within, place
-from ._queries import Contacts, Kind, Location, Nearest, collide, distance, locate
+from ._placed import CollisionObject, as_matrix, is_nested, is_within, place
+from ._queries import Contacts, Kind, Nearest, collide, distance
 from ._scene import Scene
 from ._shared_points import shared_points
 
@@ -187,7 +187,7 @@ class CollisionManager:
         """Whether a mesh collides with any object: a bool; with the set of their names; with a list of ContactData ("__external" is the mesh)."""
         visitor = place(mesh, transform)
         if not return_names and not return_data and self._touching:
-            return self._scene._touches(visitor._mesh, visitor._pose) or any(True for _ in self._nested_with(visitor, []))
+            return self._scene.touches_with(visitor._mesh, visitor._pose) or any(True for _ in self._nested_with(visitor, []))
         return self._answer(self._pairs_with(visitor, _EXTERNAL), lambda names: names[0], return_names, return_data)
 
     def in_collision_poses(self, mesh: MeshLike, transforms: ArrayLike) -> NDArray[np.bool_]:
@@ -273,7 +273,7 @@ class CollisionManager:
             return
         names, boxes, corners = self._places()
         for k in np.flatnonzero(is_within(visitor._corner, boxes) | is_within(corners, visitor._box)):
-            if names[k] not in met and self._is_nested(self._objs[names[k]]["obj"], visitor):
+            if names[k] not in met and is_nested(self._objs[names[k]]["obj"], visitor, self._solid):
                 yield names[k]
 
     def _pairs_within(self) -> Iterator[_Pair]:
@@ -285,7 +285,7 @@ class CollisionManager:
             for inner in (names[k] for k in np.flatnonzero(is_within(corners, boxes[:, i])) if k != i):
                 if {(outer, inner), (inner, outer)} & met or self.is_pair_ignored(outer, inner):
                     continue
-                if self._is_nested(self._objs[outer]["obj"], self._objs[inner]["obj"]):
+                if is_nested(self._objs[outer]["obj"], self._objs[inner]["obj"], self._solid):
                     met.add((outer, inner))
                     pairs.append((outer, inner))
         for a, b in pairs:
@@ -312,14 +312,6 @@ class CollisionManager:
         if self._known_solids is None:
             self._known_solids = any(item["obj"]._is_solid(self._solid) for item in self._objs.values())
         return self._known_solids
-
-    def _is_nested(self, a: CollisionObject, b: CollisionObject) -> bool:
-        """Whether one of two whose surfaces are apart lies inside the other, which is a solid."""
-        for outer, inner in ((a, b), (b, a)):
-            if is_within(inner._corner, outer._box):
-                if outer._is_solid(self._solid) and locate(inner._corner, outer._mesh, outer._pose) == Location.INSIDE:
-                    return True
-        return False
 
     def _counts(self, pair: _Pair) -> bool:
         """Whether what touches or is nested is deep enough to collide."""

@@ -57,23 +57,43 @@ def _det(a, b, c):
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 
 
-def kind(s, t):
-    """How two closed triangles meet: None, or 0 crossing, 1 touching, 2 coplanar.
-
-    A common point is sum l_i s_i = sum m_j t_j with l, m >= 0 of sum 1. These (l, m) are a polytope whose corners are the basic
-    solutions; their mean has no zero unless all have it there, so it is positive if and only if relative interiors meet.
-    """
-    s, t = ([[Fraction(x) for x in p] for p in triangle] for triangle in (s, t))
+def _common(s, t):
+    """Corners of the polytope of all (l, m) >= 0 of sum 1 each with sum l_i s_i = sum m_j t_j: the basic solutions. Rational points."""
     for axis in range(3):
         if max(p[axis] for p in s) < min(p[axis] for p in t) or max(p[axis] for p in t) < min(p[axis] for p in s):
-            return None
+            return []
     columns = [p + [Fraction(1), Fraction(0)] for p in s] + [[-x for x in p] + [Fraction(0), Fraction(1)] for p in t]
     corners = []
     for size in range(2, 6):
-        for chosen in combinations(range(6), size):
+        for chosen in combinations(range(len(columns)), size):
             x = _solve([columns[i] for i in chosen])
             if x is not None and min(x) >= 0:
-                corners.append([x[chosen.index(i)] if i in chosen else 0 for i in range(6)])
+                corners.append([x[chosen.index(i)] if i in chosen else 0 for i in range(len(columns))])
+    return corners
+
+
+def _rational(points):
+    return [[Fraction(x) for x in p] for p in points]
+
+
+def impact(s, t, way):
+    """The first time in [0, 1] at which the hull of s meets that of t, which stands still, while s moves by `way`; or None.
+
+    At time T a point of s is at sum l_i s_i + T way, which is a sum over the corners of the hull of s at both ends, where T is the weight of
+    the second end; it is linear, and so least at a corner of the polytope.
+    """
+    s, t, way = _rational(s), _rational(t), _rational([way])[0]
+    found = _common(s + [[x + y for x, y in zip(p, way)] for p in s], t)
+    return min((sum(corner[len(s) : 2 * len(s)]) for corner in found), default=None)
+
+
+def kind(s, t):
+    """How two closed triangles meet: None, or 0 crossing, 1 touching, 2 coplanar.
+
+    The mean of the corners has no zero unless all have it there, so it is positive if and only if relative interiors meet.
+    """
+    s, t = _rational(s), _rational(t)
+    corners = _common(s, t)
     if not corners:
         return None
 

@@ -4,9 +4,11 @@
 
 import ast
 import doctest
+import gc
 import importlib
 import importlib.metadata
 import inspect
+import multiprocessing
 import os
 import pkgutil
 import re
@@ -16,6 +18,7 @@ import sys
 import threading
 import time
 import types
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -25,16 +28,23 @@ import impinge
 import impinge.trimesh
 from oracle import CUBE, CUBE_FACES
 
-# 4 * 10^8 pairs of coplanar triangles, of which none is wanted: far longer than a test would wait.
+# 4 * 10^8 pairs of coplanar triangles, of which none is wanted, and as many of triangles through each other: far longer than a test would wait.
 ENDLESS = """
 import impinge, numpy as np
 copies = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.tile([0, 1, 2], (20000, 1)))
+thicket = impinge.Mesh(np.random.default_rng(1).normal(size=(60000, 3)), np.arange(60000).reshape(-1, 3))
+moved = thicket.deformed(thicket.vertices[::-1])
 def endless(stop=None):
     impinge.collide(copies, copies, kinds=impinge.Kind.CROSSING, threads=1, stop=stop)
+def endless_self(stop=None):
+    impinge.self_collide(thicket, threads=1, stop=stop)
+def endless_impacts(stop=None):
+    impinge.find_impacts((thicket, moved), by_index=True, threads=1, stop=stop)
 """
 
 
-def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
+@pytest.mark.parametrize("query", ["endless", "endless_self", "endless_impacts"])
+def test_a_query_lets_other_threads_run_and_a_stop_ends_it(query):
     namespace = {}
     exec(ENDLESS, namespace)
     for on_main in (False, True):  # the main thread waits for a helper
@@ -44,13 +54,13 @@ def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
         setter.start()  # never runs while a query holds the interpreter's lock
         if on_main:
             with pytest.raises(impinge.Cancelled):
-                namespace["endless"](stop)
+                namespace[query](stop)
         else:
             caught = []
 
             def work():
                 try:
-                    namespace["endless"](stop)
+                    namespace[query](stop)
                 except impinge.Cancelled as error:
                     caught.append(error)
 
@@ -61,6 +71,8 @@ def test_a_query_lets_other_threads_run_and_a_stop_ends_it():
         assert stop.is_set()
     with pytest.raises(impinge.Cancelled):
         impinge.touches((CUBE, CUBE_FACES), (CUBE, CUBE_FACES), stop=stop)
+    with pytest.raises(impinge.Cancelled):
+        impinge.orient3d(*CUBE[:4], stop=stop)
 
 
 @pytest.mark.parametrize(
@@ -84,6 +96,69 @@ def test_ctrl_c_ends_a_query(query, end):
     finally:
         child.kill()
     assert child.returncode != 0 and said.splitlines()[-1].startswith(end), said
+
+
+def test_threads_are_as_many_as_are_allowed():
+    program = ENDLESS + "some = (thicket.vertices, thicket.faces[:1500])\nimpinge.collide(some, some)\n"
+    program += "import os\nprint(len(os.listdir('/proc/self/task')))"
+    some = range(1 + (len(os.sched_getaffinity(0)) > 1), 1 << 20)
+    for allowed, expected in (("1", [1]), ("0", some), ("two", None)):
+        environment = {**os.environ, "IMPINGE_NUM_THREADS": allowed}
+        done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True)
+        if expected is None:
+            assert "OptionError: the environment's IMPINGE_NUM_THREADS is 'two'; choose" in done.stderr
+        else:
+            assert int(done.stdout) in expected
+
+
+BUSY = """
+import impinge, numpy as np, os, signal, threading, time
+small = impinge.Mesh(np.random.default_rng(1).normal(size=(300, 3)), np.arange(300).reshape(-1, 3))
+scene = impinge.Scene()
+scene.add(small)
+def work(change):
+    while True:
+        impinge.self_collide(small, limit=3)
+        if change:
+            name = scene.add(small)
+            scene.touches_any()
+            scene.remove(name)
+        else:
+            scene.collide()
+def start(change):
+    for _ in range(3):
+        threading.Thread(target=work, args=(change,), daemon=True).start()
+    time.sleep(0.3)
+"""
+
+
+def test_the_interpreter_may_end_in_the_middle_of_queries():
+    done = subprocess.run([sys.executable, "-c", BUSY + "start(True)"], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and done.stderr == ""
+
+
+def test_a_child_that_is_forked_during_queries_can_ask_and_change_the_scene():
+    child = "signal.alarm(30); name = scene.add(small); assert scene.touches_any(); scene.remove(name); os._exit(0)"
+    parent = "os._exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))"
+    program = BUSY + f"start(False)\nchild = os.fork()\nif child == 0:\n    {child}\n{parent}"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+
+
+def test_other_processes_are_handed_meshes_and_scenes():
+    scene = impinge.Scene()
+    scene.add(impinge.Mesh(CUBE, CUBE_FACES), name="a")
+    scene.add(impinge.Mesh(CUBE, CUBE_FACES), name="b")
+    gc.collect()  # the scene alone has the meshes
+    manager = impinge.trimesh.CollisionManager()
+    manager.add_object("a", (CUBE, CUBE_FACES))
+    for way in ("spawn", "fork"):
+        with ProcessPoolExecutor(1, multiprocessing.get_context(way)) as pool:
+            found = pool.submit(scene.collide)
+            touch = pool.submit(impinge.touches, scene.mesh("a"), scene.mesh("b"))
+            hit = pool.submit(manager.in_collision_single, scene.mesh("a"))
+            assert found.result().pairs.tolist() == scene.collide().pairs.tolist() and touch.result() and hit.result()
+            assert found.result().names == (("a", "b"),)
 
 
 def resident():

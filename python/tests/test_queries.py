@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Questions about two meshes, against rational numbers and formulas."""
 
+import pickle
+from itertools import combinations, product
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import impinge
-from oracle import CUBE, CUBE_FACES, contacts, moved, world
+from oracle import CUBE, CUBE_FACES, contacts, impact, kind, moved, world
 
 cube = impinge.Mesh(CUBE, CUBE_FACES)
 
@@ -43,6 +46,21 @@ def test_poses_are_the_contracts_formula(angle, x, y):
     pose[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
     expected = contacts(CUBE.tolist(), CUBE_FACES, world(CUBE, pose), CUBE_FACES)
     assert as_list(impinge.collide(cube, cube, None, pose)) == expected
+
+
+def test_poses_of_quaternions_and_of_rounded_rotations():
+    rng = np.random.default_rng(2)
+    q, t = rng.normal(size=(2, 5, 4)), rng.normal(size=(5, 3))
+    pose = impinge.pose_from_quaternion(q, t)
+    assert pose.shape == (2, 5, 4, 4) and (pose[..., :3, 3] == t).all()
+    w, (x, y, z) = q[..., 0] / np.linalg.norm(q, axis=-1), np.moveaxis(q[..., 1:] / np.linalg.norm(q, axis=-1, keepdims=True), -1, 0)
+    assert np.allclose(pose[..., 0, :3], np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)], axis=-1))
+    rough = pose.astype(np.float16).astype(float)
+    near = impinge.nearest_pose(rough)
+    turn = near[..., :3, :3]
+    u, _, v = np.linalg.svd(rough[..., :3, :3])
+    assert np.allclose(turn, u @ v, atol=1e-12) and (near[..., :3, 3] == rough[..., :3, 3]).all()
+    assert all(impinge.touches(cube, cube, one, one) for one in near.reshape(-1, 4, 4))
 
 
 def test_flush_cubes_touch_in_64_pairs_16_of_them_coplanar():  # examples/CMakeLists.txt says why
@@ -83,6 +101,7 @@ def test_distance_of_cubes(shift):
         assert np.linalg.norm(found.points[0] - found.points[1]) == pytest.approx(expected)
         assert np.allclose(np.abs(found.points[1] - found.points[0])[gap > 0], gap[gap > 0])
         assert impinge.distance(cube, cube, None, moved(*shift), stop_above=expected / 2) is None
+        assert expected - 1e-9 <= impinge.distance(cube, cube, None, moved(*shift), enough_below=2 * expected).distance < 2 * expected
         assert impinge.closer_than(cube, cube, 1.01 * expected, None, moved(*shift))
         assert not impinge.closer_than(cube, cube, 0.99 * expected, None, moved(*shift))
 
@@ -144,12 +163,129 @@ def test_regions_of_flush_cubes():
     assert region.faces_b.tolist() == sorted({j for _, j, _ in expected})
 
 
+def lattice(rng, count):
+    """So many triangles whose corners are all different, of coordinates from -3 to 3."""
+    return np.array(np.unravel_index(rng.choice(343, 3 * count, replace=False), (7, 7, 7)), float).T - 3, np.arange(3 * count).reshape(-1, 3)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_self_collide_finds_what_rational_numbers_find(seed):
+    vertices, faces = lattice(np.random.default_rng(seed), 6)
+    expected = [(i, j, how) for i, j, how in contacts(vertices.tolist(), faces, vertices.tolist(), faces) if i < j]
+    for by_index in (False, True):
+        found = impinge.self_collide((vertices, faces), by_index=by_index)
+        assert as_list(found) == expected and found.objects.tolist() == [[0, 0]] * bool(expected)
+    scene = impinge.Scene()
+    scene.add((vertices, faces), name="it")
+    assert not scene.collide()
+    scene.self("it")
+    assert as_list(scene.collide()) == expected and set(scene.collide().names) <= {("it", "it")}
+
+
+def test_neighbours_collide_where_they_are_folded():
+    seam = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 0], [2, 0, 0], [0, -2, 0]], float), [[0, 1, 2], [3, 5, 4]]
+    assert not impinge.self_collide(seam) and impinge.self_collide(seam, by_index=True)  # a side each, at the same place
+    assert impinge.self_collide((CUBE, CUBE_FACES)).offsets.tolist() == [0]
+    folded = impinge.self_collide(([[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 0]], [[0, 1, 2], [0, 1, 3]]), moved(5, 0, 0))
+    assert as_list(folded) == [(0, 1, impinge.Kind.COPLANAR)]
+
+
+def impacts_of(a, b, ways_a, ways_b):
+    """[(feature, id, id, time)] of two meshes, or of one with itself, whose triangles move rigidly: a way for each vertex; by brute force."""
+    parts = []
+    for mesh in (a, b):
+        faces = [tuple(face) for face in mesh.faces.tolist()]
+        edges = sorted({(max(e), min(e)) for f in faces for e in combinations(f, 2)})
+        parts.append(([(v,) for v in range(len(mesh.vertices))], faces, edges))
+        assert mesh.edges.tolist() == [list(edge) for edge in edges]
+    found = []
+    for feature, k, m in ((0, 0, 1), (1, 1, 0), (2, 2, 2)):
+        for (i, s), (j, t) in product(enumerate(parts[0][k]), enumerate(parts[1][m])):
+            if a is b and (feature == 1 or feature == 2 and i > j or set(s) & set(t)):
+                continue
+            time = impact(a.vertices[list(s)], b.vertices[list(t)], ways_a[s[0]] - ways_b[t[0]])
+            if time is not None:
+                found.append((feature, i, j, time))
+    return found
+
+
+def as_impacts(found):
+    return list(zip(found.features.tolist(), *found.ids.T.tolist(), found.times.tolist()))
+
+
+def holds(interval, time):
+    lo, hi = interval
+    return lo <= time <= hi <= np.nextafter(lo, 2)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_impacts_are_those_of_rational_numbers(seed):
+    rng = np.random.default_rng(seed)
+    a, b = (impinge.Mesh(*lattice(rng, 3)) for _ in "ab")
+    ways = np.repeat(rng.integers(-4, 5, (3, 3)), 3, axis=0).astype(float)
+    expected = impacts_of(a, b, ways, 0 * ways)
+    a_moves = (a, a.deformed(a.vertices + ways))
+    found = impinge.find_impacts(a_moves, (b, b))
+    assert [row[:3] for row in as_impacts(found)] == [row[:3] for row in expected] and len(expected) > 3
+    assert all(holds(interval, time) for interval, (*_, time) in zip(found.times, expected))
+    assert found and holds(found.earliest, min(row[3] for row in expected)) and not found.truncated
+    assert found.points.shape == found.normals.shape == (len(expected), 3) and found.ids.dtype == np.int32
+    some = impinge.find_impacts(a_moves, (b, b), limit=2, threads=1)
+    assert as_impacts(some) == as_impacts(found)[:2] and some.truncated and some.earliest == found.earliest
+    one = impinge.find_impacts(a_moves, (b, b), earliest=True)
+    assert len(one.features) == 1 and one.earliest == found.earliest
+    early = impinge.find_impacts(a_moves, (b, b), end=0.25)
+    assert [row[:3] for row in as_impacts(early)] == [row[:3] for row in expected if row[3] <= 0.25]
+    for by_index in (False, True):  # all vertices are different
+        own = impinge.find_impacts(a_moves, by_index=by_index)
+        assert [row[:3] for row in as_impacts(own)] == [row[:3] for row in impacts_of(a, a, ways, ways)]
+    assert as_impacts(pickle.loads(pickle.dumps(found))) == as_impacts(found)
+
+
+def test_predicates_are_those_of_rational_numbers():
+    rng = np.random.default_rng(1)
+    s, t = rng.integers(-2, 3, (2, 60, 3, 3)).astype(float)
+    met = impinge.triangles_meet(s, t)
+    assert met.dtype == np.int8 and met.tolist() == [-1 if (how := kind(*pair)) is None else how for pair in zip(s, t)]
+    assert impinge.triangles_meet(s[:4, None], t[:5]).tolist() == [[impinge.triangles_meet(x, y) for y in t[:5]] for x in s[:4]]
+    a, b, c, d = rng.integers(-2, 3, (4, 60, 3))
+    signs = [np.sign(round(np.linalg.det([q - p, r - p, x - p]))) for p, q, r, x in zip(a, b, c, d)]  # of small integers
+    assert impinge.orient3d(a, b, c, d).tolist() == signs and impinge.orient3d(a[0], b[0], c[0], d).shape == (60,)
+
+    way = rng.integers(-4, 5, (60, 1, 3))
+    for moving, still, found in (
+        (s[:, :1], t, impinge.vertex_face_impact(s[:, 0], t, (s[:, :1] + way)[:, 0], t)),
+        (s[:, :2], t[:, :2], impinge.edge_edge_impact(s[:, :2], t[:, :2], s[:, :2] + way, t[:, :2])),
+    ):
+        times = [impact(*row) for row in zip(moving, still, way[:, 0])]
+        assert found.shape == (60, 2) and np.isnan(found[:, 0]).tolist() == [time is None for time in times]
+        assert all(holds(interval, time) for interval, time in zip(found, times) if time is not None)
+
+
+def test_the_shortest_way_out_of_convex_meshes():
+    found = impinge.penetration(cube, cube, moved(5, 0, 0), moved(5.75, 0.5, 0))
+    assert found.depth == 0.25 and found.normal.tolist() == [1, 0, 0] and found.point[0] == 5.875
+    assert impinge.penetration(cube, cube, None, moved(1, 0.25, 0)).depth == 0
+    assert impinge.penetration(cube, cube, None, moved(1 + 2**-50, 0, 0)) is None
+    inner = cube.transformed(np.diag([0.25, 0.25, 0.25, 1]))
+    assert impinge.penetration(cube, inner, None, moved(0.125, 0.25, 0.25)).depth == 0.375
+    with pytest.raises(impinge.MeshError, match="b is not convex"):
+        impinge.penetration(cube, (CUBE, CUBE_FACES[1:]))
+    with pytest.raises(impinge.PoseError, match="pose_b: .*not a rotation"):
+        impinge.penetration(cube, cube, None, np.diag([2, 1, 1, 1]))
+
+
 def test_where_points_lie():
     points = np.array([[[0.5, 0.5, 0.5], [1, 0.5, 0.5]], [[1, 1, 1], [1, 1, 1 + 2**-50]]])
     where = impinge.locate(points, cube)
     assert where.tolist() == [[impinge.Location.INSIDE, impinge.Location.BOUNDARY], [impinge.Location.BOUNDARY, impinge.Location.OUTSIDE]]
     assert impinge.locate([1.5, 0.5, 0.5], cube, moved(1, 0, 0)) == impinge.Location.INSIDE
     assert impinge.locate(np.empty((0, 3)), cube).shape == (0,)
+    locator = impinge.PointLocator(cube, moved(0, 0, 1))
+    lattice = np.stack(np.meshgrid(*[np.arange(-1, 9) / 4] * 3, indexing="ij"), axis=-1)
+    inside = np.abs(lattice - [0.5, 0.5, 1.5]).max(axis=-1) - 0.5  # below 0 in the cube
+    for ask in (locator, pickle.loads(pickle.dumps(locator))):
+        assert (ask.locate(lattice) == np.where(inside < 0, 1, np.where(inside == 0, 2, 0))).all()
 
 
 def test_backends_and_threads_change_nothing():

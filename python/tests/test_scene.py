@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import impinge
-from oracle import CUBE, CUBE_FACES, moved
+from oracle import CUBE, CUBE_FACES, kind, moved
 
 cube = impinge.Mesh(CUBE, CUBE_FACES)
 
@@ -45,6 +45,7 @@ def test_collide_names_the_objects_that_touch(seed):
         assert {a if b == f"cube {i}" else b for a, b in found.names} == expected
     visitor = np.array([2.5, 3, 3])
     found = scene.collide_with(cube, moved(*visitor))
+    assert scene.touches_with(cube, moved(*visitor)) == scene.touches_with((CUBE, CUBE_FACES), moved(*visitor), threads=1) == bool(found)
     assert [a for a, b in found.names] == [f"cube {j}" for j in range(25) if gaps(np.vstack([places, visitor]))[j, 25] == 0]
     assert all(b is None for a, b in found.names) and (found.objects[:, 1] == -1).all()
 
@@ -78,6 +79,12 @@ def test_ignored_pairs_and_groups():
     assert scene.collide(first=True).names == (("a", "c"), ("b", "c"))
     scene.ignore("b", "a", False)
     assert len(scene.collide(first=True).names) == 3
+    for name, category, mask in (("a", 1, 2**64 - 1), ("b", 2, 6), ("c", 2**63, 2)):  # a: b leaves it out; b: c, which it leaves out
+        scene.set_filter(name, category, mask)
+    assert scene.collide(first=True).names == ()
+    scene.set_filter("b", 2, 2**63)
+    for again in (scene, copy.copy(scene)):
+        assert again.collide(first=True).names == (("b", "c"),)
     grouped = impinge.Scene()
     for k in range(3):
         assert grouped.add((CUBE, CUBE_FACES), group=(1, 1, 2)[k]) == k
@@ -96,6 +103,14 @@ def test_configurations_and_distances():
         expected.append(bool((gaps(there) == 0)[[4, 5]].sum() > 2))
     names = ["cube 4", "cube 5"]
     assert scene.collide_configurations(names, paths).tolist() == expected
+    told = scene.collide_configurations(names, paths, witnesses=True)
+    assert told.touches.tolist() == expected and [pair is not None for pair in told.names] == expected
+    for step, pair, (i, j) in zip(steps, told.names, told.faces.tolist()):
+        if pair is None:
+            assert i == j == -1
+            continue
+        there = {f"cube {k}": place for k, place in enumerate(places)} | dict(zip(names, step))
+        assert set(names) & set(pair) and kind(*(CUBE[CUBE_FACES[f]] + there[n] for n, f in zip(pair, (i, j)))) is not None
     found = scene.first_touching(names, paths)
     assert expected[found] if found is not None else not any(expected)
     free = paths[[k for k in range(40) if not expected[k]]]
@@ -107,8 +122,18 @@ def test_configurations_and_distances():
         there[[4, 5]] = step
         least.append((gaps(there) + np.diag([np.inf] * 12))[[4, 5]].min())
     assert scene.distance_configurations(names, paths) == pytest.approx(least, abs=1e-9)
+    some = scene.distance_configurations(names, paths, enough_below=2)
+    assert all(found == pytest.approx(gap, abs=1e-9) if gap >= 2 else gap - 1e-9 <= found < 2 for found, gap in zip(some, least))
     near = scene.distance_configurations(names, paths, stop_above=1.2)
     assert np.isinf(near).tolist() == (np.array(least) > 1.2).tolist() and np.isfinite(near).any()
+
+    ranked = sorted(gaps(places)[i, j] for i, j in combinations(range(12), 2))
+    for count in (0, 5, 100):
+        found = scene.closest(count)
+        assert [pair.nearest.distance for pair in found] == pytest.approx(ranked[:count], abs=1e-9)
+        for pair in found:
+            assert pair.nearest.distance == pytest.approx(gaps(places)[tuple(int(n.split()[1]) for n in pair.objects)], abs=1e-9)
+    assert len(scene.closest(100, stop_above=3.2)) == sum(gap <= 3.2 for gap in ranked)
 
     apart = gaps(places) + np.diag([np.inf] * 12)
     near = scene.distance()
@@ -138,13 +163,62 @@ def test_clashes_with_and_without_a_memory():
     assert near.pairs[-1].objects == ("c", "d") and near.pairs[-1].nearest.distance == 6.5
 
 
+def test_objects_deform_in_their_place():
+    scene = impinge.Scene()
+    for name, x in (("a", 0), ("b", 3)):
+        scene.add(cube, moved(x, 0, 0), name=name)
+    scene.set_vertices("a", CUBE * [2.5, 1, 1])
+    assert scene.distance().nearest.distance == 0.5 and scene.mesh("b") is cube and scene.pose("b")[0, 3] == 3
+    scene.set_vertices("b", CUBE - [0.5, 0, 0])
+    for again in (scene, copy.copy(scene)):
+        assert again.collide(first=True).names == (("a", "b"),) and again.mesh("a").bounds[1, 0] == 2.5
+    with pytest.raises(impinge.MeshError, match="vertex 3 has a coordinate"):
+        scene.set_vertices("b", np.where(np.arange(8)[:, None] == 3, np.nan, CUBE))
+    assert scene.touches_any()
+
+
+def test_manifolds_of_boxes_that_overlap():
+    scene, manifolds = impinge.Scene(), impinge.ContactManifolds()
+    for name, x in (("a", 0), ("b", 0.75), ("c", 5), ("d", 5.875)):
+        scene.add(cube, moved(x, 0.125 * (x % 1 > 0), 0.125 * (x % 1 > 0)), name=name)
+    scene.self("a")
+    found = manifolds.update(scene, scene.collide())
+    assert found.names == (("a", "b"), ("c", "d")) and found.depths == pytest.approx([0.25, 0.125])
+    assert np.allclose(found.normals, [[1, 0, 0]] * 2) and found.objects.tolist() == [[0, 1], [2, 3]] and len(set(found.ids.tolist())) == 2
+    for k, size in enumerate(found.sizes):
+        along = found.points[k, :size, 0] - found.points[k, :size, 1]
+        assert 1 <= size <= 4 and np.allclose(along @ found.normals[k], found.point_depths[k, :size]) and not found.points[k, size:].any()
+    scene.set_pose("b", moved(0.875, 0.125, 0.125))
+    scene.set_pose("d", moved(9, 0, 0))
+    again = manifolds.update(scene, scene.collide())
+    assert again.ids.tolist() == found.ids[:1].tolist() and again.depths == pytest.approx([0.125])
+    scene.set_pose("d", moved(5.875, 0.125, 0.125))
+    assert manifolds.update(scene, scene.collide()).ids.tolist()[1] not in found.ids
+    assert pickle.loads(pickle.dumps(again)).points.tolist() == again.points.tolist()
+
+    before = scene.collide()
+    with pytest.raises(impinge.OptionError, match="cut off"):
+        manifolds.update(scene, scene.collide(limit=1))
+    before.offsets[1] = 10**9
+    with pytest.raises(impinge.OptionError, match="do not fit together"):
+        manifolds.update(scene, before)
+    with pytest.raises(impinge.UnknownObjectError, match="object 4294967295"):
+        manifolds.update(scene, scene.collide_with(cube))
+    before = scene.collide()
+    scene.remove("a")
+    with pytest.raises(impinge.UnknownObjectError, match="object 0, which is not in this scene"):
+        manifolds.update(scene, before)
+
+
 def test_scenes_pickle_and_copy():
     scene, places = cubes(10, 4, 3)
     scene.ignore(*touching(places)[0])
+    folded = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0.5, 0]], [[0, 1, 2], [0, 1, 3]])
+    scene.self(scene.add(folded, moved(50, 0, 0), name="folded"))
     number = scene.add(cube, moved(100, 0, 0), group=3)
     for again in (pickle.loads(pickle.dumps(scene)), copy.copy(scene)):
         assert list(again) == list(scene) and again.collide().hash == scene.collide().hash
-        assert list(again.collide(first=True).names) == touching(places)[1:]
+        assert list(again.collide(first=True).names) == touching(places)[1:] + [("folded", "folded")]
         assert again.add(cube, moved(100, 0, 0), group=3) == number + 1 and len(again) == len(scene) + 1
         assert not again.collide_with(number)  # of one group
 
@@ -165,6 +239,15 @@ def test_scenes_pickle_and_copy():
         (lambda s: s.collide_configurations(["cube 1"], [np.eye(4)]), impinge.PoseError, r"not \(T, M, 4, 4\)"),
         (lambda s: s.collide_with((CUBE, CUBE_FACES)), impinge.UnknownObjectError, r"no object \(array\(.{60,} \.\.\.$"),
         (lambda s: s.distance("nobody"), impinge.UnknownObjectError, "nobody"),
+        (lambda s: s.set_vertices("nobody", CUBE), impinge.UnknownObjectError, "nobody"),
+        (lambda s: s.set_vertices("cube 1", CUBE[1:]), impinge.MeshError, "has 8 vertices"),
+        (lambda s: s.touches_with("cube 1"), impinge.MeshError, "mesh: str is no mesh"),
+        (lambda s: s.touches_with(cube, threads=-1), impinge.OptionError, "threads is -1"),
+        (lambda s: s.set_filter("nobody"), impinge.UnknownObjectError, "nobody"),
+        (lambda s: s.set_filter("cube 1", mask=-1), impinge.OptionError, "mask is -1"),
+        (lambda s: s.self("nobody"), impinge.UnknownObjectError, "nobody"),
+        (lambda s: s.closest(-1), impinge.OptionError, "count is -1"),
+        (lambda s: s.collide_configurations(["cube 1"] * 2, [[np.eye(4)] * 2]), impinge.OptionError, "name each once"),
     ],
 )
 def test_what_a_scene_refuses(call, error, sentence):

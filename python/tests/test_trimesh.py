@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The drop-in for trimesh's collision managers, against formulas for boxes, and convex solids that are moved apart."""
 
+import copy
 import pickle
 import sys
 import types
@@ -21,6 +22,18 @@ OCTAHEDRON = impinge.Mesh(
     [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],
     [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]],
 )
+
+
+def globe(times):
+    """The octahedron's triangles cut in four so many times, with all vertices on the unit sphere: convex."""
+    corners = OCTAHEDRON.vertices[OCTAHEDRON.faces]
+    for _ in range(times):
+        a, b, c = corners.swapaxes(0, 1)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        corners = np.concatenate([np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+        corners /= np.linalg.norm(corners, axis=2)[..., None]
+    vertices, faces = np.unique(corners.reshape(-1, 3).round(12), axis=0, return_inverse=True)
+    return impinge.Mesh(vertices, faces.reshape(-1, 3))
 
 
 def box(size):
@@ -113,10 +126,10 @@ def test_managers_pickle():
     m = manager((0, 0, 0), (0.5, 0, 0), (3, 0, 0))
     m.set_transform("cube2", moved(3, 0, 0) @ np.diag([2, 1, 1, 1]))
     m.set_pair_ignored("cube0", "cube1")
-    again = pickle.loads(pickle.dumps(m))
-    assert again.in_collision_internal() is False and again.min_distance_internal(return_names=True) == (1, ("cube1", "cube2"))
-    again.set_transform("cube2", moved(1.5, 0, 0))
-    assert again.in_collision_internal(return_names=True)[1] == {("cube1", "cube2")} and not m.in_collision_internal()
+    for again in (pickle.loads(pickle.dumps(m)), copy.deepcopy(m)):
+        assert again.in_collision_internal() is False and again.min_distance_internal(return_names=True) == (1, ("cube1", "cube2"))
+        again.set_transform("cube2", moved(1.5, 0, 0))
+        assert again.in_collision_internal(return_names=True)[1] == {("cube1", "cube2")} and not m.in_collision_internal()
 
 
 def test_of_nothing():
@@ -179,8 +192,8 @@ def test_boxes_and_the_shortest_way_out(seed):
 @pytest.mark.parametrize("seed", range(20))
 def test_convex_solids_leave_each_other_by_the_depth_and_no_shorter_way(seed):
     rng = np.random.default_rng(seed)
-    shapes = [TETRAHEDRON, OCTAHEDRON, cube]
-    a, b = (shapes[rng.integers(3)].transformed(np.diag([*rng.uniform(0.5, 2, 3), 1])) for _ in "ab")
+    shapes = [TETRAHEDRON, OCTAHEDRON, cube, globe(3)]
+    a, b = (shapes[rng.integers(4)].transformed(np.diag([*rng.uniform(0.5, 2, 3), 1])) for _ in "ab")
     pose_a, pose_b = turned(rng), turned(rng)
     pose_b[:3, 3] = rng.normal(size=3) * 0.3
     m = drop_in.CollisionManager()
@@ -200,7 +213,7 @@ def test_convex_solids_leave_each_other_by_the_depth_and_no_shorter_way(seed):
 
 def test_what_is_convex():
     hull = drop_in._convex.hull_of
-    assert hull(cube) and hull(TETRAHEDRON) and len(hull(cube).edges) == 12
+    assert hull(cube) and hull(TETRAHEDRON) and len(hull(cube).edges) == 12 and len(hull(globe(4)).normals) == 8 * 4**4
     soup = impinge.Mesh(np.float32(UNIT / 3)[CUBE_FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3))  # as an STL is
     assert hull(soup) is not None
     two = impinge.Mesh(np.vstack([UNIT, UNIT + 3]), np.vstack([CUBE_FACES, CUBE_FACES + 8]))
