@@ -113,6 +113,11 @@ TEST(CollisionFreeStep, KeepsWhatIsTheSameAtBothEnds) {
   EXPECT_EQ(step_of(collision_free_step(std::array<Moving, 1>{{{high, low}}}, {.end = 0})).ends[0].vertices()[1],
             high.vertices()[1]);
   EXPECT_TRUE(step_of(collision_free_step({})).ends.empty());
+  for (const double end : {0.1, 0.3, 0.6, 0.7, 0.9}) {
+    const Step part = step_of(collision_free_step(std::array<Moving, 1>{{{high, low}}}, {.end = end}));
+    EXPECT_EQ(part.time, end);
+    EXPECT_EQ(part.ends[0].vertices()[0], high.vertices()[0]);
+  }
 }
 
 TEST(CollisionFreeStep, WorksAtBothEndsOfTheRange) {
