@@ -9,7 +9,7 @@
 // What depends on rounding is not derived: the middle of the cloth lies on the table if it is at most 2 cm above its
 // top, z = 0, and its rim hangs if it is 10 cm below it.
 //
-// prints: # steps, # of them cut short; contacts in all of them: 0
+// prints: # steps, # of them cut short, contacts in all of them: 0
 // prints: the middle lies on the table, the rim hangs
 #include <algorithm>
 #include <array>
@@ -135,7 +135,7 @@ int main() {
   const double middle = cloth.vertices()[count / 2].z;
   const auto lower = [](const Point& a, const Point& b) { return a.z < b.z; };
   const double rim = std::min_element(cloth.vertices().begin(), cloth.vertices().end(), lower)->z;
-  std::cout << kSteps << " steps, " << cut << " of them cut short; contacts in all of them: " << contacts << '\n'
+  std::cout << kSteps << " steps, " << cut << " of them cut short, contacts in all of them: " << contacts << '\n'
             << "the middle " << (middle > 0 && middle < 0.02 ? "lies" : "does not lie") << " on the table, the rim "
             << (rim < -0.1 ? "hangs" : "does not hang") << '\n';
 }
