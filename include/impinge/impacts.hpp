@@ -52,7 +52,7 @@ struct MotionOptions {
 struct Impacts {
   std::vector<Impact> impacts;       ///< in order of feature, a, b
   std::optional<Interval> earliest;  ///< the first `time` of all, those beyond the limit too; {0, 0} if and only if
-                                     ///< something touches at the start
+                                     ///< such features touch at the start; an edge through a face is no impact
   bool truncated = false;            ///< more exist than the limit kept
 };
 

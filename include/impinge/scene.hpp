@@ -153,7 +153,8 @@ class Scene {
                                                                              std::span<const Pose> poses,
                                                                              const MeasureOptions& options = {}) const;
 
-  /// Ends a motion: where everything is now is where the next one starts.
+  /// Ends a motion: where everything is now is where the next one starts. (The mesh that an object had where it starts
+  /// is kept until then.)
   void step() noexcept;
   /// What meets between the last `step()` and now: all impacts of pairs that `collide` would test, and of an object
   /// with itself where `self` says so. World vertices go on straight lines at constant speed from where they were to
