@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -50,8 +52,18 @@ struct MotionOptions {
 struct Impacts {
   std::vector<Impact> impacts;       ///< in order of feature, a, b
   std::optional<Interval> earliest;  ///< the first `time` of all, those beyond the limit too; {0, 0} if and only if
-                                     ///< something touches at the start
+                                     ///< such features touch at the start; an edge through a face is no impact
   bool truncated = false;            ///< more exist than the limit kept
+};
+
+/// All impacts between objects: compressed rows, a row a pair of objects that meet.
+struct SceneImpacts {
+  std::vector<std::array<std::uint32_t, 2>> objects;  ///< per row, in order, the lower object first
+  std::vector<std::uint64_t> offsets{0};              ///< rows + 1; row r holds [offsets[r], offsets[r + 1])
+  std::vector<Impact> impacts;       ///< in order within a row; `a` is of the row's first object, `b` of its second
+  std::optional<Interval> earliest;  ///< as in `Impacts`
+  bool truncated = false;            ///< more exist than the limit kept
+  std::uint64_t hash = 0;            ///< of the kept impacts (docs/hash.md)
 };
 
 /// A mesh at both ends of its way.
@@ -66,5 +78,22 @@ struct Moving {
 /// Errors: `bad_mesh` (the two ends have different triangles or numbers of vertices), `bad_option`, `cancelled`.
 Result<Impacts> find_impacts(const Moving& a, const Moving& b, const MotionOptions& options = {});
 Result<Impacts> find_impacts(const Moving& mesh, const MotionOptions& options = {});
+
+/// The part of a motion that leaves everything apart.
+struct Step {
+  double time = 0;  ///< `MotionOptions::end`, or less where something would meet before that
+  /// Each mesh at that time: (1 - time) x0 + time x1, where each operation is rounded to double; coordinates that are
+  /// the same at both ends stay.
+  std::vector<Mesh> ends;
+};
+
+/// How far meshes may go together without meeting each other or themselves. On the way to `ends`, where vertices were
+/// rounded to, there is no impact either: a second search says so. Where something would meet, `time` is at least
+/// (1 - 2^-10) of the first impact's `Impact::time.lo`, or if rounding would make things touch there, the first of some
+/// smaller parts of which it does not; where what meets is nearer than rounding can tell, `ends` may be where they
+/// were. What stands still, its vertices the same at both ends, is not tested against itself and what else stands
+/// still. `MotionOptions::earliest` and `limit` say nothing here. Errors: as `find_impacts`; `in_contact` (something
+/// touches at the start), `out_of_range` (of the start, as `collide`).
+Result<Step> collision_free_step(std::span<const Moving> meshes, const MotionOptions& options = {});
 
 }  // namespace impinge

@@ -5,6 +5,7 @@
 /// impinge: every pair of triangles that touch between meshes, exactly.
 #include "impinge/clash.hpp"
 #include "impinge/collide.hpp"
+#include "impinge/contact_history.hpp"
 #include "impinge/contacts.hpp"
 #include "impinge/devices.hpp"
 #include "impinge/impacts.hpp"

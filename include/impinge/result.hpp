@@ -22,6 +22,7 @@ enum class Code : std::uint8_t {
   cancelled,      ///< the caller's stop token asked for it
   no_device,      ///< no device that can run the backend asked for
   out_of_memory,  ///< memory ran out; what the call worked on is as it was, and may be asked again
+  in_contact,     ///< meshes touch that must be apart
 };
 
 /// What went wrong, in a sentence that names the place and the mend.

@@ -23,6 +23,8 @@ class ClashMemory;       // clash.hpp
 struct Clashes;          // clash.hpp
 struct ClashOptions;     // clash.hpp
 class ContactManifolds;  // manifolds.hpp
+struct MotionOptions;    // impacts.hpp
+struct SceneImpacts;     // impacts.hpp
 
 /// An object of one scene, or of none. A removed object's id is never valid again, though its index is used anew.
 struct ObjectId {
@@ -153,6 +155,18 @@ class Scene {
   Result<std::vector<std::optional<ObjectDistance>>> distance_configurations(std::span<const ObjectId> ids,
                                                                              std::span<const Pose> poses,
                                                                              const MeasureOptions& options = {}) const;
+
+  /// Ends a motion: where everything is now is where the next one starts. (The mesh that an object had where it starts
+  /// is kept until then.)
+  void step() noexcept;
+  /// What meets between the last `step()` and now: all impacts of pairs that `collide` would test, and of an object
+  /// with itself where `self` says so. World vertices go on straight lines at constant speed from where they were to
+  /// where they are, those of an object that turned too: exact on the world vertices of both ends (`Pose`). An object
+  /// that was added since then starts where it was put; one whose mesh has other triangles stands where it is. Looks at
+  /// every object, moved or not. Errors: as `find_impacts` of two meshes (impacts.hpp); `out_of_range`, as `collide`,
+  /// at either end.
+  Result<SceneImpacts> find_impacts(const MotionOptions& options) const;
+  Result<SceneImpacts> find_impacts() const;
 
   struct State;  // internal
 

@@ -73,6 +73,7 @@ Result<ObjectId> Scene::add(Mesh mesh, const Pose& pose, std::uint32_t group) {
     s.free_slots.pop_back();
     const MeshState& mesh_state = mesh.state();
     s.put(index, &mesh_state, scene::place(mesh_state.data, pose, group));
+    s.slots[index].start = {mesh, pose};
     s.slots[index].mesh = std::move(mesh);
     return ObjectId{index, s.slots[index].generation};
   });
@@ -125,7 +126,7 @@ Result<void> Scene::set_vertices(ObjectId id, std::span<const double> xyz) {
 Result<void> Scene::remove(ObjectId id) {
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;
-  s.slots[id.index].mesh.reset();
+  s.slots[id.index].mesh.reset(), s.slots[id.index].start.reset();
   s.set_self(id.index, false);
   ++s.slots[id.index].generation;
   s.put(id.index, nullptr, {});
@@ -179,6 +180,11 @@ Result<ObjectId> Scene::id(std::uint32_t index) const {
 Result<Pose> Scene::pose(ObjectId id) const {
   if (auto known = state_->check(id); !known) return known.error();
   return state_->objects[id.index].pose;
+}
+
+void Scene::step() noexcept {
+  for (std::size_t i = 0; i < state_->slots.size(); ++i)
+    if (State::Slot& slot = state_->slots[i]; slot.mesh) slot.start = {*slot.mesh, state_->objects[i].pose};
 }
 
 Result<void> Scene::update(int threads) {

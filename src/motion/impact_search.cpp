@@ -30,18 +30,11 @@ struct Pair {
 class Search {
  public:
   Search(const MovingMesh& a, const MovingMesh* b, const ImpactQuery& query)
-      : a_(a),
-        b_(b != nullptr ? *b : a),
-        itself_(b == nullptr),
-        query_(query),
-        tree_a_(a.vertices, a.features.corners, query.for_each),
-        end_(query.end) {
-    if (!itself_) tree_b_.emplace(b_.vertices, b_.features.corners, query.for_each);
-  }
+      : a_(a), b_(b != nullptr ? *b : a), itself_(b == nullptr), query_(query), end_(query.end) {}
 
   Impacts run() {
     if (a_.features.corners.empty() || b_.features.corners.empty()) return {};
-    std::vector<Pair> open{{tree_a_.root(), tree_b().root()}};
+    std::vector<Pair> open{{a_.tree.root(), b_.tree.root()}};
     // Enough pairs of subtrees for every thread, level by level.
     constexpr std::size_t kTasks = 512;
     while (open.size() < kTasks) {
@@ -67,13 +60,12 @@ class Search {
     bool truncated = false;
   };
 
-  [[nodiscard]] const PathTree& tree_b() const { return itself_ ? tree_a_ : *tree_b_; }
   [[nodiscard]] static bool is_leaves(const Pair& pair) { return pair.a.leaves == 1 && pair.b.leaves == 1; }
 
   void open_up(const Pair& pair, std::vector<Pair>& next) const {
     const auto add = [&](const PathTree::Part& a, const PathTree::Part& b) {
       const bool same = itself_ && a.node == b.node;
-      if (same || !stay_apart(tree_a_.nodes[a.node], tree_b().nodes[b.node], end_.load(std::memory_order_relaxed)))
+      if (same || !stay_apart(a_.tree.nodes[a.node], b_.tree.nodes[b.node], end_.load(std::memory_order_relaxed)))
         next.push_back({a, b});
     };
     if (itself_ && pair.a.node == pair.b.node) {
@@ -127,9 +119,9 @@ class Search {
   void test_leaves(const Pair& pair, Found& found) {
     const double end = end_.load(std::memory_order_relaxed);
     const bool same = itself_ && pair.a.node == pair.b.node;
-    const Triangles a = near(a_, tree_a_.triangles_of(pair.a), tree_b().nodes[pair.b.node], end);
+    const Triangles a = near(a_, a_.tree.triangles_of(pair.a), b_.tree.nodes[pair.b.node], end);
     if (a.count == 0) return;
-    const Triangles b = near(b_, tree_b().triangles_of(pair.b), tree_a_.nodes[pair.a.node], end);
+    const Triangles b = near(b_, b_.tree.triangles_of(pair.b), a_.tree.nodes[pair.a.node], end);
     for (std::size_t i = 0; i < a.count; ++i)
       for (std::size_t j = same ? i + 1 : 0; j < b.count; ++j)
         if (!stay_apart(a.paths[i], b.paths[j], end)) test(a.indices[i], b.indices[j], found);
@@ -250,8 +242,6 @@ class Search {
   const MovingMesh &a_, &b_;
   bool itself_;
   const ImpactQuery& query_;
-  PathTree tree_a_;
-  std::optional<PathTree> tree_b_;
   std::atomic<double> end_;  ///< of the time that is still of interest
   std::mutex mutex_;
   Found found_;

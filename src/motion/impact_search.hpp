@@ -14,6 +14,7 @@ namespace impinge::motion {
 struct MovingMesh {
   Vertices vertices;
   const Features& features;
+  const PathTree& tree;  ///< of its triangles
 };
 
 struct ImpactQuery {

@@ -25,10 +25,16 @@ struct Scene::State {
     first_generation = 0x9E3779B1u * ++scenes;  // odd: no two of 2^32 scenes have the same
   }
 
+  /// Where a motion starts.
+  struct Start {
+    Mesh mesh;
+    Pose pose;
+  };
   /// A place for an object, occupied or free.
   struct Slot {
     std::optional<Mesh> mesh;
     std::uint32_t generation;
+    std::optional<Start> start{};  ///< as long as there is a mesh
   };
 
   // All by the object's index.

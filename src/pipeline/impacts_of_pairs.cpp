@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "pipeline/impacts_of_pairs.hpp"
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/stopped.hpp"
+#include "motion/impact_search.hpp"
+#include "pipeline/on_threads.hpp"
+
+namespace impinge {
+namespace {
+
+bool sooner(const Interval& x, const Interval& y) { return std::tie(x.lo, x.hi) < std::tie(y.lo, y.hi); }
+
+}  // namespace
+
+Result<void> validate(const MotionOptions& options) {
+  if (options.threads < 0)
+    return Error{Code::bad_option,
+                 "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
+  if (!(options.end >= 0 && options.end <= 1))
+    return Error{Code::bad_option, "the end of the time looked at is from 0 to 1, not " + std::to_string(options.end)};
+  return {};
+}
+
+motion::BoxPath bounds_of(const MovingObject& object) {
+  const std::vector<motion::Corners>& corners = object.features->corners;
+  motion::BoxPath bounds = motion::path_of(object.vertices, corners[0]);
+  const auto add = [](Box& box, const Box& more) { box = {min(box.lo, more.lo), max(box.hi, more.hi)}; };
+  for (const motion::Corners& triangle : corners) {
+    const motion::BoxPath path = motion::path_of(object.vertices, triangle);
+    add(bounds.from, path.from), add(bounds.to, path.to);
+  }
+  return bounds;
+}
+
+SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<const broad::ObjectPair> pairs,
+                              const MotionOptions& options) {
+  motion::ImpactQuery query{options.earliest, options.end, options.limit, on_threads(options.threads), options.stop};
+  std::vector<std::optional<motion::PathTree>> trees(objects.size());
+  const auto tree_of = [&](std::uint32_t i) -> const motion::PathTree& {
+    if (!trees[i]) trees[i].emplace(objects[i].vertices, objects[i].features->corners, query.for_each);
+    return *trees[i];
+  };
+  const auto find = [&](const broad::ObjectPair& pair) {
+    const MovingObject &a = objects[pair.a], &b = objects[pair.b];
+    const motion::MovingMesh first{a.vertices, *a.features, tree_of(pair.a)};
+    if (pair.a != pair.b) {
+      const motion::MovingMesh second{b.vertices, *b.features, tree_of(pair.b)};
+      return motion::find_impacts(first, &second, query);
+    }
+    std::optional<motion::Features> joined;
+    if (options.adjacency == Adjacency::by_position)
+      joined = motion::join_equal_vertices(*a.features, a.vertices.from, a.vertices.to);
+    return motion::find_impacts({a.vertices, joined ? *joined : *a.features, first.tree}, nullptr, query);
+  };
+
+  SceneImpacts all;
+  for (const broad::ObjectPair& pair : pairs) {
+    throw_if_stopped(options.stop);
+    if (objects[pair.a].features == nullptr || objects[pair.b].features == nullptr) continue;
+    const Impacts found = find(pair);
+    all.truncated |= found.truncated;
+    const bool is_first = found.earliest && (!all.earliest || sooner(*found.earliest, *all.earliest));
+    if (is_first) all.earliest = found.earliest;
+    if (options.earliest && is_first) {
+      all.objects.clear(), all.offsets.assign(1, 0), all.impacts.clear();
+      query.end = found.earliest->hi;  // what is sooner does not end later
+    }
+    if (found.impacts.empty() || (options.earliest && !is_first)) continue;
+    all.objects.push_back({pair.a, pair.b});
+    all.impacts.insert(all.impacts.end(), found.impacts.begin(), found.impacts.end());
+    all.offsets.push_back(all.impacts.size());
+    if (!options.earliest) query.limit = options.limit - all.impacts.size();
+  }
+  return all;
+}
+
+}  // namespace impinge

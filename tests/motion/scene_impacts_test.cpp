@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "impinge/impacts.hpp"
+#include "impinge/scene.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+using scenes::Random;
+using SceneRow = std::tuple<std::uint32_t, std::uint32_t, Feature, std::uint32_t, std::uint32_t, double, double>;
+
+std::vector<SceneRow> scene_rows(const SceneImpacts& found) {
+  EXPECT_EQ(found.offsets.size(), found.objects.size() + 1);
+  EXPECT_EQ(found.offsets.back(), found.impacts.size());
+  std::vector<SceneRow> result;
+  for (std::size_t row = 0; row < found.objects.size(); ++row)
+    for (std::uint64_t i = found.offsets[row]; i < found.offsets[row + 1]; ++i) {
+      const Impact& x = found.impacts[i];
+      result.emplace_back(found.objects[row][0], found.objects[row][1], x.feature, x.a, x.b, x.time.lo, x.time.hi);
+    }
+  return result;
+}
+
+SceneImpacts scene_impacts(Result<SceneImpacts> result) {
+  EXPECT_TRUE(result) << result.error().message;
+  return *std::move(result);
+}
+
+/// The world vertices as a mesh.
+Mesh world_mesh(const Mesh& mesh, const Pose& pose) {
+  std::vector<double> xyz;
+  for (const Point& p : mesh.vertices()) {
+    const Point q = world_vertex(pose, p);
+    xyz.insert(xyz.end(), {q.x, q.y, q.z});
+  }
+  return *mesh.deformed(xyz);
+}
+
+struct Known {
+  ObjectId id;
+  Mesh mesh;
+  Pose pose;
+  Mesh start;  ///< world vertices
+  std::uint32_t group;
+  bool self = false;
+
+  /// Of an object that has got other triangles: no motion.
+  [[nodiscard]] Moving way() const {
+    const Mesh end = world_mesh(mesh, pose);
+    return {std::ranges::equal(start.triangles(), end.triangles()) ? start : end, end};
+  }
+};
+
+/// Pair by pair, in order.
+std::vector<SceneRow> pair_by_pair(const std::map<std::uint32_t, Known>& objects, const auto& are_tested) {
+  std::vector<SceneRow> result;
+  std::map<std::uint32_t, Moving> ways;
+  for (const auto& [i, object] : objects) ways.emplace(i, object.way());
+  const auto add = [&](std::uint32_t i, std::uint32_t j, const Impacts& impacts) {
+    for (const Impact& x : impacts.impacts) result.emplace_back(i, j, x.feature, x.a, x.b, x.time.lo, x.time.hi);
+  };
+  for (const auto& [i, a] : objects)
+    for (const auto& [j, b] : objects) {
+      if (i == j && a.self) add(i, j, *find_impacts(ways.at(i)));
+      if (i < j && are_tested(a, b)) add(i, j, *find_impacts(ways.at(i), ways.at(j)));
+    }
+  return result;
+}
+
+TEST(SceneImpacts, AreThoseOfEveryPairThatIsTested) {
+  test::Seeded seeded(20281);
+  Random& random = seeded.random;
+  const auto below = [&](int n) { return static_cast<std::uint32_t>(random.integer(0, n - 1)); };
+  const std::vector<Mesh> shapes{test::mesh_of(scenes::cube()), test::mesh_of(scenes::flat_grid(3, 2, 0.5)),
+                                 test::mesh_of(scenes::uv_sphere(5, 4, 0.6)), test::mesh_of({})};
+  std::size_t impacts = 0, with_itself = 0;
+  for (int run = 0; run < 12; ++run) {
+    Scene scene;
+    std::map<std::uint32_t, Known> known;
+    const auto any_pose = [&] {
+      return run % 2 == 0 ? scenes::random_motion(random, 2) : Pose{.t{double(below(4)), double(below(3)), 0}};
+    };
+    const auto add = [&] {
+      const Mesh& mesh = shapes[below(4)];
+      const Pose pose = any_pose();
+      const auto group = below(3);
+      const ObjectId id = scene.add(mesh, pose, group).value();
+      known.insert_or_assign(id.index, Known{id, mesh, pose, world_mesh(mesh, pose), group});
+    };
+    for (int i = 0; i < 9; ++i) add();
+    for (int frame = 0; frame < 4; ++frame) {
+      for (int change = 0; change < 8; ++change) {
+        Known& object = known.at(below(9));
+        switch (below(6)) {
+          case 0:
+          case 1:
+            object.pose = any_pose();
+            ASSERT_TRUE(scene.set_pose(object.id, object.pose));
+            break;
+          case 2: {
+            std::vector<double> xyz;
+            for (const Point& p : object.mesh.vertices())
+              for (const double x : {p.x, p.y, p.z}) xyz.push_back(x + random.uniform(-0.5, 0.5));
+            ASSERT_TRUE(scene.set_vertices(object.id, xyz));
+            object.mesh = *object.mesh.deformed(xyz);
+            break;
+          }
+          case 3:
+            object.self = !object.self;
+            ASSERT_TRUE(scene.self(object.id, object.self));
+            break;
+          case 4:
+            ASSERT_TRUE(scene.remove(object.id));
+            add();  // at the same index
+            break;
+          default:
+            object.mesh = shapes[below(4)];
+            ASSERT_TRUE(scene.set_mesh(object.id, object.mesh, object.pose));
+        }
+      }
+      const std::uint32_t one = below(8), filtered = below(9);
+      ASSERT_TRUE(scene.ignore(known.at(one).id, known.at(one + 1).id));
+      ASSERT_TRUE(scene.set_filter(known.at(filtered).id, {.category = 2, .mask = 2}));
+      const auto are_tested = [&](const Known& a, const Known& b) {
+        const bool is_ignored = a.id.index == one && b.id.index == one + 1;
+        return !is_ignored && a.id.index != filtered && b.id.index != filtered && (a.group == 0 || a.group != b.group);
+      };
+      const auto expected = pair_by_pair(known, are_tested);
+      for (const int threads : {1, 2})
+        EXPECT_EQ(scene_rows(scene_impacts(scene.find_impacts({.threads = threads}))), expected);
+      impacts += expected.size();
+      with_itself += static_cast<std::size_t>(
+          std::ranges::count_if(expected, [](const SceneRow& row) { return std::get<0>(row) == std::get<1>(row); }));
+      const SceneImpacts few = scene_impacts(scene.find_impacts({.limit = expected.size() / 2}));
+      EXPECT_EQ(scene_rows(few),
+                std::vector(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(expected.size() / 2)));
+      EXPECT_EQ(few.truncated, !expected.empty());
+      if (!expected.empty()) {
+        const SceneRow first = *std::ranges::min_element(
+            expected, {}, [](const SceneRow& x) { return std::tuple(std::get<5>(x), std::get<6>(x), x); });
+        EXPECT_EQ(scene_rows(scene_impacts(scene.find_impacts({.earliest = true}))), std::vector{first});
+        EXPECT_EQ(few.earliest->lo, std::get<5>(first));
+      }
+      ASSERT_TRUE(scene.unignore(known.at(one).id, known.at(one + 1).id));
+      ASSERT_TRUE(scene.set_filter(known.at(filtered).id, {}));
+      scene.step();
+      for (auto& [index, object] : known) object.start = world_mesh(object.mesh, object.pose);
+    }
+  }
+  EXPECT_GT(impacts, 5000u);
+  EXPECT_GT(with_itself, 50u);
+}
+
+Pose moved_by(double x, double y = 0) { return {.t{x, y, 0}}; }
+
+TEST(SceneImpacts, HaveAHashThatKnowsNoIndices) {
+  const Mesh cube = test::mesh_of(scenes::cube()), box = test::mesh_of(scenes::box({0, 0, 0}, {1, 1, 1}, 2));
+  // A cube flies past a box that stands at x = 3.
+  const auto hash_of = [&](bool swapped, double from, double to) {
+    Scene scene;
+    if (swapped) static_cast<void>(scene.add(box, moved_by(3)));
+    const ObjectId id = scene.add(cube, moved_by(from, 0.5)).value();
+    if (!swapped) static_cast<void>(scene.add(box, moved_by(3)));
+    EXPECT_TRUE(scene.set_pose(id, moved_by(to, 0.5)));
+    const SceneImpacts impacts = scene_impacts(scene.find_impacts());
+    EXPECT_FALSE(impacts.impacts.empty());
+    return impacts.hash;
+  };
+  EXPECT_EQ(hash_of(false, 0, 8), hash_of(true, 0, 8));
+  const std::set<std::uint64_t> different{hash_of(false, 0, 8), hash_of(false, 0, 7), hash_of(false, -1, 8), 0};
+  EXPECT_EQ(different.size(), 4u);
+}
+
+TEST(SceneImpacts, SayWhatIsWrong) {
+  const auto fails = [](const Result<SceneImpacts>& result, Code code, const std::string& words) {
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, code);
+    EXPECT_NE(result.error().message.find(words), std::string::npos) << result.error().message;
+  };
+  Scene scene;
+  EXPECT_FALSE(scene_impacts(scene.find_impacts()).earliest);
+  const Mesh cube = test::mesh_of(scenes::cube());
+  ASSERT_TRUE(scene.add(cube));
+  const ObjectId id = scene.add(cube, moved_by(9)).value();
+  EXPECT_FALSE(scene_impacts(scene.find_impacts()).earliest);
+  fails(scene.find_impacts({.end = 2}), Code::bad_option, "0 to 1");
+  ASSERT_TRUE(scene.set_pose(id, moved_by(0x1p301)));
+  fails(scene.find_impacts(), Code::out_of_range, "object 1");
+  scene.step();
+  ASSERT_TRUE(scene.set_pose(id, moved_by(-0x1p299)));
+  fails(scene.find_impacts(), Code::out_of_range, "object 1, at the start");
+  scene.step();
+  ASSERT_TRUE(scene.set_pose(id, moved_by(0x1p299)));  // through the other one
+  EXPECT_TRUE(scene_impacts(scene.find_impacts()).earliest);
+  std::stop_source stop;
+  stop.request_stop();
+  fails(scene.find_impacts({.stop = stop.get_token()}), Code::cancelled, "stopped");
+  Scene copy = scene;
+  scene.step();
+  EXPECT_FALSE(scene_impacts(scene.find_impacts()).earliest);
+  EXPECT_TRUE(scene_impacts(copy.find_impacts()).earliest) << "a copy has its own start";
+}
+
+}  // namespace
+}  // namespace impinge
