@@ -119,8 +119,9 @@ def main(program, folder, page=None):
         cpp, ratio = median(lambda _, theirs: theirs[name][0]), median(lambda ours, theirs: ours[name][0] / theirs[name][0])
         return f"| {what} | {python:.2f} µs | {against} {cpp:.2f} µs | {ratio:.2f} | {must} |"
 
+    machine = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
     table = [
-        "| question | from Python | from C++ | ratio, Python by C++ | must be |",
+        f"| on {machine[1] if machine else 'an unknown processor'} | from Python | from C++ | ratio, Python by C++ | must be |",
         "| --- | --- | --- | --- | --- |",
         row("`touches` of two boxes of 12 triangles, turned at random", "touches", "impinge", "at most 3 µs"),
         row("a configuration of `collide_configurations`: a torus of 576 among 1,000", "configurations", "impinge", "ratio at most 1.1"),
@@ -130,9 +131,9 @@ def main(program, folder, page=None):
     print("\n".join(table))
     if page is not None:
         text = Path(page).read_text()
-        lines = re.escape(table[0]) + r"(\n\|.*)+"
+        lines = r"\| on .* \| from Python \|.*(\n\|.*)+"
         if not re.search(lines, text):
-            sys.exit(f"bench/python.py: {page} has no table that begins with '{table[0]}'")
+            sys.exit(f"bench/python.py: {page} has no table with the column 'from Python'")
         Path(page).write_text(re.sub(lines, lambda _: "\n".join(table), text))
 
 
