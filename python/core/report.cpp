@@ -72,7 +72,6 @@ Result<Clashes> clashes_of(Judged& judged, const Named& named, const std::stop_t
 
 Result<void> write(Judged& judged, const Named& named, const std::string& title, const std::string& format,
                    const std::string& file, const std::stop_token& stop) {
-  const std::lock_guard lock(judged.mutex);
   Result<report::Assembly> assembly = assembly_of(judged, title, named);
   if (!assembly) return assembly.error();
   Result<Clashes> clashes = clashes_of(judged, named, stop);
@@ -91,6 +90,7 @@ void write_report(Judged& judged, const Named& named, const std::string& title, 
                   std::optional<bool> y_up, const std::string& page_program, const std::string& date,
                   const std::string& format, const std::string& file, const Stop* stop) {
   unwrap(run(stop, kMayTakeLong, [&](std::stop_token token) {
+    const std::lock_guard lock(judged.mutex);
     judged.options.unit_in_metres = unit_in_metres;
     judged.options.y_up = y_up;
     judged.options.page_program = page_program;
