@@ -58,8 +58,8 @@ Result<Clashes> clashes_of(Judged& judged, const Named& named, const std::stop_t
     if (!found) return found;
     judged.with_regions = *std::move(found);
   }
-  Clashes clashes;
-  clashes.pairs = judged.with_regions->pairs;
+  Clashes clashes = *judged.with_regions;
+  clashes.parts.clear();
   std::unordered_map<std::uint32_t, std::uint32_t> place_of;
   for (const auto& [index, name, mesh] : named) {
     place_of.emplace(index, static_cast<std::uint32_t>(place_of.size()));
