@@ -58,8 +58,8 @@ Result<Clashes> clashes_of(Judged& judged, const Named& named, const std::stop_t
     if (!found) return found;
     judged.with_regions = *std::move(found);
   }
-  Clashes clashes;
-  clashes.pairs = judged.with_regions->pairs;
+  Clashes clashes = *judged.with_regions;
+  clashes.parts.clear();
   std::unordered_map<std::uint32_t, std::uint32_t> place_of;
   for (const auto& [index, name, mesh] : named) {
     place_of.emplace(index, static_cast<std::uint32_t>(place_of.size()));
@@ -72,7 +72,6 @@ Result<Clashes> clashes_of(Judged& judged, const Named& named, const std::stop_t
 
 Result<void> write(Judged& judged, const Named& named, const std::string& title, const std::string& format,
                    const std::string& file, const std::stop_token& stop) {
-  const std::lock_guard lock(judged.mutex);
   Result<report::Assembly> assembly = assembly_of(judged, title, named);
   if (!assembly) return assembly.error();
   Result<Clashes> clashes = clashes_of(judged, named, stop);
@@ -91,6 +90,7 @@ void write_report(Judged& judged, const Named& named, const std::string& title, 
                   std::optional<bool> y_up, const std::string& page_program, const std::string& date,
                   const std::string& format, const std::string& file, const Stop* stop) {
   unwrap(run(stop, kMayTakeLong, [&](std::stop_token token) {
+    const std::lock_guard lock(judged.mutex);
     judged.options.unit_in_metres = unit_in_metres;
     judged.options.y_up = y_up;
     judged.options.page_program = page_program;

@@ -41,7 +41,17 @@ class Location(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class Contacts:
-    """Every pair of triangles that share a point, a row a pair of objects, in canonical order. The arrays own their memory."""
+    """Every pair of triangles that share a point, a row a pair of objects, in canonical order. The arrays own their memory.
+
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> scene = impinge.Scene()
+    >>> below, above = scene.add(sheet, name="below"), scene.add(sheet, name="above")
+    >>> contacts = scene.collide()
+    >>> for (a, b), begin, end in zip(contacts.names, contacts.offsets, contacts.offsets[1:]):
+    ...     print(a, b, contacts.pairs[begin:end].tolist())
+    below above [[0, 0]]
+    """
 
     objects: NDArray[np.int32]  #: (R, 2): `collide`: one row 0, 1 or none; `collide_poses`: the indices of the poses; scenes: indices
     offsets: NDArray[np.int64]  #: (R + 1,): row r holds pairs offsets[r] to offsets[r + 1]

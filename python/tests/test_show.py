@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import pickle
+import subprocess
 import sys
 import types
 import zipfile
@@ -101,6 +102,24 @@ def test_reports_are_of_the_scene_as_it_was(tmp_path):
     assert (tmp_path / "r.glb").read_bytes().startswith(b"glTF")
     page = clashes.page(title="cubes", unit_in_metres=0.001)
     assert page == (tmp_path / "r.html").read_text() and "<script>alert" not in page and "penetrating" in page
+
+
+PROGRAMS = [file for file in (Path(impinge.__file__).parent / "impinge", ROOT / "build/release/cli/impinge") if file.is_file()]
+
+
+@pytest.mark.skipif(not PROGRAMS, reason="needs the command line")
+def test_a_report_says_what_the_command_line_says_of_the_same_parts(tmp_path):
+    places = {"a": (0, 0, 0), "b": (0.5, 0.25, 0.125), "c": (1.5, 0, 0), "d": (3, 3, 3)}
+    text, scene = "", impinge.Scene()
+    for k, (name, place) in enumerate(places.items()):
+        scene.add((CUBE + place, CUBE_FACES), name=name)
+        text += f"o {name}\n" + "".join("v {} {} {}\n".format(*vertex) for vertex in CUBE + place)
+        text += "".join("f {} {} {}\n".format(*(face + 1 + 8 * k)) for face in CUBE_FACES)
+    (tmp_path / "cubes.obj").write_text(text)
+    subprocess.run([PROGRAMS[0], "clash", "cubes.obj", "--json", "theirs.json", "--regions", "--clearance", "3", "--quiet"], cwd=tmp_path)
+    impinge.find_clashes(scene, clearance=3).save(tmp_path / "ours.json", title="cubes.obj")
+    ours, theirs = (json.loads((tmp_path / name).read_text()) for name in ("ours.json", "theirs.json"))
+    assert len(theirs["pairs"]) > 3 and ours == theirs
 
 
 def test_what_cannot_be_saved(tmp_path):
