@@ -73,6 +73,8 @@ Result<void> write_bcf(Sink& sink, const Review& review, const Topics& topics, c
     done();
   });
   if (stop.stop_requested()) return interrupted();
+  if (!review.assembly.skipped.empty())
+    members.insert(members.begin(), {guid_of_skipped(review) + "/markup.bcf", markup_of_skipped(review)});
   members.insert(members.begin(), {"bcf.version", version_document(version)});
   if (version == BcfVersion::v3_0)
     members.insert(members.begin() + 1, {"extensions.xml", extensions_document(review, topics.pairs)});
