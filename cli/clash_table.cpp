@@ -60,8 +60,9 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
     });
   if (arguments.previous) add("change", text, change_text);
   if (std::ranges::any_of(pairs, [](const Clash& pair) { return pair.overlap_depth.has_value(); }))
-    add("depth" + unit, number,
-        [](const Clash& pair, const Standing&) { return pair.overlap_depth ? length_text(depth_of(pair)) : kNothing; });
+    add("depth" + unit, number, [](const Clash& pair, const Standing&) {
+      return pair.overlap_depth ? depth_text(*pair.overlap_depth, length_text) : kNothing;
+    });
   if (arguments.volumes) {
     const auto& metres = review.assembly.unit_in_metres;
     add("volume" + (metres ? fmt::format(" ({}^3)", unit_name(*metres)) : ""), number,
@@ -121,6 +122,28 @@ std::string tolerance_text(const std::vector<Clash>& pairs, const std::optional<
                     : fmt::format("tolerance {} to {}{} (auto)", from, to, unit);
 }
 
+/// Which pairs that overlap have no volume, and why.
+std::string volumes_text(const Review& review) {
+  std::uint64_t not_solid = 0, refused = 0;
+  for (const Clash& pair : review.clashes.pairs) {
+    if (pair.overlap_volume || (pair.verdict >= Verdict::touching && pair.note != Note::overlap_within_tolerance))
+      continue;
+    const bool are_solid = std::ranges::all_of(pair.objects, [&](std::uint32_t object) {
+      const auto& pieces = review.parts[object].facts.pieces;
+      return pieces[0] > 0 && pieces[1] + pieces[2] == 0;
+    });
+    ++(are_solid ? refused : not_solid);
+  }
+  std::string text;
+  if (not_solid > 0)
+    text += fmt::format("{} without a volume, though they overlap: one of the parts is not solid in all its pieces.\n",
+                        counted(not_solid, "pair"));
+  if (refused > 0)
+    text += fmt::format("{} without a volume, though they overlap: no small shift parts the faces that they share.\n",
+                        counted(refused, "pair"));
+  return text;
+}
+
 std::string summary(const Review& review, const ClashArguments& arguments) {
   const std::vector<Clash>& pairs = review.clashes.pairs;
   const std::string unit = unit_after(review.assembly.unit_in_metres);
@@ -138,6 +161,7 @@ std::string summary(const Review& review, const ClashArguments& arguments) {
         "Parts of one IFC product are not tested against each other ({} of several parts): "
         "--within-products tests them too.\n",
         counted(review.split_products, "product"));
+  if (arguments.volumes) text += volumes_text(review);
   text += triage_summary(review, arguments);
   const std::uint64_t failing = count_failing(review);
   text += fmt::format("{} ({}).\n",

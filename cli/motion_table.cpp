@@ -56,7 +56,8 @@ void print_motion(const MotionReport& report, Sink& sink, std::optional<std::siz
   add("at", number, [step](const ClashSpan& span) { return time_text(span.worst_at, step); });
   if (std::ranges::any_of(spans, [](const ClashSpan& span) { return span.overlap_depth.has_value(); }))
     add("depth" + in_unit(report.assembly.unit_in_metres), number, [](const ClashSpan& span) {
-      return span.overlap_depth ? fmt::format("{:.4g}", depth_of(span.overlap_depth)) : "-";
+      const auto four_digits = [](double length) { return fmt::format("{:.4g}", length); };
+      return span.overlap_depth ? depth_text(*span.overlap_depth, four_digits) : "-";
     });
   if (std::any_of(spans.begin(), spans.end(), [](const ClashSpan& span) { return span.note != Note::none; }))
     add("note", text, [](const ClashSpan& span) { return note_text(span.note); });

@@ -105,6 +105,16 @@ std::vector<Result<io::Model>> read_files(const SceneOptions& options, const Fil
   return readings;
 }
 
+/// Says so of every file, of many the first ones.
+Error none_is_readable(const std::vector<Result<io::Model>>& readings) {
+  constexpr std::size_t kMostNamed = 10;
+  std::string text = fmt::format("none of the {} files can be read", readings.size());
+  for (std::size_t i = 0; i < std::min(readings.size(), kMostNamed); ++i)
+    text += fmt::format("{} {}", i == 0 ? ':' : ';', readings[i].error().message);
+  if (readings.size() > kMostNamed) text += fmt::format("; and {} more", readings.size() - kMostNamed);
+  return {readings.front().error().code, text};
+}
+
 }  // namespace
 
 Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> models) {
@@ -142,12 +152,14 @@ Result<Assembly> read_assembly(const SceneOptions& options, const FileProgress& 
       if (const auto brought = io::bring_to_unit(*readings[i], *unit, options.files[i]); !brought)
         readings[i] = brought.error();
     });
+  if (options.skip_unreadable && readings.size() > 1 && std::ranges::none_of(readings, &Result<io::Model>::has_value))
+    return none_is_readable(readings);
   std::vector<io::Model> models;
   std::vector<std::string> skipped, missing;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (!readings[i]) {
       const Error& error = readings[i].error();
-      if (!options.skip_unreadable || skipped.size() + 1 == options.files.size()) return error;
+      if (!options.skip_unreadable || readings.size() == 1) return error;
       skipped.push_back(options.files[i]), missing.push_back("skipped: " + error.message);
     }
     models.push_back(readings[i] ? *std::move(readings[i]) : io::Model());
@@ -190,6 +202,14 @@ std::vector<std::uint32_t> products_of(const Assembly& assembly) {
     products.push_back(product.empty() ? 0 : numbers.try_emplace({assembly.file_of[i], product}, next).first->second);
   }
   return products;
+}
+
+Error with_skipped(Error error, const Assembly& assembly) {
+  if (assembly.skipped.empty()) return error;
+  error.message += "; " + assembly.missing[assembly.missing.size() - assembly.skipped.size()];
+  if (const std::size_t others = assembly.skipped.size() - 1; others > 0)
+    error.message += fmt::format(" (and {})", counted(others, "other file"));
+  return error;
 }
 
 Error interrupted() { return {Code::cancelled, "interrupted; there is no result"}; }

@@ -17,6 +17,9 @@ std::vector<std::string> labels_of(const Assembly& assembly);
 /// For each object a number that those of the same IFC product of the same file have in common; 0 without a product.
 std::vector<std::uint32_t> products_of(const Assembly& assembly);
 
+/// The error, whose reason may be that files were skipped, with the first of them after it.
+Error with_skipped(Error error, const Assembly& assembly);
+
 /// The error that an interrupted command ends with, whatever it was doing.
 Error interrupted();
 

@@ -161,6 +161,13 @@ void write_tests(JsonDocument& document, const Review& review) {
   });
 }
 
+/// Why a file was skipped; null of one that was read.
+Json error_of(const Assembly& assembly, const std::string& file) {
+  const auto at = std::ranges::find(assembly.skipped, file);
+  if (at == assembly.skipped.end()) return {};
+  return assembly.missing[assembly.missing.size() - static_cast<std::size_t>(assembly.skipped.end() - at)];
+}
+
 void write_types(JsonDocument& document, const Review& review) {
   const auto& types = review.types.types;
   document.list("types", types.size(), [&](std::size_t i) {
@@ -206,7 +213,8 @@ Result<void> write_clash_json(Sink& sink, const Review& review) {
   document.list("files", review.file_names.size(), [&](std::size_t i) {
     return Json{{"file", review.assembly.files[i]},
                 {"name", review.file_names[i]},
-                {"known_as", review.known_names.known_as[i]}};
+                {"known_as", review.known_names.known_as[i]},
+                {"error", error_of(review.assembly, review.assembly.files[i])}};
   });
   document.list("objects", review.parts.size(), [&](std::size_t i) { return json_part(review, i); });
   write_missing(document, review.assembly);

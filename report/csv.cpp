@@ -61,6 +61,7 @@ std::string inner(const Row& row) {
   if (row.pair.verdict != Verdict::inside || row.pair.inner < 0) return "";
   return row.pair.inner == 0 ? "a" : "b";
 }
+Interval depth(const Row& row) { return depth_of(row.pair.overlap_depth); }
 std::string depth(const Row& row, double (*pick)(const OverlapDepth&)) {
   return row.pair.overlap_depth ? number(pick(*row.pair.overlap_depth)) : "";
 }
@@ -130,7 +131,7 @@ constexpr std::array kColumns{
     Column{"b_file", [](const Row& row) { return csv_cell(file(row, 1)); },
            [](const GoneRow& row) { return csv_cell(row.what.b.file); }},
     Column{"inner", inner},
-    Column{"depth", [](const Row& row) { return row.pair.overlap_depth ? number(depth_of(row.pair)) : ""; }},
+    Column{"depth", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).hi) : ""; }},
     Column{"a_in_b_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.lo; }); }},
     Column{"a_in_b_most", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.hi; }); }},
     Column{"b_in_a_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.b_in_a.lo; }); }},
@@ -164,7 +165,7 @@ constexpr std::array kColumns{
     Column{"status", [](const Row& row) { return csv_cell(row.standing.decision.status); }},
     Column{"comment", [](const Row& row) { return csv_cell(row.standing.decision.comment); }},
     Column{"depth_m",
-           [](const Row& row) { return row.pair.overlap_depth ? in_metres(row.conventions, depth_of(row.pair)) : ""; }},
+           [](const Row& row) { return row.pair.overlap_depth ? in_metres(row.conventions, depth(row).hi) : ""; }},
     Column{
         "distance_m",
         [](const Row& row) { return row.pair.nearest ? in_metres(row.conventions, row.pair.nearest->distance) : ""; }},
@@ -196,6 +197,7 @@ constexpr std::array kColumns{
            [](const Row& row) {
              return row.pair.overlap_volume ? in_metres(row.conventions, row.pair.overlap_volume->volume, 3) : "";
            }},
+    Column{"depth_least", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).lo) : ""; }},
 };
 
 /// Cells with commas between them, and the end of the line.

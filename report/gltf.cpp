@@ -54,6 +54,8 @@ class Document {
     return add("meshes", Json{{"primitives", std::move(primitives)}});
   }
 
+  /// Something about the whole document.
+  void about(const char* key, Json value) { json_["asset"]["extras"][key] = std::move(value); }
   /// Returns the node's number.
   std::size_t node(Json node) { return add("nodes", std::move(node)); }
 
@@ -202,7 +204,7 @@ std::size_t node_of(Document& document, const Review& review, std::size_t pair, 
               {"verdict", name(clash.verdict)},
               {"fails", standing.fails},
               {"fails_below", json_finite(clash.fails_below)},
-              {"depth", clash.overlap_depth ? Json(depth_of(clash)) : Json()},
+              {"depth", clash.overlap_depth ? Json(depth_of(clash.overlap_depth).hi) : Json()},
               {"volume", clash.overlap_volume ? Json(clash.overlap_volume->volume) : Json()},
               {"distance", clash.nearest ? Json(clash.nearest->distance) : Json()},
               {"a", json_part(assembly, clash.objects[0])},
@@ -225,6 +227,8 @@ Result<void> write_gltf(Sink& sink, const Review& review) {
     if (review.options.stop.stop_requested()) return interrupted();
     clashes.push_back(node_of(document, review, pair, ++rank));
   }
+  if (!review.assembly.missing.empty()) document.about("missing", review.assembly.missing);
+  if (!review.assembly.alignment.empty()) document.about("warnings", review.assembly.alignment);
   Json root{{"name", "impinge"}, {"matrix", matrix_to_gltf(conventions_of(review.options, review.assembly))}};
   if (!clashes.empty()) root["children"] = clashes;
   return document.write(sink, document.node(std::move(root)));

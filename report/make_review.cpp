@@ -107,6 +107,14 @@ Result<FilePair> files_between(const Review& review) {
   const Result<std::uint32_t> a = number(first), b = number(second);
   if (!a) return a.error();
   if (!b) return b.error();
+  const std::vector<std::string>& skipped = review.assembly.skipped;
+  for (const std::string* const file : {&first, &second})
+    if (std::ranges::find(skipped, *file) != skipped.end())
+      return with_skipped(
+          {Code::bad_option, fmt::format("--between {}: it could not be read, so no pair of it is judged; mend it, or "
+                                         "leave out --between",
+                                         printable(*file))},
+          review.assembly);
   return FilePair({*a, *b});
 }
 
@@ -173,7 +181,7 @@ Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<C
   if (input.configuration) {
     review.warnings = input.configuration->warnings;
     Result<Plan> plan = Plan::make(*input.configuration, review.assembly);
-    if (!plan) return plan.error();
+    if (!plan) return with_skipped(plan.error(), review.assembly);
     review.plan = *std::move(plan);
   }
   const std::vector<std::uint32_t> groups = groups_of(review.assembly, review.options);

@@ -49,6 +49,7 @@ Result<void> write_matrix(Sink& sink, const Review& review) {
       sink.write(fmt::format("{},{},{},{},{}\r\n", trait, csv_cell(key.first), csv_cell(key.second), count.pairs,
                              count.failing));
   }
+  for (const std::string& file : review.assembly.skipped) sink.write(fmt::format("skipped,{},,,\r\n", csv_cell(file)));
   return {};
 }
 

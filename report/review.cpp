@@ -40,7 +40,7 @@ std::size_t count_shared(std::vector<std::uint32_t> groups) {
 
 std::tuple<Verdict, double, double, Verdict> badness(Verdict verdict, double fails_below,
                                                      const std::optional<OverlapDepth>& depth) {
-  return {std::max(verdict, Verdict::crossing), -fails_below, -depth_of(depth), verdict};
+  return {std::max(verdict, Verdict::crossing), -fails_below, -depth_of(depth).hi, verdict};
 }
 
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
@@ -55,8 +55,16 @@ std::vector<std::size_t> ranked(const std::vector<Clash>& pairs) {
   return order;
 }
 
-double depth_of(const std::optional<OverlapDepth>& depth) {
-  return depth ? std::max(depth->a_in_b.hi, depth->b_in_a.hi) : 0;
+Interval depth_of(const std::optional<OverlapDepth>& depth) {
+  if (!depth) return {0, 0};
+  return {std::max(depth->a_in_b.lo, depth->b_in_a.lo), std::max(depth->a_in_b.hi, depth->b_in_a.hi)};
+}
+
+std::string depth_text(const OverlapDepth& depth, const std::function<std::string(double)>& text_of,
+                       std::string_view between) {
+  const auto [least, most] = depth_of(depth);
+  constexpr double kNarrow = 0.9;
+  return least < kNarrow * most ? fmt::format("{}{}{}", text_of(least), between, text_of(most)) : text_of(most);
 }
 
 double area_of(const Clash& pair) {

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -58,9 +60,12 @@ std::tuple<Verdict, double, double, Verdict> badness(Verdict verdict, double fai
 /// the nearest, then in canonical order.
 std::vector<std::size_t> ranked(const std::vector<Clash>& pairs);
 
-/// The greater of the two overlap depths, by the upper end of its interval; 0 where there is none.
-double depth_of(const std::optional<OverlapDepth>& depth);
-inline double depth_of(const Clash& pair) { return depth_of(pair.overlap_depth); }
+/// The interval that holds the greater of the two overlap depths; 0 where there is none.
+Interval depth_of(const std::optional<OverlapDepth>& depth);
+/// The same as one number, the interval's upper end, where it is no wider than a tenth of that; else as both ends with
+/// `between` in between.
+std::string depth_text(const OverlapDepth& depth, const std::function<std::string(double)>& text_of,
+                       std::string_view between = "..");
 /// That of all regions; 0 where none were looked for.
 double area_of(const Clash& pair);
 

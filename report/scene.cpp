@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <set>
 
+#include "report/assembly.hpp"
 #include "report/named_tests/ifc_classes.hpp"
 #include "report/text.hpp"
 
@@ -91,8 +92,8 @@ Result<void> ignore_pairs(const Assembly& assembly, std::span<const std::pair<st
         if (auto left_out = scene.ignore(ids[x], ids[y]); !left_out) return left_out.error();
       }
     if (!any)
-      return Error{Code::bad_option, fmt::format("--ignore '{}' '{}' names only one object, and no object is tested "
-                                                 "against itself",
+      return Error{Code::bad_option, fmt::format("--ignore '{}' '{}' names only one object, and leaves out pairs "
+                                                 "of two",
                                                  a, b)};
   }
   return {};
@@ -112,7 +113,8 @@ Result<Scene> scene_of(const Assembly& assembly, const SceneOptions& options, st
                                                 assembly.labels[i], id.error().message)};
     ids.push_back(*id);
   }
-  if (auto ignored = ignore_pairs(assembly, options.ignored, ids, scene); !ignored) return ignored.error();
+  if (auto ignored = ignore_pairs(assembly, options.ignored, ids, scene); !ignored)
+    return with_skipped(ignored.error(), assembly);
   if (auto updated = scene.update(); !updated) return updated.error();
   return scene;
 }

@@ -78,7 +78,7 @@ std::optional<ToleranceAdvice> advise_tolerance(const Review& review) {
   for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
     const Clash& pair = review.clashes.pairs[i];
     least = std::max(least, pair.tolerance);
-    if (review.standings[i].fails) failing.push_back({pair.fails_below, depth_of(pair)});
+    if (review.standings[i].fails) failing.push_back({pair.fails_below, depth_of(pair.overlap_depth).hi});
   }
   return least > 0 ? advise_tolerance(failing, least) : std::nullopt;
 }

@@ -5,16 +5,17 @@
 ///
 /// Writes the IFC files of federation.hpp, with so many rooms in each storey, into a folder, which it makes.
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "scenes/argument.hpp"
 #include "scenes/federation.hpp"
 
 int main(int argc, char** argv) {
-  const int storeys = argc == 4 ? std::atoi(argv[1]) : 0, rooms = argc == 4 ? std::atoi(argv[2]) : 0;
-  if (storeys <= 0 || rooms <= 0) {
+  using impinge::scenes::parse_whole;
+  int storeys = 0, rooms = 0;
+  if (argc != 4 || !parse_whole(argv[1], storeys) || !parse_whole(argv[2], rooms) || storeys <= 0 || rooms <= 0) {
     std::fprintf(stderr, "usage: %s STOREYS ROOMS FOLDER\n", argv[0]);
     return 2;
   }

@@ -5,16 +5,17 @@
 ///
 /// Writes the plant of plant.hpp for whoever wants to look at it, and what was planted in it.
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 
+#include "scenes/argument.hpp"
 #include "scenes/glb.hpp"
 #include "scenes/plant.hpp"
 #include "scenes/plant_answer.hpp"
 
 namespace {
 
+using impinge::scenes::parse_whole;
 using impinge::scenes::Plant;
 using impinge::scenes::PlantPair;
 
@@ -32,12 +33,13 @@ bool write_list(const Plant& plant, const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int parts = argc > 3 ? std::atoi(argv[1]) : 0;
-  if (parts <= 0 || argc > 5) {
+  int parts = 0;
+  std::uint64_t seed = 0;
+  if (argc < 4 || argc > 5 || !parse_whole(argv[1], parts) || parts <= 0 || !parse_whole(argv[2], seed)) {
     std::fprintf(stderr, "usage: %s PARTS SEED FILE.glb [LIST.csv]\n", argv[0]);
     return 2;
   }
-  const Plant plant = impinge::scenes::plant(parts, {.seed = std::strtoull(argv[2], nullptr, 10)});
+  const Plant plant = impinge::scenes::plant(parts, {.seed = seed});
   std::ofstream file(argv[3], std::ios::binary);
   file << impinge::scenes::glb_bytes(plant.scene, plant.names);
   if (!file.flush() || (argc == 5 && !write_list(plant, argv[4]))) {

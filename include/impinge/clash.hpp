@@ -94,8 +94,10 @@ struct Clash {
   /// With a clearance, of pairs that do not touch and are nearer than it: those inside of each other too.
   std::optional<Nearest> nearest;
   /// How deep each reaches into the other, if that has an inside: at least `lo`, by which verdicts go, and at most
-  /// `hi`; of the lesser of the two, and of what does not fail, only narrow enough to say so. Nothing for two surfaces,
-  /// for parts of which neither is known to reach in, and where verdicts alone are asked for.
+  /// `hi`; of the lesser of the two, and of what does not fail, only narrow enough to say so. It may be larger than the
+  /// function `overlap_depth` has it, which knows boundaries alone: inner points of one part that the other's material
+  /// holds count too. Nothing for two surfaces, for parts of which neither is known to reach in, and where verdicts
+  /// alone are asked for.
   std::optional<OverlapDepth> overlap_depth;
   /// With `volumes`, as `overlap_volume` finds it, of two parts whose pieces are all solid and that overlap, if only
   /// within the tolerance. Nothing for others, and where `overlap_volume` refuses them.

@@ -81,7 +81,8 @@ class PointLocator {
 
 /// How deep the boundary of one solid reaches into the other: the greatest distance of a point of a's boundary that
 /// lies inside b from b's boundary; and the other way round. 0 where nothing reaches in. This is not the shortest way
-/// to pull the two apart, which may be longer or shorter (docs/verdicts.md).
+/// to pull the two apart, which may be longer or shorter (docs/verdicts.md). That of a `Clash` may be larger: it counts
+/// the inner points of one part that the other's material holds as well, so that equal parts have a depth.
 struct OverlapDepth {
   Interval a_in_b, b_in_a;
 };

@@ -13,10 +13,11 @@ import {
   isWorse,
   type PartWords,
   sortClashes,
+  toldDepth,
   verbOf,
   verdictName,
 } from './clashes';
-import { byId, el, lengthOf, nameOf } from './dom';
+import { byId, el, intervalOf, lengthOf, nameOf } from './dom';
 import { counted, nameText, plural, rounded, spanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
@@ -191,7 +192,7 @@ export class ClashList {
 
   private mainFigure(clash: Clash): HTMLElement {
     const main = el('span', { class: 'main' });
-    if (!Number.isNaN(clash.depth)) main.append(el('small', {}, 'depth '), lengthOf(clash.depth));
+    if (!Number.isNaN(clash.depth)) main.append(el('small', {}, 'depth '), ...intervalOf(...toldDepth(clash)));
     else if (!Number.isNaN(clash.distance)) main.append(el('small', {}, 'gap '), lengthOf(clash.distance));
     return main;
   }
@@ -220,7 +221,7 @@ function verdictsOf(group: Group): string {
 export function sentenceOf(clash: Clash, place: string): string {
   const [a, b] = clash.names.map((name) => nameText(name, 80));
   const parts = [`${a} ${verbOf(clash)} ${b}`];
-  if (!Number.isNaN(clash.depth)) parts.push(`depth ${rounded(clash.depth)}`);
+  if (!Number.isNaN(clash.depth)) parts.push(`depth ${[...new Set(toldDepth(clash))].map(rounded).join(' to ')}`);
   if (!Number.isNaN(clash.volume)) parts.push(`volume ${rounded(clash.volume)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
   if (clash.pair?.span) parts.push(spanText(clash.pair.span));

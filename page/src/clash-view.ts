@@ -164,12 +164,13 @@ export class ClashView {
     const contact = radiusOf(box);
     if (isEmpty(box))
       return radiusOf(whole) > 0 ? { middle: middleOf(whole), radius: radiusOf(whole) } : null;
-    const sizes = partsOf(clash).map((id) => radiusOf(this.assembly.boxes[id]));
-    const smaller = Math.min(...sizes.filter((size) => size > 0), radiusOf(whole) || Infinity);
-    const around = state.region >= 0 ? 0.18 : 0.75;
+    const sizes = partsOf(clash).map((id) => radiusOf(this.assembly.boxes[id])).filter((size) => size > 0);
+    const smaller = sizes.length || radiusOf(whole) ? Math.min(...sizes, radiusOf(whole) || Infinity) : 1;
+    // Of a pipe in a wall the wall alone would fill the picture: a part of it with its edges says where one is.
+    const around = Math.max(0.75 * smaller, Math.min(3 * smaller, Math.max(0, ...sizes) / 5));
     return {
       middle: middleOf(box),
-      radius: Math.max(1.5 * contact, around * (Number.isFinite(smaller) ? smaller : 1), 1e-9),
+      radius: Math.max(1.5 * contact, state.region >= 0 ? 0.18 * smaller : around, 1e-9),
     };
   }
 }

@@ -3,7 +3,7 @@
 //
 // The clashes of a report: ranked, filtered, sorted and grouped. Nothing here touches the page.
 import { clusters } from './clusters';
-import { kVerdicts, type Pair, type Place, type Report, type Resolved, type Vec3, type Verdict } from './data';
+import { type Interval, kVerdicts, type Pair, type Place, type Report, type Resolved, type Vec3, type Verdict } from './data';
 import { fileName, plural, shown } from './format';
 
 export interface Clash {
@@ -19,6 +19,8 @@ export interface Clash {
   parts: [Place, Place];
   /** The greater upper end of both overlap depths, NaN if none was measured. */
   depth: number;
+  /** The greater lower end. */
+  depthLeast: number;
   /** It fails at every tolerance below this; infinite: at every one. NaN where it is not known. */
   failsBelow: number;
   /** What both parts fill, NaN if it was not measured. */
@@ -107,10 +109,14 @@ export const emptyFilter = (): Filter => ({
 export const isFiltering = (filter: Filter): boolean =>
   Object.values(filter).some((value) => (value instanceof Set ? value.size > 0 : value === 0 || Boolean(value)));
 
-export function depthOf(pair: Pair): number {
+/** The interval of the greater of both overlap depths: NaNs if none was measured. */
+function depthOf(pair: Pair): Interval {
   const depths = [pair.overlap_depth?.a_in_b, pair.overlap_depth?.b_in_a].filter((d) => d != null);
-  return depths.length ? Math.max(...depths.map((d) => d[1])) : NaN;
+  return depths.length ? [Math.max(...depths.map((d) => d[0])), Math.max(...depths.map((d) => d[1]))] : [NaN, NaN];
 }
+
+/** The lower end to tell of a depth: the upper one alone where the interval is no wider than a tenth of it. */
+export const toldDepth = ({ depth, depthLeast }: Clash): Interval => [depthLeast < 0.9 * depth ? depthLeast : depth, depth];
 
 /** All that a part is found by. */
 export const searchText = (part: Place): string =>
@@ -127,6 +133,7 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
   names: [a.name, b.name],
   parts: [a, b],
   depth: NaN,
+  depthLeast: NaN,
   failsBelow: NaN,
   volume: NaN,
   distance: NaN,
@@ -136,12 +143,14 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
 
 function ofPair(report: Report, pair: Pair): Clash {
   const [first, second] = pair.inner === pair.b ? [pair.b, pair.a] : [pair.a, pair.b];
+  const [depthLeast, depth] = depthOf(pair);
   return {
     ...clashOf(pair.verdict, report.objects[first], report.objects[second]),
     pair,
     first,
     second,
-    depth: depthOf(pair),
+    depth,
+    depthLeast,
     failsBelow: pair.fails_below === null ? Infinity : (pair.fails_below ?? NaN),
     volume: pair.overlap_volume ?? NaN,
     distance: pair.distance ?? NaN,

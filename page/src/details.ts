@@ -5,7 +5,7 @@
 import { type Clash, isWorse, newRegionsOf, propertyOf, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import type { Decision, Decisions } from './decisions';
-import { byId, button, chooser, countOf, el, lengthOf, letterOf, nameOf, numberOf } from './dom';
+import { byId, button, chooser, countOf, el, intervalOf, lengthOf, letterOf, nameOf, numberOf } from './dom';
 import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -35,8 +35,6 @@ const kRegionsAtOnce = 60;
 
 const triple = (p: Vec3, last: HTMLElement): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', last];
 const point = (p: Vec3): Value => triple(p, lengthOf(p[2]));
-const interval = ([low, high]: Interval): Value =>
-  low === high ? [lengthOf(low)] : [numberOf(low), ' to ', lengthOf(high)];
 
 const measured = (value: number | null | undefined, power: 1 | 2 | 3 = 1): Value | null =>
   value == null ? null : [lengthOf(value, power)];
@@ -193,8 +191,8 @@ export class Details {
     const { a_in_b: a, b_in_a: b } = pair.overlap_depth ?? {};
     const [first, second] = clash.first === pair.a ? [a, b] : [b, a];
     const rows: [string, Value | null][] = [
-      ['Depth of A in B', first ? interval(first) : null],
-      ['Depth of B in A', second ? interval(second) : null],
+      ['Depth of A in B', first ? intervalOf(...first) : null],
+      ['Depth of B in A', second ? intervalOf(...second) : null],
       [
         'Volume in common',
         pair.overlap_volume != null

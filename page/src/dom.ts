@@ -37,6 +37,10 @@ export function lengthOf(value: number | null | undefined, power: 1 | 2 | 3 = 1)
   return number;
 }
 
+/** Between which lengths one is known to lie. */
+export const intervalOf = (low: number, high: number): (Node | string)[] =>
+  rounded(low) === rounded(high) ? [lengthOf(high)] : [numberOf(low), ' to ', lengthOf(high)];
+
 /** What stands behind all lengths from now on, by the style sheet. */
 export function sayUnit(name: string): void {
   const style = document.documentElement.style;

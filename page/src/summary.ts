@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The top of the page: what came out, in plain words.
-import { changeOf, type Clash, countVerdicts, isWorse, verdictName } from './clashes';
+import { changeOf, type Clash, countVerdicts, isWorse, toldDepth, verdictName } from './clashes';
 import { kVerdicts, type Report, type SceneBlock, type Verdict } from './data';
-import { byId, button, countOf, el, lengthOf, nameOf, numberOf, sayUnit } from './dom';
+import { byId, button, countOf, el, intervalOf, lengthOf, nameOf, numberOf, sayUnit } from './dom';
 import { counted, fileName, nameText, plural } from './format';
 import type { Motion } from './motion';
 
@@ -35,7 +35,7 @@ function deepestFact(report: Report, clashes: Clash[], choose: (clash: Clash) =>
   if (!deepest) return ['nothing overlaps'];
   const link = button('', () => choose(deepest), { class: 'link' });
   link.append(nameOf(deepest.names[0], 60), ' and ', nameOf(deepest.names[1], 60));
-  return ['deepest overlap ', lengthOf(deepest.depth), ', ', link];
+  return ['deepest overlap ', ...intervalOf(...toldDepth(deepest)), ', ', link];
 }
 
 function toleranceFact(report: Report): Fact | null {

@@ -184,6 +184,8 @@ describe('the list of clashes', () => {
       ['0.01998', deep],
     ])
       assert.deepEqual((await pairs('#depth-from', value)()).sort(), namesOf(found), value);
+    await page.fill('#depth-from', '0.9');
+    assert.deepEqual(await listed(page, '.main'), ['depth 0 to 1'], 'of a wide interval both ends');
     await close();
   });
 

@@ -69,7 +69,10 @@ std::string title(const Topic& topic) {
   if (is_inside) return text;
   if (clash.verdict == Verdict::apart && clash.nearest)
     return fmt::format("{}, {} apart", text, short_length(topic, clash.nearest->distance));
-  if (overlaps && depth_of(clash) > 0) return fmt::format("{}, {}", text, short_length(topic, depth_of(clash)));
+  if (overlaps && depth_of(clash.overlap_depth).hi > 0) {
+    const auto length = [&](double depth) { return short_length(topic, depth); };
+    return fmt::format("{}, {}", text, depth_text(*clash.overlap_depth, length, " to "));
+  }
   return fmt::format("{}, {}", text, name(clash.verdict));
 }
 
@@ -216,6 +219,32 @@ std::vector<std::string> labels_of(const Review& review, std::size_t pair) {
 std::string status_of(const Review& review, std::size_t pair) {
   const std::string& status = review.standings[pair].decision.status;
   return status.empty() ? kUndecided : printable(status);
+}
+
+std::string guid_of_skipped(const Review& review) {
+  std::string files = "skipped";
+  for (const std::string& file : review.assembly.skipped) files += " " + file;
+  return guid_of(files);
+}
+
+std::string markup_of_skipped(const Review& review) {
+  const std::vector<std::string>& skipped = review.assembly.skipped;
+  pugi::xml_document document;
+  pugi::xml_node about = begin_document(document, "Markup").append_child("Topic");
+  about.append_attribute("Guid") = guid_of_skipped(review).c_str();
+  about.append_attribute("TopicType") = kTopicType;
+  about.append_attribute("TopicStatus") = kUndecided;
+  std::string title = "Not checked: " + in_short(skipped.front());
+  if (skipped.size() > 1) title += fmt::format(" and {}", counted(skipped.size() - 1, "other file"));
+  add_element(about, "Title", title);
+  add_element(about, "Priority", kPriorities.front());
+  add_element(about, "Index", "0");
+  add_element(about, "CreationDate", review.options.date);
+  add_element(about, "CreationAuthor", printable(review.options.author));
+  add_element(about, "Description",
+              "Files that could not be read were skipped. Nothing is known of what clashes with them.\n" +
+                  about_files(review.assembly));
+  return text_of(document);
 }
 
 std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) {

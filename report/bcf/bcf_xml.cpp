@@ -112,6 +112,7 @@ std::string version_document(BcfVersion version) {
 
 std::string extensions_document(const Review& review, const std::vector<std::size_t>& topics) {
   std::set<std::string> statuses, labels, users{printable(review.options.author)};
+  if (!review.assembly.skipped.empty()) statuses.insert(kUndecided);
   for (const std::size_t pair : topics) {
     statuses.insert(status_of(review, pair));
     for (std::string& label : labels_of(review, pair)) labels.insert(std::move(label));

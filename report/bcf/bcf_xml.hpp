@@ -33,6 +33,11 @@ inline constexpr std::array kPriorities{"High", "Medium", "Low"};
 /// with Z up, as those of the viewpoint.
 std::string markup_of(const Review& review, std::size_t pair, std::size_t rank);
 
+/// The topic about files that were skipped, and no clash of which is known: of none of its own pairs, without
+/// viewpoint.
+std::string markup_of_skipped(const Review& review);
+std::string guid_of_skipped(const Review& review);
+
 /// Where it is seen from, both parts, and as many of the lines as a viewer can take.
 std::string viewpoint_of(const Review& review, std::size_t pair, const View& view,
                          const std::vector<std::vector<Point>>& lines, const Conventions& conventions);

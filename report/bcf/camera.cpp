@@ -16,7 +16,8 @@ double shown(const Place& place, std::array<double, 2> radii) {
   const double clash = length(0.5 * (place.box.hi - place.box.lo));
   const double smaller = std::min(radii[0], radii[1]), larger = std::max(radii[0], radii[1]);
   // A spot on two large parts says little without some of them around it; more than all of both is never needed.
-  const double radius = std::min(std::max({2 * clash, smaller / 2, larger / 16}), clash + 2 * larger);
+  const double around = std::max({smaller / 2, larger / 16, std::min(3 * smaller, larger / 5)});
+  const double radius = std::min(std::max(2 * clash, around), clash + 2 * larger);
   return radius > 0 ? radius : 1;
 }
 

@@ -82,19 +82,56 @@ unsigned char light_on(const std::array<Point, 3>& corners) {
   return static_cast<unsigned char>(std::lround(255 * (0.42 + 0.58 * std::abs(dot(normal, kToLight)))));
 }
 
+Layer empty_layer(const Lens& lens) {
+  return {std::vector<float>(lens.width * lens.height), std::vector<unsigned char>(lens.width * lens.height)};
+}
+
+/// A triangle in coordinates of the eye.
+void draw(Layer& layer, const Lens& lens, const std::array<Point, 3>& corners, unsigned char light) {
+  std::array<Point, 4> kept{};
+  const std::size_t count = cut(corners, lens.least(), kept);
+  for (std::size_t i = 2; i < count; ++i)
+    fill(layer, lens, {lens.project(kept[0]), lens.project(kept[i - 1]), lens.project(kept[i])}, light);
+}
+
+/// What of a convex polygon is in a half-space (Sutherland and Hodgman).
+std::vector<Point> clipped(const std::vector<Point>& polygon, const HalfSpace& kept) {
+  std::vector<Point> inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double beyond_p = dot(kept.normal, p) - kept.most, beyond_q = dot(kept.normal, q) - kept.most;
+    if (beyond_p <= 0) inside.push_back(p);
+    if ((beyond_p <= 0) != (beyond_q <= 0)) inside.push_back(p + beyond_p / (beyond_p - beyond_q) * (q - p));
+  }
+  return inside;
+}
+
 }  // namespace
 
 Layer layer_of(const Placed& part, const Lens& lens) {
-  Layer layer{std::vector<float>(lens.width * lens.height), std::vector<unsigned char>(lens.width * lens.height)};
+  Layer layer = empty_layer(lens);
   std::vector<Point> seen;
   seen.reserve(part.vertices.size());
   for (const Point& vertex : part.vertices) seen.push_back(lens.seen(vertex));
   for (const auto& triangle : part.triangles) {
     const std::array<Point, 3> corners{seen[triangle[0]], seen[triangle[1]], seen[triangle[2]]};
-    std::array<Point, 4> kept{};
-    const std::size_t count = cut(corners, lens.least(), kept);
-    for (std::size_t i = 2; i < count; ++i)
-      fill(layer, lens, {lens.project(kept[0]), lens.project(kept[i - 1]), lens.project(kept[i])}, light_on(corners));
+    draw(layer, lens, corners, light_on(corners));
+  }
+  return layer;
+}
+
+Layer layer_of(std::span<const Placed> parts, std::span<const HalfSpace> kept, const Lens& lens) {
+  Layer layer = empty_layer(lens);
+  for (const Placed& part : parts) {
+    for (const auto& [a, b, c] : part.triangles) {
+      std::vector<Point> polygon{part.vertices[a], part.vertices[b], part.vertices[c]};
+      const std::array<Point, 3> seen{lens.seen(polygon[0]), lens.seen(polygon[1]), lens.seen(polygon[2])};
+      const bool is_back = dot(cross(polygon[1] - polygon[0], polygon[2] - polygon[0]), polygon[0] - lens.view.eye) > 0;
+      const unsigned char light = is_back ? 0 : light_on(seen);
+      for (const HalfSpace& each : kept) polygon = clipped(polygon, each);
+      for (std::size_t i = 2; i < polygon.size(); ++i)
+        draw(layer, lens, {lens.seen(polygon[0]), lens.seen(polygon[i - 1]), lens.seen(polygon[i])}, light);
+    }
   }
   return layer;
 }

@@ -66,6 +66,15 @@ struct Layer {
 };
 Layer layer_of(const Placed& part, const Lens& lens);
 
+/// What is kept of a scene that is cut open: the points with dot(normal, point) up to `most`.
+struct HalfSpace {
+  Point normal{};
+  double most = 0;
+};
+
+/// Several parts, cut open by planes, in one layer. The insides of what is cut are dark.
+Layer layer_of(std::span<const Placed> parts, std::span<const HalfSpace> kept, const Lens& lens);
+
 /// Whether a line is seen in a pixel; hidden behind a part counts for less.
 enum Mark : unsigned char { kNone, kHidden, kVisible };
 

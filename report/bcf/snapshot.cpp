@@ -15,10 +15,11 @@ namespace {
 struct Drawing {
   std::array<Layer, 2> layers;
   std::vector<unsigned char> marks;
+  Layer around;  ///< empty where nobody looks at it
 };
 
 Drawing drawing_of(const Scenery& scenery, const Lens& lens, double line_width) {
-  Drawing drawing{{layer_of(scenery.parts[0], lens), layer_of(scenery.parts[1], lens)}, {}};
+  Drawing drawing{{layer_of(scenery.parts[0], lens), layer_of(scenery.parts[1], lens)}, {}, {}};
   drawing.marks = marks_of(scenery.lines, drawing.layers, lens, line_width);
   return drawing;
 }
@@ -38,7 +39,8 @@ Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
 constexpr unsigned char kBackgroundLevel = 0xF7;
 
 bool is_background(const Drawing& drawing, std::size_t at) {
-  return drawing.layers[0].nearness[at] == 0 && drawing.layers[1].nearness[at] == 0 && drawing.marks[at] == kNone;
+  return drawing.layers[0].nearness[at] == 0 && drawing.layers[1].nearness[at] == 0 && drawing.marks[at] == kNone &&
+         drawing.around.nearness[at] == 0;
 }
 
 Colour pixel_of(const Drawing& drawing, std::optional<std::size_t> glass, std::size_t at) {
@@ -48,6 +50,9 @@ Colour pixel_of(const Drawing& drawing, std::optional<std::size_t> glass, std::s
     return mixed({0, 0, 0}, kParts[part], static_cast<double>(drawing.layers[part].shading[at]) / 255);
   };
   Colour colour = kBackground;
+  static const Colour kAround = colour_of(0xE4E6EA), kAroundDark = colour_of(0x9A9DA6);
+  if (drawing.around.nearness[at] > 0)
+    colour = mixed(kAroundDark, kAround, static_cast<double>(drawing.around.shading[at]) / 255);
   const std::array<float, 2> near{drawing.layers[0].nearness[at], drawing.layers[1].nearness[at]};
   const std::size_t front = near[1] > near[0] ? 1 : 0;
   constexpr double kThroughParts = 0.35, kThroughGlass = 0.7;
@@ -79,7 +84,8 @@ Picture draw(const Scenery& scenery, const View& view) {
   constexpr std::size_t kWidth = kSnapshotWidth, kHeight = kSnapshotHeight,
                         kFiner = 2;  // each pixel is the mean of so many by so many
   const Lens lens{view, kFiner * kWidth, kFiner * kHeight};
-  const Drawing drawing = drawing_of(scenery, lens, 2.5 * kFiner);
+  Drawing drawing = drawing_of(scenery, lens, 2.5 * kFiner);
+  drawing.around = layer_of(scenery.around, scenery.kept, lens);
   Picture picture{kWidth, kHeight, {}};
   picture.rgb.assign(3 * kWidth * kHeight, kBackgroundLevel);
   for (std::size_t y = 0; y < kHeight; ++y) {

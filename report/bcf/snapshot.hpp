@@ -22,6 +22,8 @@ struct Picture {
 struct Scenery {
   std::array<Placed, 2> parts;
   std::optional<std::size_t> glass;       ///< the part that the other lies in, which must be seen through
+  std::vector<Placed> around;             ///< parts that say where it is
+  std::vector<HalfSpace> kept;            ///< what of these is drawn: the rest would hide the clash
   std::vector<std::vector<Point>> lines;  ///< where they meet, or between their nearest points; a point is a dot
 };
 
@@ -35,7 +37,7 @@ View clearest(const Scenery& scenery, const std::array<View, 8>& views);
 constexpr std::size_t kSnapshotWidth = 640, kSnapshotHeight = 480;
 
 /// Both parts, what is behind the nearer one shining through it, and the lines, which are bright where they are not
-/// hidden. By a depth buffer.
+/// hidden; behind all of it, pale, what is around. By a depth buffer.
 Picture draw(const Scenery& scenery, const View& view);
 
 /// As a PNG (ISO/IEC 15948), always the same for the same picture.

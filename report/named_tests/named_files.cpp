@@ -68,7 +68,7 @@ class FileAdder {
   Result<void> add_new(const Word& word) {
     const fs::path place = from_folder(configuration_, word.text);
     std::error_code unknown;
-    if (!fs::exists(place, unknown))
+    if (!options_.skip_unreadable && !fs::exists(place, unknown))
       return configuration_.error_at(word.place, fmt::format("there is no file '{}'{}", printable(place.string()),
                                                              nearest_file(options_.files, word.text)));
     options_.files.push_back(place.string());

@@ -41,9 +41,10 @@ const std::map<std::string_view, std::vector<std::string>>& known_keys() {
       {"classification", {"classification"}},
       {"group", {"group", "system"}},
       {"location", {"space", "storey", "building", "facility", "site"}},
-      {"parent", {"assembly", "space", "storey", "building", "facility", "site"}},
+      {"parent", {"host", "assembly", "space", "storey", "building", "facility", "site"}},
       // IfcOpenShell has these by query: alone.
       {"assembly", {"assembly"}},
+      {"host", {"host"}},
       {"layer", {"layer"}},
       {"system", {"system"}},
       {"storey", {"storey"}},

@@ -105,6 +105,37 @@ TEST_F(Clash, DepthAndRegionsHaveColumns) {
   EXPECT_EQ(first_block(clash({"--depth", "none"}).out).find("depth"), std::string::npos);
 }
 
+TEST_F(Clash, VolumesAreMissingForAReason) {
+  const Ended run = clash({"--volume"});
+  const std::string reason =
+      "\n1 pair without a volume, though they overlap: one of the parts is not solid in all its pieces.\n";
+  EXPECT_NE(run.out.find(reason), std::string::npos) << run.out;  // of the sheet
+  EXPECT_EQ(clash({}).out.find("without a volume"), std::string::npos);
+  EXPECT_EQ(impinge(folder, {"clash", "a.off", "b.off", "--volume"}).out.find("without a volume"), std::string::npos);
+}
+
+/// The post's middle line in the plate is 1 away from the post's faces and from the plate's.
+TEST_F(Clash, ADepthThatIsWideIsToldFromTheLeastToTheMost) {
+  folder.write("plate.off", off(box({-5, -5, 0}, {5, 5, 2})));
+  folder.write("post.off", off(box({-1, -1, -5}, {1, 1, 5})));
+  const auto told = [&](const std::string& tolerance) {
+    const Ended run = impinge(folder, {"clash", "plate.off", "post.off", "--tolerance", tolerance});
+    const std::string row = run.out.substr(0, run.out.find("\n\n"));
+    return row.substr(row.find_last_of(' ') + 1);
+  };
+  EXPECT_NEAR(std::stod(told("0.5")), 1, 0.05);
+  EXPECT_EQ(told("0.5").find(".."), std::string::npos);
+  int wide = 0;
+  for (const char* tolerance : {"1.2", "1.5", "2", "3", "5"}) {  // the search ends where none is within the interval
+    const std::string text = told(tolerance);
+    const std::size_t dots = text.find("..");
+    wide += dots == std::string::npos ? 0 : 1;
+    EXPECT_LE(std::stod(text), dots == std::string::npos ? 1.2 : 1.0001) << text;
+    EXPECT_GE(std::stod(dots == std::string::npos ? text : text.substr(dots + 2)), 0.9999) << text;
+  }
+  EXPECT_GT(wide, 0);
+}
+
 TEST_F(Clash, LimitShortensTheTableAlone) {
   const Ended run = clash({"--limit", "2", "--json", "out.json", "--depth", "none"});
   EXPECT_EQ(run.code, 1);

@@ -104,7 +104,9 @@ Assembly house_with_properties() {
       {"c",
        "Int, \"2\"",
        {{"storey", "Level 2"}, {"assembly", "Frame"}, {"layer", "A-WALL"}, {"system", "S"}, {"Tag", "0.5"}}},
-      {"d", "Slab", {{"building", "Level 2"}, {"material", "concrete"}, {"P_SlabCommon.Fire", "2HR"}}}};
+      {"d",
+       "Slab",
+       {{"building", "Level 2"}, {"host", "Ext 1"}, {"material", "concrete"}, {"P_SlabCommon.Fire", "2HR"}}}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     io::Object& object = house.objects[i];
     object.product = fmt::format("{}_{}_0{:021d}", object.name, std::get<1>(parts[i]), i);
@@ -169,6 +171,8 @@ TEST(Selectors, AreThoseOfIfcOpenShell) {
                                                         {"PredefinedType=NULL", "bcd"},
                                                         {"parent=Frame", "c"},
                                                         {"parent=\"Level 2\", IfcSlab", "bcd"},
+                                                        {"parent=\"Ext 1\"", "d"},
+                                                        {"host != NULL", "d"},
                                                         {"query:storey.Name=\"Level 2\"", "bc"},
                                                         {"query:materials.Name=wool", "a"},
                                                         {"query:classification.Identification=Pr_20_93", "a"},

@@ -78,7 +78,8 @@ TEST_F(Missing, MarksPartsAndWhatRestsOnThem) {
   ASSERT_EQ(answer.at("pairs").size(), 1U);
   EXPECT_EQ(answer.at("pairs").at(0).at("incomplete"), "a");
   const std::string table = folder.read("out.csv");
-  EXPECT_NE(table.find(",a,,,\r\n,missing,"), std::string::npos) << table;
+  EXPECT_NE(table.find(",a,,,,0.9"), std::string::npos) << table;
+  EXPECT_NE(table.find("\r\n,missing,"), std::string::npos) << table;
   EXPECT_NE(table.find(",a.dae: " + kLost + ","), std::string::npos) << table;
   EXPECT_NE(clash.out.find("  incomplete"), std::string::npos) << clash.out;
   EXPECT_NE(clash.out.find("bolt is incomplete: " + kLid + "\n"), std::string::npos) << clash.out;
@@ -118,8 +119,64 @@ TEST_F(Missing, FilesAreSkippedOnlyIfAsked) {
   EXPECT_EQ(answer.at("resolved").size(), 0U) << "nobody knows";
   EXPECT_NE(folder.read("p.html").find("skipped: b.off"), std::string::npos);
   EXPECT_NE(folder.read("c.csv").find(",skipped,"), std::string::npos);
-  for (const char* const command : {"check", "view", "clash"})
-    EXPECT_EQ(impinge(folder, {command, "bad.off", "b.off", "--skip-unreadable"}, launch).code, 2) << command;
+  EXPECT_TRUE(answer.at("files").at(0).at("error").is_null());
+  EXPECT_EQ(answer.at("files").at(1).at("error"), answer.at("missing").at(0));
+  for (const char* const command : {"check", "view", "clash"}) {
+    const Ended none = impinge(folder, {command, "bad.off", "b.off", "--skip-unreadable"}, launch);
+    EXPECT_EQ(none.code, 2) << command;
+    EXPECT_TRUE(none.err.starts_with("impinge: none of the 2 files can be read: bad.off, line ")) << none.err;
+    EXPECT_NE(none.err.find("; b.off, line "), std::string::npos) << none.err;
+  }
+}
+
+TEST_F(Missing, NothingIsFoundClearOfASkippedFile) {
+  const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* const name : {"a.off", "c.off"}) folder.write(name, triangle);
+  folder.write("b.off", "OFF\n3 1 0\n");
+  const auto clash = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"clash", "a.off", "c.off", "b.off", "--skip-unreadable"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ended run = impinge(folder, all, launch);
+    return run.code == 2 ? run.err : "ended with " + std::to_string(run.code);
+  };
+  const std::string skipped = "; skipped: b.off, line 2: ";
+  const auto expect = [&](const std::vector<std::string>& words, const std::string& begin) {
+    EXPECT_TRUE(clash(words).starts_with("impinge: " + begin + skipped)) << clash(words);
+  };
+  expect({"--between", "a.off", "b.off"},
+         "--between b.off: it could not be read, so no pair of it is judged; mend it, or leave out --between");
+  EXPECT_EQ(clash({"--between", "a.off", "c.off"}), "ended with 1");
+  expect({"--ignore", "a", "b"}, "--ignore: nothing is named 'b'; the nearest name is 'a'");
+  const auto configured = [&](const std::string& group) {
+    folder.write("t.json", R"({"files":["a.off"],"tests":[{"name":"t","a":{"file":"a.off"},"b":)" + group + "}]}");
+    return std::vector<std::string>{"--config", "t.json"};
+  };
+  expect(configured(R"({"file":"b.off"})"), "t.json:1: /tests/0/b: no part is in this group");
+  expect(configured(R"("bolt")"), "t.json:1: /tests/0/b: nothing is named 'bolt'; the nearest name is 'a'");
+  // A file that is not there is skipped as well, whoever names it.
+  folder.write("t.json", R"({"files":["a.off","gone.off"],"tests":[{"name":"t","a":{"file":["a.off","c.off"]}}]})");
+  EXPECT_EQ(clash({"--config", "t.json"}), "ended with 1");
+  folder.write("t.json", R"({"files":["a.off"],"tests":[{"name":"t","a":{"file":["a.off","gone.off"]},"b":"c"}]})");
+  EXPECT_EQ(clash({"--config", "t.json"}), "ended with 1");
+}
+
+TEST_F(Missing, AnswersWithoutPairsNameSkippedFiles) {
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder.write("b.off", "OFF");
+  for (const char* const version : {"2.1", "3.0"}) {
+    const Ended run = impinge(folder,
+                              {"clash", "a.off", "b.off", "--skip-unreadable", "--matrix", "m.csv", "--gltf", "g.glb",
+                               "--bcf", "b.bcf", "--bcf-version", version, "--quiet"},
+                              launch);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string sentence = run.err.substr(9, run.err.size() - 10);
+    EXPECT_EQ(folder.read("m.csv"), "by,a,b,pairs,fail\r\nskipped,b.off,,,\r\n");
+    EXPECT_NE(folder.read("g.glb").find("\"missing\":[\"" + sentence + "\"]"), std::string::npos) << sentence;
+    // A topic that a later run takes no decision from.
+    const Ended next = impinge(folder, {"clash", "a.off", "--decisions", "b.bcf", "--json", "-"}, launch);
+    EXPECT_EQ(next.err, "");
+    EXPECT_EQ(json::parse(next.out).at("decisions").size(), 0U);
+  }
 }
 
 TEST_F(Missing, FilesAreReadAtOnceAndSpokenOfInTheirOrder) {

@@ -61,8 +61,19 @@ TEST(Ifc, OpeningsAreCutAndTheyAndRoomsAreNoParts) {
                                            step.shape(step.shown(hole)), "IFCOPENINGELEMENT", ",$");
   step.line("IFCRELVOIDSELEMENT('" + step.guid() + "',$,$,$," + wall + "," + opening + ")");
   step.product("Room", at, step.shape(step.shown(hole)), "IFCSPACE", ",$,.ELEMENT.,.INTERNAL.,$");
+  const std::string door = step.product(
+      "Door", at, step.shape(step.shown(step.extruded(step.rectangle(900, 50), 1900))), "IFCDOOR", ",$,$,$");
+  step.line("IFCRELFILLSELEMENT('" + step.guid() + "',$,$,$," + opening + "," + door + ")");
+  step.line("IFCRELFILLSELEMENT('" + step.guid() + "',$,$,$," + opening + ",$)");
+  const std::string facade = step.product("Facade", at, "$", "IFCCURTAINWALL", ",$");
+  step.line("IFCRELAGGREGATES('" + step.guid() + "',$,$,$," + facade + ",(" + wall + "))");
   const Model model = read_ifc(step);
-  ASSERT_EQ(names_of(model), std::vector<std::string>{"Wall"});
+  ASSERT_EQ(names_of(model), (std::vector<std::string>{"Wall", "Door"}));
+  std::vector<std::string> hosts;
+  for (const Object& object : model.objects)
+    for (const auto& [name, value] : object.properties)
+      if (name == "host") hosts.push_back(object.name + " in " + value);
+  EXPECT_EQ(hosts, (std::vector<std::string>{"Door in Wall", "Door in Facade"}));
   EXPECT_NEAR(volume_of(model.objects[0]), 4000. * 200 * 3000 - 1000. * 200 * 2000, 1e4);
   EXPECT_TRUE(is_closed(model.objects[0]));
   expect_box(model.objects[0], {{-1000, 1900, 0}, {3000, 2100, 3000}}, 1e-3);
@@ -330,6 +341,32 @@ TEST(Ifc, WhatTrapsTakesNothingElseAlong) {
   EXPECT_EQ(names_of(model), (std::vector<std::string>{"before", "after"}));
   EXPECT_THAT(model.missing, testing::UnorderedElementsAre(HasSubstr("'endless' (IfcBuildingElementProxy"),
                                                            HasSubstr("leads back to itself")));
+}
+
+/// What web-ifc alone would take minutes and gigabytes for.
+TEST(Ifc, ShapesWithinEachOtherAreCountedFirst) {
+  Step step;
+  const std::string box = step.extruded(step.rectangle(1, 1), 1), at = step.placement("$", step.origin);
+  step.product("whole", at, step.shape(step.shown(box)));
+  std::string carved = box;
+  for (int i = 0; i < 20'000; ++i) carved = step.line("IFCBOOLEANRESULT(.DIFFERENCE.," + carved + "," + box + ")");
+  step.product("carved", at, step.shape(step.shown(carved)));
+  const Model model = read_ifc(step);
+  EXPECT_EQ(names_of(model), std::vector<std::string>{"whole"});
+  ASSERT_EQ(model.missing.size(), 1u);
+  EXPECT_THAT(model.missing[0], testing::AllOf(HasSubstr("'carved'"), HasSubstr("is within too many others")));
+  std::string items = box, map;
+  for (int i = 0; i < 17; ++i) {  // 2^17 shapes
+    map = step.line("IFCREPRESENTATIONMAP(" + step.origin + "," + step.shown(items) + ")");
+    const std::string item = "IFCMAPPEDITEM(" + map + "," +
+                             step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$," + step.point({0, 0, 0}) + ",$,$)") +
+                             ")";
+    items = step.line(item) + "," + step.line(item);
+  }
+  step.product("forest", at, step.shape(step.shown(items)));
+  step.line("IFCREPRESENTATIONMAP(" + step.origin + "," + step.shown(items) + ")");
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of(read(folder.write("case.ifc", step.text()))), HasSubstr("shows more than 100000 shapes"));
 }
 
 std::string good_text() {

@@ -23,7 +23,7 @@ const std::string kHead =
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
     "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,"
     "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee,unit,incomplete,"
-    "volume,volume_error,volume_m3\r\n";
+    "volume,volume_error,volume_m3,depth_least\r\n";
 
 class Csv : public testing::Test {
  protected:
@@ -69,6 +69,10 @@ TEST_F(Csv, SaysWhatTheJsonSaysWorstFirst) {
     EXPECT_EQ(number(row.at("tolerance")), pair.at("tolerance").get<double>());
     const json& depth = pair.at("overlap_depth");
     EXPECT_EQ(row.at("a_in_b_least").empty(), depth.is_null());
+    if (!depth.is_null()) {
+      EXPECT_EQ(number(row.at("depth_least")),
+                std::max(depth.at("a_in_b").at(0).get<double>(), depth.at("b_in_a").at(0).get<double>()));
+    }
     EXPECT_EQ(row.at("fails_below").empty(), pair.at("fails_below").is_null());
     if (!row.at("fails_below").empty()) {
       EXPECT_EQ(number(row.at("fails_below")), pair.at("fails_below").get<double>());

@@ -83,6 +83,39 @@ TEST(Raster, WhatReachesBehindTheEyeIsCut) {
   EXPECT_TRUE(std::all_of(nothing.nearness.begin(), nothing.nearness.end(), [](float n) { return n == 0; }));
 }
 
+TEST(Raster, WhatIsCutOpenIsSeenInto) {
+  const View view = from_above();
+  const Lens lens{view, 160, 120};
+  const HalfSpace below{{0, 0, 1}, 0.5};
+  const std::array<Placed, 2> lid_and_floor{square(1, 5), square(-1, 5)};
+  const Layer layer = layer_of(lid_and_floor, std::span(&below, 1), lens);
+  for (const float nearness : layer.nearness) EXPECT_NEAR(nearness, 1 / (view.distance + 1), 1e-6) << "the floor";
+  EXPECT_GT(layer.shading.front(), 0);
+  // A slope, z = x, is cut at x = 0.5, where the picture has it at 0.5 distance / (distance - 0.5).
+  static const std::array<std::array<std::uint32_t, 3>, 2> kTriangles{{{0, 2, 1}, {0, 3, 2}}};
+  const Placed slope{{{-1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}}, kTriangles};
+  const Layer cut = layer_of(std::span(&slope, 1), std::span(&below, 1), lens);
+  const double end = 80 + 30 * 0.5 * view.distance / (view.distance - 0.5);
+  for (std::size_t x = 80; x < 160; ++x)
+    EXPECT_EQ(cut.nearness[160 * 60 + x] > 0, static_cast<double>(x) + 0.5 < end) << x;
+  EXPECT_EQ(cut.shading[160 * 60 + 85], 0) << "it is seen from its back";
+}
+
+TEST(Snapshot, ShowsWhatIsAroundBehindBothParts) {
+  Scenery scenery;
+  scenery.parts = {square(0, 0.5), square(0, 0.5)};
+  const Picture alone = draw(scenery, from_above());
+  scenery.around = {square(1, 1)};  // nearer than they are
+  const Picture both = draw(scenery, from_above());
+  const auto at = [](const Picture& picture, std::size_t x, std::size_t y) {
+    const std::size_t first = 3 * (picture.width * y + x);
+    return std::array{picture.rgb[first], picture.rgb[first + 1], picture.rgb[first + 2]};
+  };
+  EXPECT_EQ(at(alone, 320, 240), at(both, 320, 240));
+  EXPECT_NE(at(alone, 320 + 100, 240), at(both, 320 + 100, 240));
+  EXPECT_EQ(at(alone, 10, 10), at(both, 10, 10));
+}
+
 TEST(Raster, LinesAreHiddenBehindParts) {
   const View view = from_above();
   const Lens lens{view, 160, 120};

@@ -136,7 +136,8 @@ class Importer {
     if (words.startsWith('No basis found')) return kNoArea;
     const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
     if (!what) return `web-ifc says '${words}'`;
-    if (what === 'token') return 'a line of its geometry lacks what it refers to, or leads back to itself';
+    if (what === 'token')
+      return 'a line of its geometry lacks what it refers to, leads back to itself, or is within too many others';
     const line = Number(/\d+$/.exec(words)?.[0]);
     const name = line > 0 ? this.#model.classOf(line) : '';
     this.#model.takeSaid();
@@ -231,6 +232,7 @@ class Importer {
       ['Description', textOf(attributes[3])],
       ['ObjectType', textOf(attributes[4])],
       ...wholes.map((whole) => [placeOf(this.#model.classOf(whole)), this.#structure.nameOf(whole)]),
+      ...this.#structure.hostsOf(line).map((host) => ['host', this.#structure.nameOf(host)]),
       ...this.#properties.of(line, name, attributes),
     ];
     for (const [key, value] of properties) if (key && value) frames.property(key, value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lines that web-ifc 0.0.78 draws wrongly are written anew before it draws them.
+import { FileProblem } from './file.mjs';
 import { kChords, kEnum, kReal, kReference, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 import { alongCentreLine, kParametrised, outlineOf } from './profiles.mjs';
 import { radiansInAngle } from './units.mjs';
@@ -25,6 +26,10 @@ const kUsersOfProfiles = [
 const kBooleans = ['IFCBOOLEANRESULT', 'IFCBOOLEANCLIPPINGRESULT'];
 // A curve may be made of others, and these of others again; more steps than these are a loop.
 const kDeepestCurve = 8;
+// web-ifc takes a second for so many, one within the other, and for more as their square.
+const kDeepestDifference = 2000;
+// They take some 600 MB.
+const kMostMapped = 100_000;
 // So that a quarter circle, rounded, is not one chord more.
 const kSlack = 1e-6;
 
@@ -188,29 +193,66 @@ function spread(model, reasons) {
   }
 }
 
-// A difference that is made of itself loses the operand that leads back: web-ifc would take seconds and gigabytes to fail.
-function breakLoops(model) {
-  const differences = new Set(model.ofClass(...kBooleans));
-  const operandsOf = (line) => model.attributes(line).map(referenceOf).filter((part) => differences.has(part));
-  const isDone = new Map(); // false of those on the way
-  for (const first of differences) {
-    if (isDone.has(first)) continue;
-    isDone.set(first, false);
-    const way = [{ line: first, left: operandsOf(first) }];
+// Visits lines that are made of each other, what a line is made of before it: `visit` is told of the line and of what it
+// visited for those; `loop` of a line and one that it is made of and that is made of it.
+function eachAfterItsParts(lines, partsOf, visit, loop) {
+  const found = new Map(); // undefined of those on the way
+  for (const first of lines) {
+    const way = found.has(first) ? [] : [{ line: first, parts: partsOf(first), at: 0 }];
+    if (way.length > 0) found.set(first, undefined);
     while (way.length > 0) {
-      const { line, left } = way.at(-1);
-      const next = left.pop();
-      if (next === undefined) {
-        isDone.set(line, true);
+      const top = way.at(-1);
+      const part = top.parts[top.at++];
+      if (part === undefined) {
+        found.set(top.line, visit(top.line, top.parts, found));
         way.pop();
-      } else if (!isDone.has(next)) {
-        isDone.set(next, false);
-        way.push({ line: next, left: operandsOf(next) });
-      } else if (!isDone.get(next)) {
-        model.rewrite(line, model.attributes(line).map((value) => (referenceOf(value) === next ? null : value)));
+      } else if (!found.has(part)) {
+        found.set(part, undefined);
+        way.push({ line: part, parts: partsOf(part), at: 0 });
+      } else if (found.get(part) === undefined) {
+        loop(top.line, part);
       }
     }
   }
+}
+
+// A difference that is made of itself, or of too many one within the other, loses the operand that leads there: web-ifc would
+// take minutes or gigabytes.
+function breakLoops(model) {
+  const differences = new Set(model.ofClass(...kBooleans));
+  const operandsOf = (line) => model.attributes(line).map(referenceOf).filter((part) => differences.has(part));
+  const cut = (line, operand) =>
+    model.rewrite(line, model.attributes(line).map((value) => (referenceOf(value) === operand ? null : value)));
+  const depthOf = (line, operands, depths) => {
+    const depth = 1 + Math.max(0, ...operands.map((one) => depths.get(one) ?? 0));
+    if (depth > kDeepestDifference) for (const operand of operands) cut(line, operand);
+    return depth;
+  };
+  eachAfterItsParts(differences, operandsOf, depthOf, cut);
+}
+
+// Mapped items may show mapped items, and these again: twice as many shapes a step. Errors: FileProblem, before web-ifc runs
+// out of memory.
+function countMapped(model) {
+  const itemsOf = new Map();
+  for (const map of model.ofClass('IFCREPRESENTATIONMAP')) {
+    const shown = referenceOf(model.attributes(map)[1]);
+    itemsOf.set(map, shown ? referencesOf(model.attributes(shown)[3]) : []);
+  }
+  const mapped = new Set(model.ofClass('IFCMAPPEDITEM'));
+  const mapsIn = (map) => {
+    const items = itemsOf.get(map).filter((item) => mapped.has(item));
+    return items.map((item) => referenceOf(model.attributes(item)[0])).filter((one) => itemsOf.has(one));
+  };
+  const count = (map, maps, counts) => {
+    const shapes = itemsOf.get(map).length - maps.length + maps.reduce((sum, one) => sum + (counts.get(one) ?? 0), 0);
+    if (maps.length > 0 && shapes > kMostMapped)
+      throw new FileProblem(
+        `its line #${map} shows more than ${kMostMapped} shapes by mapped items of mapped items; export them as parts of their own`,
+      );
+    return shapes;
+  };
+  eachAfterItsParts(itemsOf.keys(), mapsIn, count, () => {});
 }
 
 // Profiles that web-ifc draws wrongly or not at all become outlines of lines. Returns why shapes are incomplete, by the lines
@@ -218,6 +260,7 @@ function breakLoops(model) {
 export function mendProfiles(model) {
   writePlaces(model);
   breakLoops(model);
+  countMapped(model);
   const { made, reasons } = replacements(model);
   spread(model, reasons);
   if (made.size > 0) {

@@ -15,6 +15,8 @@ export class Structure {
   #model;
   #wholes = new Map();
   #withParts = new Set();
+  // Of what fills an opening its opening, and of that the element that it is cut out of.
+  #hosts = new Map();
 
   constructor(model) {
     this.#model = model;
@@ -27,6 +29,18 @@ export class Structure {
         for (const part of referencesOf(attributes[parts])) if (!this.#wholes.has(part)) this.#wholes.set(part, owner);
       }
     }
+    for (const line of model.ofClass('IFCRELVOIDSELEMENT', 'IFCRELFILLSELEMENT')) {
+      const [, , , , host, part] = model.attributes(line).map(referenceOf);
+      if (host && part) this.#hosts.set(part, host);
+    }
+  }
+
+  // The element in whose opening the product is, and what that is a part of.
+  hostsOf(product) {
+    const host = this.#hosts.get(this.#hosts.get(product));
+    if (!host) return [];
+    const own = this.wholesOf(product);
+    return [host, ...this.wholesOf(host).filter((whole) => !own.includes(whole))];
   }
 
   hasParts(product) {
