@@ -98,6 +98,7 @@ Result<Command> parse_command_line(int argc, const char* const* argv) {
   if (name == "check") return Command(std::move(all.check));
   if (name == "clash") return Command(std::move(all.clash));
   if (name == "motion") return Command(std::move(all.motion));
+  if (name == "impacts") return Command(std::move(all.impacts));
   if (name == "view") return Command(std::move(all.view));
   if (name == "info") return Command(std::move(all.info));
   return Command(DevicesArguments{});

@@ -11,6 +11,7 @@
 
 #include "impinge/report.hpp"
 #include "impinge/result.hpp"
+#include "report/motion/impacts_report.hpp"
 
 /// The command line as values. See docs/cli.md for what each means.
 namespace impinge::cli {
@@ -43,8 +44,12 @@ struct ViewArguments : SceneOptions, PageOptions, OutputArguments {
   std::optional<std::string> html;
 };
 
-struct MotionArguments : MotionOptions, OutputArguments {
+struct MotionArguments : report::MotionOptions, OutputArguments {
   std::optional<std::string> html;
+};
+
+struct ImpactsArguments : ImpactOptions, OutputArguments {
+  std::optional<std::string> csv;  ///< "-" is standard output
 };
 
 struct InfoArguments : SceneOptions, OutputArguments {};
@@ -56,8 +61,8 @@ struct Notice {
   std::string text;
 };
 
-using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, MotionArguments, InfoArguments,
-                             DevicesArguments, Notice>;
+using Command = std::variant<CheckArguments, ClashArguments, ViewArguments, MotionArguments, ImpactsArguments,
+                             InfoArguments, DevicesArguments, Notice>;
 
 /// Errors: `bad_option`, with a sentence.
 Result<Command> parse_command_line(int argc, const char* const* argv);

@@ -163,7 +163,8 @@ void add_scale(CLI::App& command, SceneOptions& to) {
       ->allow_extra_args(false);
 }
 
-void add_unit(CLI::App& command, SceneOptions& to, const std::string& what) {
+template <class Options>
+void add_unit(CLI::App& command, Options& to, const std::string& what) {
   add_choice<double>(command, "--unit", to.unit_in_metres, named_units(), what);
 }
 
@@ -412,6 +413,28 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   });
 }
 
+void add_impacts(CLI::App& command, ImpactsArguments& to) {
+  add_files(command, to.files)
+      ->description(
+          "the states in order of time, with the same triangles: two or more files, or one name with # for each "
+          "digit of a number, as in frame_####.ply");
+  begin_group(command, "Answer");
+  command.add_flag("--self", to.self, "test each part against itself too, but for features with a common vertex");
+  command.add_flag("--earliest", to.earliest, "only the first impact of all; faster");
+  add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
+             "keep only the first N impacts, in order of states, parts and features");
+  add_json(command, to.json, "impacts");
+  add_output(command, "--csv", to.csv, "write a table for spreadsheets, a row for each impact");
+  add_quiet(command, to.quiet);
+  add_force(command, to.force);
+  begin_group(command, "Reading and work");
+  add_unit(command, to,
+           "the unit of all places: files that say their own are brought to it, others are taken to be in it (default: "
+           "that of the first file)");
+  add_max_file(command, to.max_file_bytes);
+  add_threads(command, to.threads);
+}
+
 void add_view(CLI::App& command, ViewArguments& to) {
   add_files(command, to.files);
   begin_group(command, "Options");
@@ -448,6 +471,7 @@ void add_commands(CLI::App& program, AllArguments& to) {
   add_check(add("check", kCheckHelp), to.check);
   add_clash(add("clash", kClashHelp), to.clash);
   add_motion(add("motion", kMotionHelp), to.motion);
+  add_impacts(add("impacts", kImpactsHelp), to.impacts);
   add_view(add("view", kViewHelp), to.view);
   add_info(add("info", kInfoHelp), to.info);
   add("devices", kDevicesHelp);

@@ -15,6 +15,7 @@ struct AllArguments {
   CheckArguments check;
   ClashArguments clash;
   MotionArguments motion;
+  ImpactsArguments impacts;
   ViewArguments view;
   InfoArguments info;
 };
@@ -27,7 +28,8 @@ struct HelpPage {
   std::string about, end;
 };
 
-extern const HelpPage kProgramHelp, kCheckHelp, kClashHelp, kMotionHelp, kViewHelp, kInfoHelp, kDevicesHelp;
+extern const HelpPage kProgramHelp, kCheckHelp, kClashHelp, kMotionHelp, kImpactsHelp, kViewHelp, kInfoHelp,
+    kDevicesHelp;
 
 /// CLI11's help pages with descriptions that are broken to fit 80 columns.
 class HelpFormatter : public CLI::Formatter {

@@ -19,6 +19,9 @@ Result<bool> clash(const ClashArguments& arguments, const std::stop_token& stop)
 /// Whether any parts clash at any time of the animation.
 Result<bool> motion(const MotionArguments& arguments, const std::stop_token& stop);
 
+/// Whether anything meets on the way from one of the states to the next.
+Result<bool> impacts(const ImpactsArguments& arguments, const std::stop_token& stop);
+
 Result<void> view(const ViewArguments& arguments, const std::stop_token& stop);
 
 /// Whether all files could be read; each error has then been printed, and the other files are listed.

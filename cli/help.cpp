@@ -65,7 +65,8 @@ Examples:
 
 Exit codes:
   0  nothing touches
-  1  something touches; with clash and motion, something that --fail-on names
+  1  something touches; with clash and motion, something that --fail-on names;
+     with impacts, something that meets on the way
   2  an error or an interruption; a sentence on standard error says what and
      where)"};
 
@@ -168,6 +169,30 @@ one step is not seen: --frames makes steps shorter.
 Exit codes:
   0  nothing that --fail-on names
   1  something that --fail-on names
+  2  an error or an interruption; a sentence on standard error says what and
+     where)"};
+
+const HelpPage kImpactsHelp{
+    R"(What meets on the way from one state of meshes to the next, exactly
+
+Reads files that hold the same parts, with the same triangles, at one time after
+the other, as a simulation writes them. Between two of them every vertex goes on
+a straight line at constant speed. Finds each vertex and face, and each two
+edges, of two different parts that meet on the way, and when: no tolerance,
+nothing missed, nothing made up. A time is the step, from 0, and a number from 0
+to 1 within it.
+)",
+    R"(Examples:
+  impinge impacts before.ply after.ply --self
+      Does this mesh pass through itself on the way?
+  impinge impacts 'frame_####.ply' --self --earliest
+      When does it first, in frame_0001.ply, frame_0002.ply and so on?
+  impinge impacts step0.obj step1.obj --json impacts.json
+      Every impact between the parts, as JSON.
+
+Exit codes:
+  0  nothing meets
+  1  something meets
   2  an error or an interruption; a sentence on standard error says what and
      where)"};
 

@@ -48,6 +48,8 @@ int run(int argc, char** argv) {
     return exit_code(clash(*arguments, stop), kSomething, kNothing);
   if (const auto* arguments = std::get_if<MotionArguments>(&*command))
     return exit_code(motion(*arguments, stop), kSomething, kNothing);
+  if (const auto* arguments = std::get_if<ImpactsArguments>(&*command))
+    return exit_code(impacts(*arguments, stop), kSomething, kNothing);
   if (const auto* arguments = std::get_if<ViewArguments>(&*command)) {
     const Result<void> written = view(*arguments, stop);
     return written ? 0 : failed(written.error());

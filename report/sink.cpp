@@ -37,7 +37,8 @@ mode_t usual_mode() {
 
 const DocumentKind kJson{"--json", "JSON", ".json"}, kPage{"--html", "page", ".html"},
     kCsv{"--csv", "table of clashes", ".csv"}, kMatrix{"--matrix", "table of counts", ".csv"},
-    kBcf{"--bcf", "BCF", ".bcf", ".bcfzip"}, kGltf{"--gltf", "binary glTF", ".glb"};
+    kImpactTable{"--csv", "table of impacts", ".csv"}, kBcf{"--bcf", "BCF", ".bcf", ".bcfzip"},
+    kGltf{"--gltf", "binary glTF", ".glb"};
 
 Sink::Sink(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
 

@@ -43,7 +43,7 @@ struct DocumentKind {
   std::string_view option, noun;
   std::string_view ending, other_ending = ending;
 };
-extern const DocumentKind kJson, kPage, kCsv, kMatrix, kBcf, kGltf;
+extern const DocumentKind kJson, kPage, kCsv, kMatrix, kImpactTable, kBcf, kGltf;
 
 /// A document that is complete, and beside its place rather than in it. Without `put` it vanishes, and what was in the
 /// place stays. Where bytes go straight to their place there is nothing left to do.

@@ -17,5 +17,6 @@
 #include "impinge/regions.hpp"
 #include "impinge/result.hpp"
 #include "impinge/scene.hpp"
+#include "impinge/sweeps.hpp"
 #include "impinge/version.hpp"
 #include "impinge/workspace.hpp"

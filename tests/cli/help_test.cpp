@@ -12,9 +12,9 @@
 namespace impinge::test {
 namespace {
 
-const std::vector<std::vector<std::string>> kPages = {{"--help"},           {"check", "--help"}, {"clash", "--help"},
-                                                      {"motion", "--help"}, {"view", "--help"},  {"info", "--help"},
-                                                      {"devices", "--help"}};
+const std::vector<std::vector<std::string>> kPages = {{"--help"},           {"check", "--help"},   {"clash", "--help"},
+                                                      {"motion", "--help"}, {"impacts", "--help"}, {"view", "--help"},
+                                                      {"info", "--help"},   {"devices", "--help"}};
 
 /// The lines that begin with the program's name between "Examples:" and the next empty line.
 std::vector<std::string> examples_of(const std::string& page) {
@@ -34,6 +34,10 @@ TEST(Help, ExamplesRun) {
   folder.write("bracket.stl", stl(cube(40, 0, 0)));
   folder.write("plate.stl", stl(cube(0, 0, 0)));
   folder.write("clash.json", R"({"files":["engine.obj","fixture.stl"],"tests":[{"name":"all","a":"*"}]})");
+  for (const char* state : {"before", "after", "frame_0001", "frame_0002"})
+    folder.write(state + std::string(".ply"), ply(cube(0, 0, 0)));
+  for (const char* state : {"step0.obj", "step1.obj"})
+    folder.write(state, "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 4 5 6\n");
   impinge(folder, {"clash", "--config", "clash.json", "--json", "last.json"});
   folder.write("page.html", kPageHead + "<!-- impinge: data -->");
   const std::string page_program = "IMPINGE_PAGE=" + (folder.path() / "page.html").string() + " ";
@@ -49,7 +53,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 20U);
+  EXPECT_EQ(count, 23U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 
@@ -64,7 +68,7 @@ TEST(Help, LinesFitEightyColumns) {
 TEST(Help, ExplainsEveryOptionAndCommand) {
   const Folder folder;
   const std::string program = impinge(folder, {"--help"}).out;
-  for (const char* command : {"check", "clash", "motion", "view", "info", "devices"}) {
+  for (const char* command : {"check", "clash", "motion", "impacts", "view", "info", "devices"}) {
     EXPECT_NE(program.find("\n  " + std::string(command) + " "), std::string::npos) << command;
     // Every option of the page has a line of its own that begins with it, or ends there and is explained below.
     std::istringstream lines(impinge(folder, {command, "--help"}).out);

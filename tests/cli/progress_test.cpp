@@ -30,8 +30,8 @@ TEST(Progress, TextFitsAnyWidth) {
   EXPECT_EQ(progress_text("checking", 0.9999, 0, 80), "checking  [###################.]  99 %  0.0 s");
   EXPECT_EQ(progress_text("reading", -1, 2, 80), "reading  2.0 s");
   for (std::size_t width = 0; width < 90; ++width) {
-    EXPECT_LE(columns(progress_text("reading \xe9\x83\xa8\xe5\x93\x81.off (1 of 2)", 0.3, 4, width)), width);
-    EXPECT_LE(columns(progress_text("reading \xe9\x83\xa8\xe5\x93\x81.off (1 of 2)", -1, 4, width)), width);
+    EXPECT_LE(report::columns(progress_text("reading \xe9\x83\xa8\xe5\x93\x81.off (1 of 2)", 0.3, 4, width)), width);
+    EXPECT_LE(report::columns(progress_text("reading \xe9\x83\xa8\xe5\x93\x81.off (1 of 2)", -1, 4, width)), width);
   }
 }
 
@@ -47,7 +47,7 @@ TEST(Progress, TextLosesTheRateFirstThenTheTimeLeft) {
   EXPECT_EQ(text(56), bar);
   EXPECT_EQ(progress_text("checking", 0.5, 12.34, 80, "", "13 s left"), bar + "  13 s left");
   EXPECT_EQ(progress_text("checking", 0.5, 12.34, 80, "80 pairs/s", ""), bar + "  80 pairs/s");
-  for (std::size_t width = 0; width < 90; ++width) EXPECT_LE(columns(text(width)), width);
+  for (std::size_t width = 0; width < 90; ++width) EXPECT_LE(report::columns(text(width)), width);
 }
 
 TEST(Pace, IsThatOfEvenWorkAfterSomeSeconds) {
