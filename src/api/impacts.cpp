@@ -42,7 +42,11 @@ motion::Vertices vertices_of(const Moving& mesh) { return {mesh.from.vertices(),
 
 const motion::Features& features_of(const Mesh& mesh) {
   const MeshState& state = mesh.state();
-  return state.features.of(state.data.triangles);
+  return state.features->of(state.data.triangles);
+}
+
+motion::MovingMesh moving_mesh(const Moving& mesh) {
+  return {vertices_of(mesh), features_of(mesh.from), mesh.from.state().features.get()};
 }
 
 motion::ImpactQuery query_of(const MotionOptions& options) {
@@ -56,8 +60,8 @@ Result<Impacts> find_impacts(const Moving& a, const Moving& b, const MotionOptio
     if (auto valid = validate(options); !valid) return valid.error();
     if (auto valid = validate(a, "the first mesh"); !valid) return valid.error();
     if (auto valid = validate(b, "the second mesh"); !valid) return valid.error();
-    const motion::MovingMesh second{vertices_of(b), features_of(b.from)};
-    return motion::find_impacts({vertices_of(a), features_of(a.from)}, &second, query_of(options));
+    const motion::MovingMesh second = moving_mesh(b);
+    return motion::find_impacts(moving_mesh(a), &second, query_of(options));
   });
 }
 
@@ -65,12 +69,12 @@ Result<Impacts> find_impacts(const Moving& mesh, const MotionOptions& options) {
   return guarded([&]() -> Result<Impacts> {
     if (auto valid = validate(options); !valid) return valid.error();
     if (auto valid = validate(mesh, "the mesh"); !valid) return valid.error();
-    const motion::Vertices vertices = vertices_of(mesh);
-    const motion::Features& features = features_of(mesh.from);
+    const motion::MovingMesh moving = moving_mesh(mesh);
     std::optional<motion::Features> joined;
     if (options.adjacency == Adjacency::by_position)
-      joined = motion::join_equal_vertices(features, vertices.from, vertices.to);
-    return motion::find_impacts({vertices, joined ? *joined : features}, nullptr, query_of(options));
+      joined = motion::join_equal_vertices(moving.features, moving.vertices.from, moving.vertices.to);
+    return motion::find_impacts({moving.vertices, joined ? *joined : moving.features, moving.cache}, nullptr,
+                                query_of(options));
   });
 }
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
+
+#include "core/point_table.hpp"
 
 namespace impinge::motion {
 
@@ -45,17 +46,18 @@ Features::Features(std::vector<Corners> triangles)
 }
 
 std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to) {
-  std::vector<std::uint32_t> order(from.size()), lowest(from.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](std::uint32_t i) {
-    return std::tuple(from[i].x, from[i].y, from[i].z, to[i].x, to[i].y, to[i].z);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return std::pair(place(i), i) < std::pair(place(j), j); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    lowest[order[i]] = i > 0 && place(order[i - 1]) == place(order[i]) ? lowest[order[i - 1]] : order[i];
-  std::sort(order.begin(), order.end());
-  if (lowest == order) return std::nullopt;  // each vertex is its own
+  PointTable starts(from.size());
+  std::vector<std::uint32_t> start;
+  for (const Vec3& p : from) start.push_back(starts.add(p));
+  if (starts.size() == from.size()) return std::nullopt;  // each vertex is its own
+  PointTable ends(to.size()), pairs(to.size());
+  std::vector<std::uint32_t> first_of, lowest;
+  for (std::uint32_t i = 0; i < to.size(); ++i) {
+    const std::uint32_t pair = pairs.add({double(start[i]), double(ends.add(to[i])), 0});
+    if (pair == first_of.size()) first_of.push_back(i);
+    lowest.push_back(first_of[pair]);
+  }
+  if (first_of.size() == to.size()) return std::nullopt;
   std::vector<Corners> triangles = of.corners;
   for (Corners& corners : triangles)
     for (std::uint32_t& corner : corners) corner = lowest[corner];

@@ -14,6 +14,7 @@ namespace impinge::motion {
 struct MovingMesh {
   Vertices vertices;
   const Features& features;
+  FeaturesCache* cache = nullptr;  ///< keeps the order of the triangles
 };
 
 struct ImpactQuery {
