@@ -72,7 +72,7 @@ Result<Impacts> find_impacts(const Moving& mesh, const MotionOptions& options) {
     const motion::MovingMesh moving = moving_mesh(mesh);
     std::optional<motion::Features> joined;
     if (options.adjacency == Adjacency::by_position)
-      joined = motion::join_equal_vertices(moving.features, moving.vertices.from, moving.vertices.to);
+      joined = motion::join_equal_vertices(moving.features, moving.vertices.from, moving.vertices.to, options.stop);
     return motion::find_impacts({moving.vertices, joined ? *joined : moving.features, moving.cache}, nullptr,
                                 query_of(options));
   });

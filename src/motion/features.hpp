@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -32,8 +33,9 @@ struct Features {
 };
 
 /// The features of a mesh with the lowest of the vertices that are equal at both ends in the place of each; nothing if
-/// none are. Of edges that become one, the first names it, and they are in order of that.
-std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to);
+/// none are. Of edges that become one, the first names it, and they are in order of that. Throws `Stopped`.
+std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to,
+                                            const std::stop_token& stop);
 
 /// Triangles in an order in which each eight of them that follow each other are close, and each eight of such eights,
 /// and so on, where the vertices were once.

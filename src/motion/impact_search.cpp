@@ -62,12 +62,12 @@ class Search {
 
   Impacts run() {
     if (a_.features.corners.empty() || b_.features.corners.empty()) return {};
-    const FloatFrame frame = frame_of(std::array{a_.vertices, b_.vertices});
     const std::size_t height =
         std::max(PathTree::height_for(a_.features.corners.size()), PathTree::height_for(b_.features.corners.size()));
-    tree_a_.emplace(a_.vertices, a_.features.corners, a_.cache, frame, query_.end, height, query_.for_each);
-    if (!itself_)
-      tree_b_.emplace(b_.vertices, b_.features.corners, b_.cache, frame, query_.end, height, query_.for_each);
+    const PathTree::Plan plan{frame_of(std::array{a_.vertices, b_.vertices}), query_.end, height, query_.for_each,
+                              query_.stop};
+    tree_a_.emplace(a_.vertices, a_.features.corners, a_.cache, plan);
+    if (!itself_) tree_b_.emplace(b_.vertices, b_.features.corners, b_.cache, plan);
     std::vector<NodePair> open{{height - 1, 0, 0}};
     // Enough pairs of nodes for every thread, level by level.
     constexpr std::size_t kTasks = 64;

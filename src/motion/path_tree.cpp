@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/number.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::motion {
 
@@ -68,14 +69,15 @@ class Splitter {
 constexpr double kLoose = 1.5;
 
 std::vector<std::uint32_t> spatial_order(std::span<const PathTree::Point> points, std::span<const Corners> corners,
-                                         const ForEach& for_each) {
+                                         const PathTree::Plan& plan) {
   std::vector<std::uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
-  Splitter splitter(order, points, corners, for_each);
+  Splitter splitter(order, points, corners, plan.for_each);
   // The upper levels one after the other, the rest in parallel.
   constexpr std::size_t kTask = 1024;
   std::vector<Splitter::Range> open{{0, order.size()}}, tasks;
   while (!open.empty()) {
+    throw_if_stopped(plan.stop);
     const Splitter::Range range = open.back();
     open.pop_back();
     if (range.count <= kTask)
@@ -83,7 +85,10 @@ std::vector<std::uint32_t> spatial_order(std::span<const PathTree::Point> points
     else
       for (const auto& part : splitter.split(range)) open.push_back(part);
   }
-  run_each(for_each, tasks.size(), [&](std::size_t i) { splitter.split_all(tasks[i]); });
+  run_each(plan.for_each, tasks.size(), [&](std::size_t i) {
+    throw_if_stopped(plan.stop);
+    splitter.split_all(tasks[i]);
+  });
   return order;
 }
 
@@ -117,26 +122,25 @@ FloatFrame frame_of(std::span<const Vertices> meshes) {
 
 // A point in between is computed from two coordinates below 1 and a time, each off by 2^-53 of itself, by three more
 // roundings to double and one to float: off by less than 2^-24 + 2^-50. Adding the margin is off by 2^-24 as much.
-PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache,
-                   const FloatFrame& frame, double end, std::size_t height, const ForEach& for_each)
-    : margin(end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
-  in_blocks(for_each, 4096, points.size(), [&](std::size_t i) {
-    const Vec3 from = frame.scale * (vertices.from[i] - frame.origin);
-    Vec3 to = frame.scale * (vertices.to[i] - frame.origin);
-    if (end < 1) to = from + end * (to - from);
+PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan)
+    : margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
+  in_blocks(plan.for_each, 4096, points.size(), [&](std::size_t i) {
+    const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);
+    Vec3 to = plan.frame.scale * (vertices.to[i] - plan.frame.origin);
+    if (plan.end < 1) to = from + plan.end * (to - from);
     points[i] = {{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)},
                   {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z)}}};
   });
   const auto bound_in_order = [&](std::vector<std::uint32_t> triangles) {
     auto made = std::make_shared<SpatialOrder>(std::move(triangles));
     order = made;
-    made->looseness = bound_leaves(corners, for_each);
+    made->looseness = bound_leaves(corners, plan.for_each);
     if (cache != nullptr) cache->put(order);
   };
   if (cache != nullptr) order = cache->order();
-  if (order == nullptr || bound_leaves(corners, for_each) > kLoose * order->looseness)
-    bound_in_order(spatial_order(points, corners, for_each));
-  while (levels.size() < height) {
+  if (order == nullptr || bound_leaves(corners, plan.for_each) > kLoose * order->looseness)
+    bound_in_order(spatial_order(points, corners, plan));
+  while (levels.size() < plan.height) {
     add_level(levels.back().size());
     const auto& below = levels[levels.size() - 2];
     for (std::size_t i = 0; i < below.size(); ++i)

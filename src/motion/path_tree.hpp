@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/for_each.hpp"
@@ -50,9 +51,15 @@ struct alignas(kCount % 16 == 0 ? 64 : 32) PathBoxes {
 struct PathTree {
   using Node = PathBoxes<kWidth>;
 
-  /// At least as many levels as the triangles need. `cache`, if any, tells an order and keeps a better one.
-  PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const FloatFrame& frame,
-           double end, std::size_t height, const ForEach& for_each);
+  struct Plan {
+    FloatFrame frame;
+    double end;
+    std::size_t height;  ///< levels, at least as many as the triangles need
+    const ForEach& for_each;
+    const std::stop_token& stop;
+  };
+  /// `cache`, if any, tells an order and keeps a better one. Throws `Stopped`.
+  PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan);
   static std::size_t height_for(std::size_t triangles);
 
   /// A vertex in the frame at the start and at the end. The latter may be off by `margin`.
