@@ -10,6 +10,7 @@
 
 #include "core/guarded.hpp"
 #include "impinge/collide.hpp"
+#include "motion/box_path.hpp"
 #include "pipeline/impacts_of_pairs.hpp"
 #include "pipeline/mesh_state.hpp"
 
@@ -34,13 +35,10 @@ Result<void> validate(const Moving& mesh, const std::string& name) {
   return {};
 }
 
-const motion::Features* features_of(const Mesh& mesh) {
-  const MeshState& state = mesh.state();
-  return state.data.triangles.empty() ? nullptr : &state.features.of(state.data.triangles);
-}
-
 MovingObject object_of(const Moving& mesh) {
-  return {{mesh.from.vertices(), mesh.to.vertices()}, features_of(mesh.from)};
+  const MeshState& state = mesh.from.state();
+  if (state.data.triangles.empty()) return {};
+  return {{mesh.from.vertices(), mesh.to.vertices()}, &state.features->of(state.data.triangles), state.features.get()};
 }
 
 Impacts without_rows(SceneImpacts found) { return {std::move(found.impacts), found.earliest, found.truncated}; }
@@ -79,7 +77,8 @@ class Together {
   SceneImpacts find(double until) {
     std::vector<motion::BoxPath> bounds;
     for (const MovingObject& object : objects_)
-      bounds.push_back(object.features != nullptr ? bounds_of(object) : motion::BoxPath{});
+      bounds.push_back(object.features != nullptr ? motion::path_of(object.vertices, object.features->corners)
+                                                  : motion::BoxPath{});
     std::vector<broad::ObjectPair> pairs;
     for (std::uint32_t i = 0; i < objects_.size(); ++i)
       for (std::uint32_t j = i; j < objects_.size(); ++j)

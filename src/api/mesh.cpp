@@ -174,7 +174,7 @@ std::size_t Mesh::triangle_count() const noexcept { return state_->data.triangle
 std::span<const Point> Mesh::vertices() const noexcept { return state_->data.vertices; }
 std::span<const std::array<std::uint32_t, 3>> Mesh::triangles() const noexcept { return state_->data.triangles; }
 std::span<const std::array<std::uint32_t, 2>> Mesh::edges() const {
-  return state_->features.of(state_->data.triangles).edges;
+  return state_->features->of(state_->data.triangles).edges;
 }
 Point Mesh::sphere_center() const noexcept { return state_->data.sphere.center; }
 double Mesh::sphere_radius() const noexcept { return state_->data.sphere.radius; }

@@ -12,6 +12,7 @@
 #include "core/hash.hpp"
 #include "core/pose.hpp"
 #include "impinge/impacts.hpp"
+#include "motion/box_path.hpp"
 #include "pipeline/impacts_of_pairs.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/scene_state.hpp"
@@ -102,7 +103,7 @@ class SceneMotion {
     const MeshState& mesh = *scene_.meshes[i];
     const auto to = world_vertices(mesh, scene_.objects[i].pose);
     const auto from = starts_[i].moves ? world_vertices(*starts_[i].mesh, starts_[i].placed.pose) : to;
-    return {{from, to}, &mesh.features.of(mesh.data.triangles)};
+    return {{from, to}, &mesh.features->of(mesh.data.triangles), mesh.features.get()};
   }
 
   /// docs/hash.md

@@ -3,37 +3,48 @@
 #include "motion/features.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
-#include <tuple>
 #include <utility>
+
+#include "core/point_table.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::motion {
 
 Features::Features(std::vector<Corners> triangles)
     : corners(std::move(triangles)), sides(corners.size()), care(corners.size()) {
+  // By the larger vertex first, which are counted; then the few of each.
   struct Side {
-    std::array<std::uint32_t, 2> ends;
-    std::uint32_t triangle;
+    std::uint32_t smaller, triangle;
     std::uint8_t side;
     auto operator<=>(const Side&) const = default;
   };
-  std::vector<Side> all;
-  all.reserve(3 * corners.size());
   std::uint32_t vertices = 0;
-  for (std::uint32_t i = 0; i < corners.size(); ++i)
-    for (std::uint8_t k = 0; k < 3; ++k) {
-      const std::uint32_t one = corners[i][k], two = corners[i][(k + 1) % 3];
-      sides[i][k] = kNone;
-      if (one != two) all.push_back({{std::max(one, two), std::min(one, two)}, i, k});
-      vertices = std::max(vertices, one + 1);
+  for (const Corners& c : corners) vertices = std::max({vertices, c[0] + 1, c[1] + 1, c[2] + 1});
+  const auto for_each_side = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < corners.size(); ++i)
+      for (std::uint8_t k = 0; k < 3; ++k)
+        if (const std::uint32_t one = corners[i][k], two = corners[i][(k + 1) % 3]; one != two)
+          visit(std::max(one, two), Side{std::min(one, two), i, k});
+  };
+  std::vector<std::size_t> ends(std::size_t{vertices} + 1);  // of each vertex; while they are put, where the next comes
+  for_each_side([&](std::uint32_t larger, const Side&) { ++ends[larger + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Side> all(ends.back());
+  for_each_side([&](std::uint32_t larger, const Side& side) { all[ends[larger]++] = side; });
+  for (Corners& of : sides) of = {kNone, kNone, kNone};
+  auto next = all.begin();
+  for (std::uint32_t larger = 0; larger < vertices; ++larger) {
+    const auto first = next, end = all.begin() + static_cast<std::ptrdiff_t>(ends[larger]);
+    std::sort(first, end);
+    for (; next != end; ++next) {
+      if (next == first || next->smaller != std::prev(next)->smaller) {
+        edges.push_back({larger, next->smaller});
+        care[next->triangle] |= static_cast<std::uint8_t>(8 << next->side);
+      }
+      sides[next->triangle][next->side] = static_cast<std::uint32_t>(edges.size() - 1);
     }
-  std::sort(all.begin(), all.end());
-  for (const Side& side : all) {
-    if (edges.empty() || edges.back() != side.ends) {
-      edges.push_back(side.ends);
-      care[side.triangle] |= static_cast<std::uint8_t>(8 << side.side);
-    }
-    sides[side.triangle][side.side] = static_cast<std::uint32_t>(edges.size() - 1);
   }
   std::vector<bool> seen(vertices);
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -44,18 +55,24 @@ Features::Features(std::vector<Corners> triangles)
     }
 }
 
-std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to) {
-  std::vector<std::uint32_t> order(from.size()), lowest(from.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](std::uint32_t i) {
-    return std::tuple(from[i].x, from[i].y, from[i].z, to[i].x, to[i].y, to[i].z);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return std::pair(place(i), i) < std::pair(place(j), j); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    lowest[order[i]] = i > 0 && place(order[i - 1]) == place(order[i]) ? lowest[order[i - 1]] : order[i];
-  std::sort(order.begin(), order.end());
-  if (lowest == order) return std::nullopt;  // each vertex is its own
+std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to,
+                                            const std::stop_token& stop) {
+  PointTable starts(from.size());
+  std::vector<std::uint32_t> start;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (i % 4096 == 0) throw_if_stopped(stop);
+    start.push_back(starts.add(from[i]));
+  }
+  if (starts.size() == from.size()) return std::nullopt;  // each vertex is its own
+  PointTable ends(to.size()), pairs(to.size());
+  std::vector<std::uint32_t> first_of, lowest;
+  for (std::uint32_t i = 0; i < to.size(); ++i) {
+    if (i % 4096 == 0) throw_if_stopped(stop);
+    const std::uint32_t pair = pairs.add({double(start[i]), double(ends.add(to[i])), 0});
+    if (pair == first_of.size()) first_of.push_back(i);
+    lowest.push_back(first_of[pair]);
+  }
+  if (first_of.size() == to.size()) return std::nullopt;
   std::vector<Corners> triangles = of.corners;
   for (Corners& corners : triangles)
     for (std::uint32_t& corner : corners) corner = lowest[corner];

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -14,6 +17,11 @@
 namespace impinge::motion {
 
 using Corners = std::array<std::uint32_t, 3>;
+
+/// The vertices of a mesh at both ends of their ways.
+struct Vertices {
+  std::span<const Vec3> from, to;
+};
 
 /// The vertices and edges of a mesh by its triangles. Each is in the care of the first triangle that has it, so that
 /// pairs of triangles see each pair of features once.
@@ -30,20 +38,39 @@ struct Features {
 };
 
 /// The features of a mesh with the lowest of the vertices that are equal at both ends in the place of each; nothing if
-/// none are. Of edges that become one, the first names it, and they are in order of that.
-std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to);
+/// none are. Of edges that become one, the first names it, and they are in order of that. Throws `Stopped`.
+std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to,
+                                            const std::stop_token& stop);
 
-/// A mesh's features, found when they are first asked for. Safe from many threads.
+/// Triangles in an order in which each eight of them that follow each other are close, and each eight of such eights,
+/// and so on, where the vertices were once.
+struct SpatialOrder {
+  std::vector<std::uint32_t> triangles;
+  double looseness;  ///< the extents of the eights' boxes in those of the triangles' boxes
+};
+
+/// What meshes of the same triangles have in common, found when it is first asked for. Safe from many threads.
 class FeaturesCache {
  public:
   const Features& of(std::span<const Corners> triangles) {
     std::call_once(once_, [&] { features_.emplace(std::vector<Corners>(triangles.begin(), triangles.end())); });
     return *features_;
   }
+  /// The last one that was put; nothing if none was.
+  std::shared_ptr<const SpatialOrder> order() {
+    const std::scoped_lock lock(mutex_);
+    return order_;
+  }
+  void put(std::shared_ptr<const SpatialOrder> order) {
+    const std::scoped_lock lock(mutex_);
+    order_ = std::move(order);
+  }
 
  private:
   std::once_flag once_;
   std::optional<Features> features_;
+  std::mutex mutex_;
+  std::shared_ptr<const SpatialOrder> order_;
 };
 
 }  // namespace impinge::motion

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "motion/filter.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "motion/filter.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/mask_bits-inl.hpp"
 
 // Everything is made of three difference vectors x, y, z that move linearly, at both ends: of the corners of the face
 // from the vertex; or of the first edge, the second one, and the way from the first to the second. Their cross products
@@ -19,189 +24,310 @@
 // blossoms, by two levels of two products and a sum each and weights that are off by u, add 8 u of at most 6 D_i D_j:
 // less than 100 u D_i D_j.
 // A coefficient of the determinant is a mean of sums of three products of D_k and components that are below 2 D_i D_j
-// and off by 11 u D_i D_j: off by less than (3 (11 + 2 + 2) + 4 * 6) u D_x D_y D_z; a blossom adds 12 u of 6 D_x D_y
+// and off by 11 u D_i D_j: off by less than (3 (11 + 2 + 2) + 5 * 6) u D_x D_y D_z; a blossom adds 12 u of 6 D_x D_y
 // D_z: less than 150 u in all. The bounds below are larger by what second-order terms and their own rounding could be.
-namespace impinge::motion {
+HWY_BEFORE_NAMESPACE();
+namespace impinge::motion::HWY_NAMESPACE {
 
-namespace {
+namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr double kQuadraticBound = 0x1p-46, kCubicBound = 0x1p-45;
 /// Where differences are between these, products of three are far from denormals and from infinity.
 constexpr double kSmallest = 0x1p-250, kLargest = 0x1p320;
 constexpr int kLevels = 7;
 
-struct Moving {
-  Vec3 at0, at1;
+/// One pair of features, and as many as a vector holds.
+using One = hn::CappedTag<double, 1>;
+using Many = hn::CappedTag<double, FourPointsBlock::kLanes>;
+
+/// A number in each lane.
+template <class D>
+struct Num {
+  using V = hn::Vec<D>;
+  V v;
+  HWY_INLINE Num() : v(hn::Zero(D())) {}
+  HWY_INLINE Num(V value) : v(value) {}
+  HWY_INLINE Num(double value) : v(hn::Set(D(), value)) {}
+  friend HWY_INLINE Num operator+(const Num& a, const Num& b) { return hn::Add(a.v, b.v); }
+  friend HWY_INLINE Num operator-(const Num& a, const Num& b) { return hn::Sub(a.v, b.v); }
+  friend HWY_INLINE Num operator*(const Num& a, const Num& b) { return hn::Mul(a.v, b.v); }
+  friend HWY_INLINE Num abs(const Num& a) { return hn::Abs(a.v); }
+  friend HWY_INLINE Num max(const Num& a, const Num& b) { return hn::Max(a.v, b.v); }
 };
 
-using Quadratic = std::array<Vec3, 3>;  // three of them, a component each
-
-Quadratic cross(const Moving& a, const Moving& b) {
-  return {impinge::cross(a.at0, b.at0), 0.5 * (impinge::cross(a.at0, b.at1) + impinge::cross(a.at1, b.at0)),
-          impinge::cross(a.at1, b.at1)};
+/// Which lanes.
+template <class D>
+struct Lanes {
+  hn::Mask<D> m;
+  HWY_INLINE Lanes(hn::Mask<D> mask) : m(mask) {}
+  friend HWY_INLINE Lanes operator&(const Lanes& a, const Lanes& b) { return hn::And(a.m, b.m); }
+  friend HWY_INLINE Lanes operator|(const Lanes& a, const Lanes& b) { return hn::Or(a.m, b.m); }
+  HWY_INLINE bool all() const { return hn::AllTrue(D(), m); }
+};
+template <class D>
+HWY_INLINE Lanes<D> operator>(const Num<D>& a, const Num<D>& b) {
+  return hn::Gt(a.v, b.v);
 }
-Quadratic operator+(const Quadratic& a, const Quadratic& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Quadratic operator-(const Quadratic& a, const Quadratic& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+template <class D>
+HWY_INLINE Lanes<D> above(const Num<D>& a, const Num<D>& error) {
+  return a > error;
+}
+template <class D>
+HWY_INLINE Lanes<D> below(const Num<D>& a, const Num<D>& error) {
+  return hn::Lt(a.v, hn::Neg(error.v));
+}
 
-using Cubic = std::array<double, 4>;
+template <class N>
+struct Vector {
+  N x, y, z;
+  friend HWY_INLINE Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend HWY_INLINE Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend HWY_INLINE Vector operator*(const N& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend HWY_INLINE N dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend HWY_INLINE Vector abs(const Vector& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+  friend HWY_INLINE Vector max(const Vector& a, const Vector& b) {
+    return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+  }
+  HWY_INLINE const N& operator[](int k) const { return k == 0 ? x : k == 1 ? y : z; }
+};
 
-Cubic dot(const Moving& a, const Quadratic& q) {
-  return {impinge::dot(a.at0, q[0]), (impinge::dot(a.at1, q[0]) + 2 * impinge::dot(a.at0, q[1])) / 3,
-          (impinge::dot(a.at0, q[2]) + 2 * impinge::dot(a.at1, q[1])) / 3, impinge::dot(a.at1, q[2])};
+template <class N>
+struct Moving {
+  Vector<N> at0, at1;
+  friend HWY_INLINE Moving operator-(const Moving& a, const Moving& b) { return {a.at0 - b.at0, a.at1 - b.at1}; }
+};
+
+/// The four points at both ends.
+template <class N>
+using Points = std::array<Moving<N>, 4>;
+
+HWY_INLINE Points<Num<One>> load(const FourPoints& from, const FourPoints& to) {
+  const auto vector = [](const Vec3& p) HWY_ATTR { return Vector<Num<One>>{p.x, p.y, p.z}; };
+  return {Moving<Num<One>>{vector(from[0]), vector(to[0])},
+          {vector(from[1]), vector(to[1])},
+          {vector(from[2]), vector(to[2])},
+          {vector(from[3]), vector(to[3])}};
+}
+HWY_INLINE Points<Num<Many>> load(const FourPointsBlock& block, std::size_t lane) {
+  const auto point = [&](int i) HWY_ATTR {
+    const auto vector = [&](const double(&rows)[3][FourPointsBlock::kLanes]) HWY_ATTR {
+      const Many d;
+      return Vector<Num<Many>>{hn::Load(d, rows[0] + lane), hn::Load(d, rows[1] + lane), hn::Load(d, rows[2] + lane)};
+    };
+    return Moving<Num<Many>>{vector(block.from[i]), vector(block.to[i])};
+  };
+  return {point(0), point(1), point(2), point(3)};
+}
+
+template <class N>
+using Quadratic = std::array<Vector<N>, 3>;  // three of them, a component each
+
+template <class N>
+HWY_INLINE Quadratic<N> cross(const Moving<N>& a, const Moving<N>& b) {
+  return {cross(a.at0, b.at0), N(0.5) * (cross(a.at0, b.at1) + cross(a.at1, b.at0)), cross(a.at1, b.at1)};
+}
+template <class N>
+HWY_INLINE Quadratic<N> sum(const Quadratic<N>& a, const Quadratic<N>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+template <class N>
+HWY_INLINE Quadratic<N> difference(const Quadratic<N>& a, const Quadratic<N>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <class N>
+using Cubic = std::array<N, 4>;
+
+template <class N>
+HWY_INLINE Cubic<N> dot(const Moving<N>& a, const Quadratic<N>& q) {
+  const N third = 1 / 3.0;
+  return {dot(a.at0, q[0]), (dot(a.at1, q[0]) + N(2) * dot(a.at0, q[1])) * third,
+          (dot(a.at0, q[2]) + N(2) * dot(a.at1, q[1])) * third, dot(a.at1, q[2])};
 }
 
 /// A part of the time.
 struct Part {
   double start, end;
   int level;
+  [[nodiscard]] bool is_all() const { return start == 0 && end == 1; }
 };
 
-Quadratic over(const Quadratic& q, const Part& part) {
-  const auto between = [](const Vec3& a, const Vec3& b, double t) { return (1 - t) * a + t * b; };
-  const Vec3 first = between(q[0], q[1], part.start), second = between(q[1], q[2], part.start);
+template <class N>
+HWY_INLINE Quadratic<N> over(const Quadratic<N>& q, const Part& part) {
+  if (part.is_all()) return q;
+  const auto between = [](const Vector<N>& a, const Vector<N>& b, double t)
+                           HWY_ATTR { return N(1 - t) * a + N(t) * b; };
+  const Vector<N> first = between(q[0], q[1], part.start), second = between(q[1], q[2], part.start);
   return {between(first, second, part.start), between(first, second, part.end),
           between(between(q[0], q[1], part.end), between(q[1], q[2], part.end), part.end)};
 }
 
-Cubic over(const Cubic& c, const Part& part) {
-  const auto between = [](double a, double b, double t) { return (1 - t) * a + t * b; };
-  const auto blossom = [&](double r, double s, double t) {
-    const double a = between(c[0], c[1], r), b = between(c[1], c[2], r), d = between(c[2], c[3], r);
+template <class N>
+HWY_INLINE Cubic<N> over(const Cubic<N>& c, const Part& part) {
+  const auto between = [](const N& a, const N& b, double t) HWY_ATTR { return N(1 - t) * a + N(t) * b; };
+  const auto blossom = [&](double r, double s, double t) HWY_ATTR {
+    const N a = between(c[0], c[1], r), b = between(c[1], c[2], r), d = between(c[2], c[3], r);
     return between(between(a, b, s), between(b, d, s), t);
   };
   return {blossom(part.start, part.start, part.start), blossom(part.start, part.start, part.end),
           blossom(part.start, part.end, part.end), blossom(part.end, part.end, part.end)};
 }
 
-bool one_sign(const Cubic& c, double error) {
-  return (c[0] > error && c[1] > error && c[2] > error && c[3] > error) ||
-         (c[0] < -error && c[1] < -error && c[2] < -error && c[3] < -error);
+template <class D>
+HWY_INLINE Lanes<D> one_sign(const Cubic<Num<D>>& c, const Num<D>& e) {
+  return (above(c[0], e) & above(c[1], e) & above(c[2], e) & above(c[3], e)) |
+         (below(c[0], e) & below(c[1], e) & below(c[2], e) & below(c[3], e));
 }
 
-/// Of each component: 1, -1, or 0 where it is not certain throughout.
-std::array<int, 3> signs(const Quadratic& q, const Vec3& error) {
-  std::array<int, 3> result;
-  for (int k = 0; k < 3; ++k) {
-    const double a = component(q[0], k), b = component(q[1], k), c = component(q[2], k), e = component(error, k);
-    result[k] = int{a > e && b > e && c > e} - int{a < -e && b < -e && c < -e};
+/// Where component k is certainly above or below 0 throughout.
+template <class D>
+struct Signs {
+  Lanes<D> plus, minus;
+  HWY_INLINE Signs(const Quadratic<Num<D>>& q, const Vector<Num<D>>& error, int k)
+      : plus(above(q[0][k], error[k]) & above(q[1][k], error[k]) & above(q[2][k], error[k])),
+        minus(below(q[0][k], error[k]) & below(q[1][k], error[k]) & below(q[2][k], error[k])) {}
+  friend HWY_INLINE Lanes<D> equal(const Signs& a, const Signs& b) { return (a.plus & b.plus) | (a.minus & b.minus); }
+  friend HWY_INLINE Lanes<D> opposite(const Signs& a, const Signs& b) {
+    return (a.plus & b.minus) | (a.minus & b.plus);
   }
-  return result;
-}
+};
 
 /// The largest component of the vectors along each axis.
-Vec3 largest(const Moving& x, const Moving& y, const Moving& z) {
+template <class N>
+HWY_INLINE Vector<N> largest(const Moving<N>& x, const Moving<N>& y, const Moving<N>& z) {
   return max(max(max(abs(x.at0), abs(x.at1)), max(abs(y.at0), abs(y.at1))), max(abs(z.at0), abs(z.at1)));
 }
 
+template <class D>
 struct Bounds {
-  Vec3 quadratic;
-  double cubic;
-  bool valid;
+  Vector<Num<D>> quadratic;
+  Num<D> cubic;
+  Lanes<D> valid;
 
-  static bool is_safe(double x) { return x == 0 || (x >= kSmallest && x <= kLargest); }
-  explicit Bounds(const Vec3& d)
-      : quadratic(kQuadraticBound * Vec3{d.y * d.z, d.z * d.x, d.x * d.y}),
-        cubic(kCubicBound * d.x * d.y * d.z),
-        valid(is_safe(d.x) && is_safe(d.y) && is_safe(d.z)) {}
+  static HWY_INLINE Lanes<D> is_safe(const Num<D>& x) {
+    const D d;
+    return hn::Or(hn::Eq(x.v, hn::Zero(d)),
+                  hn::And(hn::Ge(x.v, hn::Set(d, kSmallest)), hn::Le(x.v, hn::Set(d, kLargest))));
+  }
+  explicit HWY_INLINE Bounds(const Vector<Num<D>>& size)
+      : quadratic(Num<D>(kQuadraticBound) * Vector<Num<D>>{size.y * size.z, size.z * size.x, size.x * size.y}),
+        cubic(Num<D>(kCubicBound) * size.x * size.y * size.z),
+        valid(is_safe(size.x) & is_safe(size.y) & is_safe(size.z)) {}
+};
+
+/// What is certain of features in the time in which they are coplanar.
+template <class D>
+struct Verdict {
+  Lanes<D> apart, meet;  ///< `meet` where not `apart`
 };
 
 /// A vertex and a face: the face's corners as seen from the vertex.
+template <class D>
 struct RoundedFace {
-  Moving x, y, z;
-  Bounds bounds;
-  Quadratic yz;
-  Cubic volume;
+  using N = Num<D>;
+  Moving<N> x, y, z;
+  Bounds<D> bounds;
+  Quadratic<N> yz;
+  Cubic<N> volume;
 
-  RoundedFace(const FourPoints& from, const FourPoints& to)
-      : x{from[1] - from[0], to[1] - to[0]},
-        y{from[2] - from[0], to[2] - to[0]},
-        z{from[3] - from[0], to[3] - to[0]},
-        bounds(largest(x, y, z)),
-        yz(cross(y, z)),
-        volume(dot(x, yz)) {}
+  explicit HWY_INLINE RoundedFace(const Points<N>& p)
+      : x(p[1] - p[0]), y(p[2] - p[0]), z(p[3] - p[0]), bounds(largest(x, y, z)), yz(cross(y, z)), volume(dot(x, yz)) {}
 
   /// By the areas that the vertex spans with the edges, which add up to the face's: along an axis on which that is not
   /// zero, the vertex is inside if and only if none has the other sign.
   struct Sides {
-    Bounds bounds;
-    std::array<Quadratic, 3> sides;
-    Quadratic normal;
+    Bounds<D> bounds;
+    std::array<Quadratic<N>, 3> sides;
+    Quadratic<N> normal;
 
-    explicit Sides(const RoundedFace& of)
+    explicit HWY_INLINE Sides(const RoundedFace& of)
         : bounds(of.bounds),
           sides{cross(of.x, of.y), of.yz, cross(of.z, of.x)},
-          normal(sides[0] + sides[1] + sides[2]) {}
+          normal(sum(sum(sides[0], sides[1]), sides[2])) {}
 
-    [[nodiscard]] int meet(const Part& part) const {
-      const auto way = signs(over(normal, part), bounds.quadratic);
-      std::array<int, 3> inside{1, 1, 1};
-      for (const Quadratic& side : sides) {
-        const auto here = signs(over(side, part), bounds.quadratic);
-        for (int k = 0; k < 3; ++k) {
-          if (here[k] * way[k] < 0) return -1;
-          inside[k] &= int{here[k] * way[k] > 0};
-        }
+    HWY_INLINE Verdict<D> during(const Part& part) const {
+      const Quadratic<N> whole = over(normal, part), one = over(sides[0], part), two = over(sides[1], part),
+                         three = over(sides[2], part);
+      Verdict<D> result{hn::FirstN(D(), 0), hn::FirstN(D(), 0)};
+      for (int k = 0; k < 3; ++k) {
+        const auto sign = [&](const Quadratic<N>& q) HWY_ATTR { return Signs<D>(q, bounds.quadratic, k); };
+        const Signs<D> way = sign(whole), a = sign(one), b = sign(two), c = sign(three);
+        result.apart = result.apart | opposite(way, a) | opposite(way, b) | opposite(way, c);
+        result.meet = result.meet | (equal(way, a) & equal(way, b) & equal(way, c));
       }
-      return inside[0] | inside[1] | inside[2];
+      return result;
     }
   };
 };
 
 /// Two edges, and the way from the first to the second.
+template <class D>
 struct RoundedEdges {
-  Moving x, y, z;
-  Bounds bounds;
-  Quadratic xy;
-  Cubic volume;
+  using N = Num<D>;
+  Moving<N> x, y, z;
+  Bounds<D> bounds;
+  Quadratic<N> xy;
+  Cubic<N> volume;
 
-  RoundedEdges(const FourPoints& from, const FourPoints& to)
-      : x{from[1] - from[0], to[1] - to[0]},
-        y{from[3] - from[2], to[3] - to[2]},
-        z{from[2] - from[0], to[2] - to[0]},
-        bounds(largest(x, y, z)),
-        xy(cross(x, y)),
-        volume(dot(z, xy)) {}
+  explicit HWY_INLINE RoundedEdges(const Points<N>& p)
+      : x(p[1] - p[0]), y(p[3] - p[2]), z(p[2] - p[0]), bounds(largest(x, y, z)), xy(cross(x, y)), volume(dot(z, xy)) {}
 
   /// On which side of the first edge the ends of the second lie, seen along an axis; and of the second those of the
   /// first. The edges' projections meet only if neither pair is on one side, and certainly if both are on two.
   struct Sides {
-    Bounds bounds;
-    Quadratic start_of_second, end_of_second, start_of_first, end_of_first;
+    Bounds<D> bounds;
+    Quadratic<N> start_of_second, end_of_second, start_of_first, end_of_first;
 
-    explicit Sides(const RoundedEdges& of)
+    explicit HWY_INLINE Sides(const RoundedEdges& of)
         : bounds(of.bounds),
           start_of_second(cross(of.x, of.z)),
-          end_of_second(start_of_second + of.xy),
+          end_of_second(sum(start_of_second, of.xy)),
           start_of_first(cross(of.z, of.y)),
-          end_of_first(start_of_first - of.xy) {}
+          end_of_first(difference(start_of_first, of.xy)) {}
 
-    [[nodiscard]] int meet(const Part& part) const {
-      const auto sides = [&](const Quadratic& one, const Quadratic& two) {
-        const auto a = signs(over(one, part), bounds.quadratic), b = signs(over(two, part), bounds.quadratic);
-        return std::array{a[0] * b[0], a[1] * b[1], a[2] * b[2]};
-      };
-      const auto second = sides(start_of_second, end_of_second);
-      if (std::max({second[0], second[1], second[2]}) > 0) return -1;
-      const auto first = sides(start_of_first, end_of_first);
-      if (std::max({first[0], first[1], first[2]}) > 0) return -1;
-      for (int k = 0; k < 3; ++k)
-        if (first[k] < 0 && second[k] < 0) return 1;
-      return 0;
+    HWY_INLINE Verdict<D> during(const Part& part) const {
+      const Quadratic<N> a = over(start_of_second, part), b = over(end_of_second, part), c = over(start_of_first, part),
+                         e = over(end_of_first, part);
+      Verdict<D> result{hn::FirstN(D(), 0), hn::FirstN(D(), 0)};
+      for (int k = 0; k < 3; ++k) {
+        const auto sign = [&](const Quadratic<N>& q) HWY_ATTR { return Signs<D>(q, bounds.quadratic, k); };
+        const Signs<D> sa = sign(a), sb = sign(b), sc = sign(c), se = sign(e);
+        result.apart = result.apart | equal(sa, sb) | equal(sc, se);
+        result.meet = result.meet | (opposite(sa, sb) & opposite(sc, se));
+      }
+      return result;
     }
   };
 };
 
-template <class Features>
-bool avoid(const FourPoints& from, const FourPoints& to) {
-  const Features features(from, to);
-  if (!features.bounds.valid) return false;
-  if (one_sign(features.volume, features.bounds.cubic)) return true;
-  const typename Features::Sides sides(features);
+template <template <class> class Features>
+HWY_INLINE std::uint32_t may_meet(const FourPointsBlock& block) {
+  const Many d;
+  std::uint32_t bits = 0;
+  for (std::size_t lane = 0; lane < FourPointsBlock::kLanes; lane += hn::Lanes(d)) {
+    const Features<Many> features(load(block, lane));
+    Lanes<Many> avoid = one_sign(features.volume, features.bounds.cubic);
+    if (!avoid.all()) avoid = avoid | typename Features<Many>::Sides(features).during({0, 1, 0}).apart;
+    const Lanes<Many> certain = avoid & features.bounds.valid;
+    bits |= (impinge::HWY_NAMESPACE::mask_bits(d, certain.m) ^ ((1u << hn::Lanes(d)) - 1)) << lane;
+  }
+  return bits;
+}
+
+template <template <class> class Features>
+HWY_INLINE bool avoid(const FourPoints& from, const FourPoints& to) {
+  const Features<One> features(load(from, to));
+  if (!features.bounds.valid.all()) return false;
+  if (one_sign(features.volume, features.bounds.cubic).all()) return true;
+  const typename Features<One>::Sides sides(features);
   std::array<Part, kLevels + 1> parts{Part{0, 1, 0}};
   for (int count = 1; count > 0;) {
     const Part part = parts[--count];
-    if (part.level > 0 && one_sign(over(features.volume, part), features.bounds.cubic)) continue;
-    if (sides.meet(part) < 0) continue;
+    if (part.level > 0 && one_sign(over(features.volume, part), features.bounds.cubic).all()) continue;
+    if (sides.during(part).apart.all()) continue;
     if (part.level == kLevels) return false;
     const double middle = (part.start + part.end) / 2;
     parts[count++] = {middle, part.end, part.level + 1};
@@ -210,17 +336,18 @@ bool avoid(const FourPoints& from, const FourPoints& to) {
   return true;
 }
 
-template <class Features>
-int meet(const FourPoints& from, const FourPoints& to, const Interval& time) {
-  const Features features(from, to);
-  return features.bounds.valid ? typename Features::Sides(features).meet({time.lo, time.hi, 0}) : 0;
+template <template <class> class Features>
+HWY_INLINE int meet(const FourPoints& from, const FourPoints& to, const Interval& time) {
+  const Features<One> features(load(from, to));
+  if (!features.bounds.valid.all()) return 0;
+  const Verdict<One> verdict = typename Features<One>::Sides(features).during({time.lo, time.hi, 0});
+  return verdict.apart.all() ? -1 : int{verdict.meet.all()};
 }
 
-}  // namespace
-
+std::uint32_t faces_may_meet(const FourPointsBlock& block) { return may_meet<RoundedFace>(block); }
+std::uint32_t edges_may_meet(const FourPointsBlock& block) { return may_meet<RoundedEdges>(block); }
 bool vertex_avoids_face(const FourPoints& from, const FourPoints& to) { return avoid<RoundedFace>(from, to); }
 bool edges_avoid(const FourPoints& from, const FourPoints& to) { return avoid<RoundedEdges>(from, to); }
-
 int vertex_in_face(const FourPoints& from, const FourPoints& to, const Interval& time) {
   return meet<RoundedFace>(from, to, time);
 }
@@ -228,4 +355,31 @@ int edges_cross(const FourPoints& from, const FourPoints& to, const Interval& ti
   return meet<RoundedEdges>(from, to, time);
 }
 
+}  // namespace impinge::motion::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace impinge::motion {
+
+HWY_EXPORT(faces_may_meet);
+HWY_EXPORT(edges_may_meet);
+HWY_EXPORT(vertex_avoids_face);
+HWY_EXPORT(edges_avoid);
+HWY_EXPORT(vertex_in_face);
+HWY_EXPORT(edges_cross);
+
+std::uint32_t faces_may_meet(const FourPointsBlock& block) { return HWY_DYNAMIC_DISPATCH(faces_may_meet)(block); }
+std::uint32_t edges_may_meet(const FourPointsBlock& block) { return HWY_DYNAMIC_DISPATCH(edges_may_meet)(block); }
+bool vertex_avoids_face(const FourPoints& from, const FourPoints& to) {
+  return HWY_DYNAMIC_DISPATCH(vertex_avoids_face)(from, to);
+}
+bool edges_avoid(const FourPoints& from, const FourPoints& to) { return HWY_DYNAMIC_DISPATCH(edges_avoid)(from, to); }
+int vertex_in_face(const FourPoints& from, const FourPoints& to, const Interval& time) {
+  return HWY_DYNAMIC_DISPATCH(vertex_in_face)(from, to, time);
+}
+int edges_cross(const FourPoints& from, const FourPoints& to, const Interval& time) {
+  return HWY_DYNAMIC_DISPATCH(edges_cross)(from, to, time);
+}
+
 }  // namespace impinge::motion
+#endif

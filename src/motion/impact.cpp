@@ -9,6 +9,7 @@
 #include "exact/integers.hpp"
 #include "motion/filter.hpp"
 #include "motion/root.hpp"
+#include "motion/rounded_roots.hpp"
 
 namespace impinge::motion {
 
@@ -42,8 +43,6 @@ Polynomial minor(const Vector& a, const Vector& b, std::size_t axis) {
   return a[i] * b[j] - a[j] * b[i];
 }
 
-/// The points whose differences, second minus first, span the volume.
-using Spanning = std::array<std::array<std::size_t, 2>, 3>;
 constexpr Spanning kFace{{{1, 2}, {1, 3}, {1, 0}}}, kEdges{{{0, 1}, {2, 3}, {0, 2}}};
 
 /// The determinant of three differences that move linearly. Where coordinates have 60 bits, as most have, differences
@@ -157,20 +156,34 @@ bool sooner(const Interval& x, const std::optional<Interval>& y) {
 /// `certain(time)`: 1, -1 or 0, as floating point says whether they meet at a time within the interval at which they
 /// are coplanar.
 template <class Features, class Certain>
-std::optional<Interval> first_impact(const FourPoints& from, const FourPoints& to, const Polynomial& volume,
+std::optional<Interval> first_impact(const FourPoints& from, const FourPoints& to, const Spanning& spanning,
                                      const Certain& certain) {
   std::optional<Features> features;
-  const auto meet = [&](Root& root, const Interval& time) {
+  const auto meet = [&](Root& root) {
     if (!features) features.emplace(integer_paths(from, to));
-    root.narrow(time);
     return features->meet(root);
   };
+  if (const auto rounded = rounded_roots(from, to, spanning)) {
+    std::optional<Polynomial> volume;
+    for (std::size_t i = 0; i < rounded->count; ++i) {
+      const Interval& time = rounded->times[i];
+      int verdict = certain(time);
+      if (verdict == 0) {
+        if (!volume) volume = volume_of(from, to, spanning);
+        Root root = Root::only_one(*volume, time);
+        verdict = meet(root) ? 1 : -1;
+      }
+      if (verdict > 0) return time;
+    }
+    return std::nullopt;
+  }
+  const Polynomial volume = volume_of(from, to, spanning);
   Deciding deciding{volume};
   if (volume.is_zero()) {
     // Coplanar throughout. Between two neighbouring roots of all that decides no sign changes, nor does the answer; and
     // the times at which they meet are a closed set, so that its first is 0 or such a root.
     Root start = Root::at(1, 0);
-    if (meet(start, {0, 0})) return Interval{0, 0};
+    if (meet(start)) return Interval{0, 0};
     deciding = features->deciding();
   }
   std::optional<Interval> first;
@@ -180,7 +193,8 @@ std::optional<Interval> first_impact(const FourPoints& from, const FourPoints& t
       const Interval time = root.bounds();
       if (!sooner(time, first)) continue;
       const int verdict = certain(time);
-      if (verdict > 0 || (verdict == 0 && meet(root, time))) first = time;
+      if (verdict == 0) root.narrow(time);
+      if (verdict > 0 || (verdict == 0 && meet(root))) first = time;
     }
   }
   return first;
@@ -208,14 +222,13 @@ bool stay_apart(const FourPoints& from, const FourPoints& to) {
 
 std::optional<Interval> vertex_face_impact(const FourPoints& from, const FourPoints& to) {
   if (stay_apart<1>(from, to) || vertex_avoids_face(from, to)) return std::nullopt;
-  return first_impact<VertexAndFace>(from, to, volume_of(from, to, kFace),
+  return first_impact<VertexAndFace>(from, to, kFace,
                                      [&](const Interval& time) { return vertex_in_face(from, to, time); });
 }
 
 std::optional<Interval> edge_edge_impact(const FourPoints& from, const FourPoints& to) {
   if (stay_apart<2>(from, to) || edges_avoid(from, to)) return std::nullopt;
-  return first_impact<TwoEdges>(from, to, volume_of(from, to, kEdges),
-                                [&](const Interval& time) { return edges_cross(from, to, time); });
+  return first_impact<TwoEdges>(from, to, kEdges, [&](const Interval& time) { return edges_cross(from, to, time); });
 }
 
 }  // namespace impinge::motion

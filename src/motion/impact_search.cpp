@@ -3,14 +3,19 @@
 #include "motion/impact_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "core/stopped.hpp"
+#include "motion/filter.hpp"
 #include "motion/impact.hpp"
+#include "motion/leaf_features.hpp"
 
 namespace impinge::motion {
 
@@ -22,9 +27,32 @@ bool in_order(const Impact& x, const Impact& y) {
 
 bool sooner(const Interval& x, const Interval& y) { return std::tie(x.lo, x.hi) < std::tie(y.lo, y.hi); }
 
-/// Subtrees of both trees.
-struct Pair {
-  PathTree::Part a, b;
+/// Nodes of one level of both trees.
+struct NodePair {
+  std::size_t level, a, b;
+};
+
+/// What a task needs; kept for the next one.
+class Scratch {
+ public:
+  FeaturePairs pairs;
+
+  /// The features of a leaf of tree `which`; those of `kept` stay.
+  const LeafFeatures& features_of(const PathTree& tree, const Features& features, int which, std::size_t leaf,
+                                  const LeafFeatures* kept) {
+    Entry& usual = entries_[leaf % kEntries + (which == 0 ? 0 : kEntries)];
+    Entry& entry = &usual.features == kept && usual.leaf != leaf ? entries_.back() : usual;
+    if (entry.leaf != leaf) entry.features.read(tree, features, leaf), entry.leaf = leaf;
+    return entry.features;
+  }
+
+ private:
+  static constexpr std::size_t kEntries = 128;
+  struct Entry {
+    std::size_t leaf = ~std::size_t{0};
+    LeafFeatures features;
+  };
+  std::vector<Entry> entries_{2 * kEntries + 1};
 };
 
 class Search {
@@ -34,20 +62,13 @@ class Search {
 
   Impacts run() {
     if (a_.features.corners.empty() || b_.features.corners.empty()) return {};
-    std::vector<Pair> open{{a_.tree.root(), b_.tree.root()}};
-    // Enough pairs of subtrees for every thread, level by level.
-    constexpr std::size_t kTasks = 512;
-    while (open.size() < kTasks) {
-      std::vector<Pair> next;
-      bool split = false;
-      for (const Pair& pair : open) {
-        if (is_leaves(pair))
-          next.push_back(pair);
-        else
-          split = true, open_up(pair, next);
-      }
+    std::vector<NodePair> open{{a_.tree.levels.size() - 1, 0, 0}};
+    // Enough pairs of nodes for every thread, level by level.
+    constexpr std::size_t kTasks = 64;
+    while (open.size() < kTasks && !open.empty() && open.front().level > 0) {
+      std::vector<NodePair> next;
+      for (const NodePair& pair : open) open_up(pair, next);
       open = std::move(next);
-      if (!split) break;
     }
     run_each(query_.for_each, open.size(), [&](std::size_t i) { walk(open[i]); });
     return finish();
@@ -60,107 +81,101 @@ class Search {
     bool truncated = false;
   };
 
-  [[nodiscard]] static bool is_leaves(const Pair& pair) { return pair.a.leaves == 1 && pair.b.leaves == 1; }
-
-  void open_up(const Pair& pair, std::vector<Pair>& next) const {
-    const auto add = [&](const PathTree::Part& a, const PathTree::Part& b) {
-      const bool same = itself_ && a.node == b.node;
-      if (same || !stay_apart(a_.tree.nodes[a.node], b_.tree.nodes[b.node], end_.load(std::memory_order_relaxed)))
-        next.push_back({a, b});
-    };
-    if (itself_ && pair.a.node == pair.b.node) {
-      add(pair.a.left(), pair.a.left());
-      add(pair.a.left(), pair.a.right());
-      add(pair.a.right(), pair.a.right());
-    } else if (pair.a.leaves >= pair.b.leaves) {
-      add(pair.a.left(), pair.b);
-      add(pair.a.right(), pair.b);
-    } else {
-      add(pair.a, pair.b.left());
-      add(pair.a, pair.b.right());
+  /// Calls `visit` with each pair of children that may meet.
+  template <class Visit>
+  void visit_children(const NodePair& pair, const Visit& visit) const {
+    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b]);
+    for (; bits != 0; bits &= bits - 1) {
+      const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+      const std::size_t a = kWidth * pair.a + bit / kWidth, b = kWidth * pair.b + bit % kWidth;
+      if (!itself_ || a <= b) visit(a, b);
     }
   }
+  void open_up(const NodePair& pair, std::vector<NodePair>& next) const {
+    visit_children(pair, [&](std::size_t a, std::size_t b) { next.push_back({pair.level - 1, a, b}); });
+  }
 
-  void walk(const Pair& from) {
+  void walk(const NodePair& from) {
     Found found;
-    std::vector<Pair> open{from};
-    for (std::size_t steps = 0; !open.empty(); ++steps) {
-      if (steps % 64 == 0) throw_if_stopped(query_.stop);
-      const Pair pair = open.back();
+    std::unique_ptr<Scratch> scratch = take_scratch();
+    std::vector<NodePair> open{from};
+    while (!open.empty()) {
+      throw_if_stopped(query_.stop);
+      const NodePair pair = open.back();
       open.pop_back();
-      if (is_leaves(pair))
-        test_leaves(pair, found);
-      else
+      if (pair.level > 0)
         open_up(pair, open);
+      else
+        visit_children(pair, [&](std::size_t a, std::size_t b) { pair_leaves(a, b, *scratch, found); });
     }
+    for (const Feature feature : {Feature::vertex_face, Feature::face_vertex, Feature::edge_edge})
+      test(feature, *scratch, found);
     const std::scoped_lock lock(mutex_);
+    scratches_.push_back(std::move(scratch));
     found_.impacts.insert(found_.impacts.end(), found.impacts.begin(), found.impacts.end());
     found_.truncated |= found.truncated;
     note(found.earliest, found_);
     cut(found_);
   }
 
-  struct Triangles {
-    std::array<BoxPath, PathTree::kLeafSize> paths;
-    std::array<std::uint32_t, PathTree::kLeafSize> indices;
-    std::size_t count = 0;
-  };
-  /// Those of a leaf that may meet what is in the other.
-  static Triangles near(const MovingMesh& mesh, std::span<const std::uint32_t> leaf, const BoxPath& other, double end) {
-    Triangles result;
-    for (const std::uint32_t i : leaf) {
-      result.paths[result.count] = path_of(mesh.vertices, mesh.features.corners[i]);
-      result.indices[result.count] = i;
-      result.count += std::size_t{!stay_apart(result.paths[result.count], other, end)};
+  std::unique_ptr<Scratch> take_scratch() {
+    const std::scoped_lock lock(mutex_);
+    if (scratches_.empty()) return std::make_unique<Scratch>();
+    std::unique_ptr<Scratch> scratch = std::move(scratches_.back());
+    scratches_.pop_back();
+    return scratch;
+  }
+
+  void pair_leaves(std::size_t i, std::size_t j, Scratch& scratch, Found& found) {
+    const LeafFeatures& a = scratch.features_of(a_.tree, a_.features, 0, i, nullptr);
+    const LeafFeatures& b = scratch.features_of(b_.tree, b_.features, itself_ ? 0 : 1, j, &a);
+    add_pairs(a, b, !itself_ ? Leaves::of_two_meshes : i == j ? Leaves::the_same : Leaves::of_one_mesh, scratch.pairs);
+    for (const Feature feature : {Feature::vertex_face, Feature::face_vertex, Feature::edge_edge})
+      if (scratch.pairs.lists[static_cast<std::size_t>(feature)].count + FeaturePairs::kMost > FeaturePairs::kRoom)
+        test(feature, scratch, found);
+  }
+
+  /// The points of a pair of features at one end.
+  [[nodiscard]] FourPoints points_of(Feature feature, const std::array<std::uint32_t, 2>& pair, bool at_end) const {
+    const auto of = [at_end](const MovingMesh& mesh) { return at_end ? mesh.vertices.to : mesh.vertices.from; };
+    const auto a = of(a_), b = of(b_);
+    if (feature == Feature::edge_edge) {
+      const auto &e = a_.features.edges[pair[0]], &f = b_.features.edges[pair[1]];
+      return {a[e[0]], a[e[1]], b[f[0]], b[f[1]]};
     }
-    return result;
-  }
-
-  void test_leaves(const Pair& pair, Found& found) {
-    const double end = end_.load(std::memory_order_relaxed);
-    const bool same = itself_ && pair.a.node == pair.b.node;
-    const Triangles a = near(a_, a_.tree.triangles_of(pair.a), b_.tree.nodes[pair.b.node], end);
-    if (a.count == 0) return;
-    const Triangles b = near(b_, b_.tree.triangles_of(pair.b), a_.tree.nodes[pair.a.node], end);
-    for (std::size_t i = 0; i < a.count; ++i)
-      for (std::size_t j = same ? i + 1 : 0; j < b.count; ++j)
-        if (!stay_apart(a.paths[i], b.paths[j], end)) test(a.indices[i], b.indices[j], found);
-  }
-
-  void test(std::uint32_t i, std::uint32_t j, Found& found) {
-    const std::uint8_t care_i = a_.features.care[i], care_j = b_.features.care[j];
-    for (int k = 0; k < 3; ++k) {
-      if ((care_i >> k & 1) != 0) test_vertex(a_, i, k, b_, j, Feature::vertex_face, found);
-      if ((care_j >> k & 1) != 0)
-        test_vertex(b_, j, k, a_, i, itself_ ? Feature::vertex_face : Feature::face_vertex, found);
-    }
-    for (int k = 0; k < 3; ++k)
-      for (int l = 0; (care_i >> (3 + k) & 1) != 0 && l < 3; ++l)
-        if ((care_j >> (3 + l) & 1) != 0) test_edges(a_.features.sides[i][k], b_.features.sides[j][l], found);
-  }
-
-  void test_vertex(const MovingMesh& of, std::uint32_t triangle, int corner, const MovingMesh& other,
-                   std::uint32_t face, Feature feature, Found& found) {
-    const std::uint32_t vertex = of.features.corners[triangle][corner];
-    const Corners& c = other.features.corners[face];
-    if (itself_ && (c[0] == vertex || c[1] == vertex || c[2] == vertex)) return;
-    const FourPoints from{of.vertices.from[vertex], other.vertices.from[c[0]], other.vertices.from[c[1]],
-                          other.vertices.from[c[2]]};
-    const FourPoints to{of.vertices.to[vertex], other.vertices.to[c[0]], other.vertices.to[c[1]],
-                        other.vertices.to[c[2]]};
     const bool swapped = feature == Feature::face_vertex;
-    add({feature, swapped ? face : vertex, swapped ? vertex : face, {}, {}, {}}, vertex_face_impact(from, to), found);
+    const Corners& c = (swapped ? a_ : b_).features.corners[pair[1]];
+    const auto vertices = swapped ? b : a, faces = swapped ? a : b;
+    return {vertices[pair[0]], faces[c[0]], faces[c[1]], faces[c[2]]};
   }
 
-  void test_edges(std::uint32_t i, std::uint32_t j, Found& found) {
-    if (itself_ && i > j) std::swap(i, j);
-    const auto& e = a_.features.edges[i];
-    const auto& f = b_.features.edges[j];
-    if (itself_ && (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1])) return;
-    const FourPoints from{a_.vertices.from[e[0]], a_.vertices.from[e[1]], b_.vertices.from[f[0]],
-                          b_.vertices.from[f[1]]};
-    const FourPoints to{a_.vertices.to[e[0]], a_.vertices.to[e[1]], b_.vertices.to[f[0]], b_.vertices.to[f[1]]};
-    add({Feature::edge_edge, i, j, {}, {}, {}}, edge_edge_impact(from, to), found);
+  /// All of one kind that were listed.
+  void test(Feature feature, Scratch& scratch, Found& found) {
+    FeaturePairs::List& list = scratch.pairs.lists[static_cast<std::size_t>(feature)];
+    const bool on_edges = feature == Feature::edge_edge;
+    for (std::size_t first = 0; first < list.count; first += FourPointsBlock::kLanes) {
+      throw_if_stopped(query_.stop);
+      FourPointsBlock block;
+      const std::size_t count = std::min<std::size_t>(FourPointsBlock::kLanes, list.count - first);
+      for (std::size_t lane = 0; lane < FourPointsBlock::kLanes; ++lane) {
+        const auto& pair = list.pairs[first + std::min(lane, count - 1)];
+        const FourPoints from = points_of(feature, pair, false), to = points_of(feature, pair, true);
+        for (int i = 0; i < 4; ++i)
+          for (int axis = 0; axis < 3; ++axis) {
+            block.from[i][axis][lane] = component(from[i], axis);
+            block.to[i][axis][lane] = component(to[i], axis);
+          }
+      }
+      std::uint32_t bits = on_edges ? edges_may_meet(block) : faces_may_meet(block);
+      for (bits &= (1u << count) - 1; bits != 0; bits &= bits - 1) {
+        const auto& pair = list.pairs[first + static_cast<std::size_t>(std::countr_zero(bits))];
+        const FourPoints from = points_of(feature, pair, false), to = points_of(feature, pair, true);
+        const auto time = on_edges ? edge_edge_impact(from, to) : vertex_face_impact(from, to);
+        const bool swapped = feature == Feature::face_vertex;
+        add({feature, pair[swapped ? 1 : 0], pair[swapped ? 0 : 1], {}, {}, {}}, time, found);
+      }
+    }
+    list.count = 0;
   }
 
   void add(Impact impact, const std::optional<Interval>& time, Found& found) {
@@ -242,6 +257,7 @@ class Search {
   const MovingMesh &a_, &b_;
   bool itself_;
   const ImpactQuery& query_;
+  std::vector<std::unique_ptr<Scratch>> scratches_;
   std::atomic<double> end_;  ///< of the time that is still of interest
   std::mutex mutex_;
   Found found_;

@@ -14,12 +14,12 @@ namespace impinge::motion {
 struct MovingMesh {
   Vertices vertices;
   const Features& features;
-  const PathTree& tree;  ///< of its triangles
+  const PathTree& tree;  ///< of its triangles; all trees of a query are made by one plan
 };
 
 struct ImpactQuery {
   bool earliest;
-  double end;
+  double end;  ///< no later than that of the trees
   std::uint64_t limit;
   ForEach for_each;
   std::stop_token stop;

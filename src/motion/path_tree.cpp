@@ -3,125 +3,182 @@
 #include "motion/path_tree.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
+
+#include "core/number.hpp"
+#include "core/stopped.hpp"
 
 namespace impinge::motion {
 
 namespace {
 
-Box hull(const Box& a, const Box& b) { return {min(a.lo, b.lo), max(a.hi, b.hi)}; }
-BoxPath hull(const BoxPath& a, const BoxPath& b) { return {hull(a.from, b.from), hull(a.to, b.to)}; }
+template <class Body>
+void in_blocks(const ForEach& for_each, std::size_t size, std::size_t n, const Body& body) {
+  run_each(for_each, (n + size - 1) / size, [&](std::size_t block) {
+    for (std::size_t i = block * size; i < std::min(n, (block + 1) * size); ++i) body(i);
+  });
+}
 
-/// Leaves of a subtree that one task builds.
-constexpr std::size_t kTask = 256;
-
-class Builder {
+/// Halves ranges of triangles at multiples of eight times a power of two.
+class Splitter {
  public:
-  Builder(PathTree& tree, const Vertices& vertices, std::span<const Corners> corners, const ForEach& for_each)
-      : tree_(tree), vertices_(vertices), corners_(corners), middles_(corners.size()) {
-    constexpr std::size_t kBlock = 4096;
-    run_each(for_each, (corners.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-      for (std::size_t i = block * kBlock; i < std::min(corners.size(), (block + 1) * kBlock); ++i) {
-        const BoxPath path = path_of(vertices, corners[i]);
-        // Halves first, so that nothing overflows; where a triangle is sorted to is a matter of speed alone.
-        middles_[i] = 0.25 * path.from.lo + 0.25 * path.from.hi + (0.25 * path.to.lo + 0.25 * path.to.hi);
-      }
+  Splitter(std::vector<std::uint32_t>& order, std::span<const PathTree::Point> points, std::span<const Corners> corners,
+           const ForEach& for_each)
+      : order_(order), middles_(corners.size()) {
+    in_blocks(for_each, 4096, corners.size(), [&](std::size_t i) {
+      const Corners& c = corners[i];
+      for (int k = 0; k < 3; ++k)
+        middles_[i][k] = points[c[0]].at[0][k] + points[c[1]].at[0][k] + points[c[2]].at[0][k];
     });
-    std::vector<PathTree::Part> parts{tree.root()};
-    // The upper levels one after the other, the rest in parallel.
-    std::vector<PathTree::Part> tasks, upper;
-    while (!parts.empty()) {
-      const PathTree::Part part = parts.back();
-      parts.pop_back();
-      if (part.leaves <= kTask) {
-        tasks.push_back(part);
-        continue;
+  }
+
+  struct Range {
+    std::size_t first, count;
+  };
+  [[nodiscard]] std::array<Range, 2> split(const Range& range) {
+    const std::size_t half = std::bit_ceil(range.count) / 2;
+    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(range.first);
+    const auto middle = begin + static_cast<std::ptrdiff_t>(half);
+    const auto end = begin + static_cast<std::ptrdiff_t>(range.count);
+    std::array<float, 3> lo = middles_[*begin], hi = lo;
+    for (auto i = begin; i != end; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const float x = middles_[*i][k];
+        lo[k] = std::min(lo[k], x), hi[k] = std::max(hi[k], x);
       }
-      split(part);
-      upper.push_back(part);
-      parts.push_back(part.left());
-      parts.push_back(part.right());
-    }
-    run_each(for_each, tasks.size(), [&](std::size_t i) { build(tasks[i]); });
-    for (std::size_t i = upper.size(); i-- > 0;) join(upper[i]);
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+      if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+    std::nth_element(begin, middle, end,
+                     [&](std::uint32_t i, std::uint32_t j) { return middles_[i][axis] < middles_[j][axis]; });
+    return {Range{range.first, half}, Range{range.first + half, range.count - half}};
+  }
+  void split_all(const Range& range) {
+    if (range.count <= kWidth) return;
+    for (const Range& part : split(range)) split_all(part);
   }
 
  private:
-  void split(const PathTree::Part& part) {
-    const auto begin = tree_.triangles.begin() + static_cast<std::ptrdiff_t>(part.first * PathTree::kLeafSize);
-    const auto middle = tree_.triangles.begin() + static_cast<std::ptrdiff_t>(part.right().first * PathTree::kLeafSize);
-    const auto end =
-        tree_.triangles.begin() +
-        static_cast<std::ptrdiff_t>(std::min((part.first + part.leaves) * PathTree::kLeafSize, tree_.triangles.size()));
-    Vec3 lo = middles_[*begin], hi = lo;
-    for (auto i = begin; i != end; ++i) {
-      lo = min(lo, middles_[*i]);
-      hi = max(hi, middles_[*i]);
-    }
-    const Vec3 extent = hi - lo;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t j) {
-      return component(middles_[i], axis) < component(middles_[j], axis);
-    });
-  }
-
-  void build(const PathTree::Part& part) {
-    if (part.leaves == 1) {
-      const auto triangles = tree_.triangles_of(part);
-      BoxPath path = path_of(vertices_, corners_[triangles[0]]);
-      for (const std::uint32_t triangle : triangles) path = hull(path, path_of(vertices_, corners_[triangle]));
-      tree_.nodes[part.node] = path;
-      return;
-    }
-    split(part);
-    build(part.left());
-    build(part.right());
-    join(part);
-  }
-
-  void join(const PathTree::Part& part) {
-    tree_.nodes[part.node] = hull(tree_.nodes[part.left().node], tree_.nodes[part.right().node]);
-  }
-
-  PathTree& tree_;
-  const Vertices& vertices_;
-  std::span<const Corners> corners_;
-  std::vector<Vec3> middles_;
+  std::vector<std::uint32_t>& order_;
+  std::vector<std::array<float, 3>> middles_;
 };
 
-// The gap at `end` is off by less than 2^-50 of both gaps: two differences, a difference, a product and a sum, each
-// rounded once; 2^-1000 is far more than underflow takes.
-bool positive_until(double at0, double at1, double end) {
-  if (!(at0 > 0)) return false;
-  return at1 > 0 || at0 + end * (at1 - at0) > 0x1p-50 * (at0 + std::abs(at1)) + 0x1p-1000;
+/// An order in which the extents are more than so many times what they were is made anew.
+constexpr double kLoose = 1.5;
+
+std::vector<std::uint32_t> spatial_order(std::span<const PathTree::Point> points, std::span<const Corners> corners,
+                                         const PathTree::Plan& plan) {
+  std::vector<std::uint32_t> order(corners.size());
+  std::iota(order.begin(), order.end(), 0);
+  Splitter splitter(order, points, corners, plan.for_each);
+  // The upper levels one after the other, the rest in parallel.
+  constexpr std::size_t kTask = 1024;
+  std::vector<Splitter::Range> open{{0, order.size()}}, tasks;
+  while (!open.empty()) {
+    throw_if_stopped(plan.stop);
+    const Splitter::Range range = open.back();
+    open.pop_back();
+    if (range.count <= kTask)
+      tasks.push_back(range);
+    else
+      for (const auto& part : splitter.split(range)) open.push_back(part);
+  }
+  run_each(plan.for_each, tasks.size(), [&](std::size_t i) {
+    throw_if_stopped(plan.stop);
+    splitter.split_all(tasks[i]);
+  });
+  return order;
+}
+
+/// Box `i`: those of all of `below`.
+void enclose(const PathTree::Node& below, PathTree::Node& boxes, int i) {
+  for (int k = 0; k < kBounds; ++k) {
+    const auto& row = below.bounds[k];
+    boxes.bounds[k][i] = k % 6 < 3 ? *std::min_element(row, row + kWidth) : *std::max_element(row, row + kWidth);
+  }
+}
+
+/// Along all axes, of the first so many boxes, at both ends.
+double extents(const PathTree::Node& boxes, int count) {
+  double sum = 0;
+  for (const int lo : {0, 1, 2, 6, 7, 8})
+    for (int i = 0; i < count; ++i) sum += double{boxes.bounds[lo + 3][i]} - double{boxes.bounds[lo][i]};
+  return sum;
 }
 
 }  // namespace
 
-BoxPath path_of(const Vertices& vertices, const Corners& c) {
-  return {box_of(Triangle{vertices.from[c[0]], vertices.from[c[1]], vertices.from[c[2]]}),
-          box_of(Triangle{vertices.to[c[0]], vertices.to[c[1]], vertices.to[c[2]]})};
+FloatFrame frame_of(std::span<const Vertices> meshes) {
+  Vec3 lo{kInfinity, kInfinity, kInfinity}, hi = -1 * lo;
+  for (const Vertices& mesh : meshes)
+    for (const auto points : {mesh.from, mesh.to})
+      for (const Vec3& p : points) lo = min(lo, p), hi = max(hi, p);
+  if (!(lo.x <= hi.x)) return {};
+  const double half = max_component(0.5 * hi - 0.5 * lo);
+  return {0.5 * lo + 0.5 * hi, half > 0 ? std::ldexp(1.0, -std::max(exponent(half) + 1, -1000)) : 1};
 }
 
-bool stay_apart(const BoxPath& a, const BoxPath& b, double end) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto gap = [&](const Box& low, const Box& high) {
-      return component(high.lo, axis) - component(low.hi, axis);
-    };
-    if (positive_until(gap(a.from, b.from), gap(a.to, b.to), end) ||
-        positive_until(gap(b.from, a.from), gap(b.to, a.to), end))
-      return true;
+// A point in between is computed from two coordinates below 1 and a time, each off by 2^-53 of itself, by three more
+// roundings to double and one to float: off by less than 2^-24 + 2^-50. Adding the margin is off by 2^-24 as much.
+PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan)
+    : margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
+  in_blocks(plan.for_each, 4096, points.size(), [&](std::size_t i) {
+    const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);
+    Vec3 to = plan.frame.scale * (vertices.to[i] - plan.frame.origin);
+    if (plan.end < 1) to = from + plan.end * (to - from);
+    points[i] = {{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)},
+                  {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z)}}};
+  });
+  const auto bound_in_order = [&](std::vector<std::uint32_t> triangles) {
+    auto made = std::make_shared<SpatialOrder>(std::move(triangles));
+    order = made;
+    made->looseness = bound_leaves(corners, plan.for_each);
+    if (cache != nullptr) cache->put(order);
+  };
+  if (cache != nullptr) order = cache->order();
+  if (order == nullptr || bound_leaves(corners, plan.for_each) > kLoose * order->looseness)
+    bound_in_order(spatial_order(points, corners, plan));
+  while (levels.size() < plan.height) {
+    add_level(levels.back().size());
+    const auto& below = levels[levels.size() - 2];
+    for (std::size_t i = 0; i < below.size(); ++i)
+      enclose(below[i], levels.back()[i / kWidth], static_cast<int>(i % kWidth));
   }
-  return false;
 }
 
-PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, const ForEach& for_each) {
-  if (corners.empty()) return;
-  triangles.resize(corners.size());
-  std::iota(triangles.begin(), triangles.end(), 0);
-  nodes.resize(2 * root().leaves - 1);
-  Builder(*this, vertices, corners, for_each);
+void PathTree::add_level(std::size_t boxes) {
+  auto& nodes = levels.emplace_back((boxes + kWidth - 1) / kWidth);
+  for (int i = 0; i < kWidth; ++i) nodes.back().clear(i);
+}
+
+double PathTree::bound_leaves(std::span<const Corners> corners, const ForEach& for_each) {
+  const std::size_t boxes = (corners.size() + kWidth - 1) / kWidth;
+  levels.clear();
+  add_level(boxes);
+  std::vector<double> triangle_extents(levels[0].size()), extents_of_eights(levels[0].size());
+  in_blocks(for_each, 64, levels[0].size(), [&](std::size_t node) {
+    const std::size_t first = node * kWidth, last = std::min(boxes, first + kWidth);
+    for (std::size_t i = first; i < last; ++i) {
+      Node triangles;
+      int count = 0;
+      for (const std::uint32_t triangle : triangles_of(i)) bound(corners[triangle], triangles, count++);
+      triangle_extents[node] += extents(triangles, count);
+      while (count < kWidth) triangles.clear(count++);
+      enclose(triangles, levels[0][node], static_cast<int>(i - first));
+    }
+    extents_of_eights[node] = extents(levels[0][node], static_cast<int>(last - first));
+  });
+  const auto sum = [](const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); };
+  const double whole = sum(triangle_extents);
+  return whole > 0 ? sum(extents_of_eights) / whole : 0;
+}
+
+std::size_t PathTree::height_for(std::size_t triangles) {
+  std::size_t height = 1;
+  for (std::size_t n = kWidth * kWidth; n < triangles; n *= kWidth) ++height;
+  return height;
 }
 
 }  // namespace impinge::motion

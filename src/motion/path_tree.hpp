@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/for_each.hpp"
@@ -13,44 +17,84 @@
 
 namespace impinge::motion {
 
-/// A box that moves linearly: what is inside at both ends, and moves linearly, is inside throughout.
-struct BoxPath {
-  Box from, to;
+/// Takes coordinates to floats between -1 and 1. On each axis no two change their order, so that floats that are apart
+/// are so for certain: a difference and a product with a power of two are rounded once each, and so is the float.
+struct FloatFrame {
+  Vec3 origin{0, 0, 0};
+  double scale = 1;
 };
+FloatFrame frame_of(std::span<const Vertices> meshes);
 
-/// The vertices of a mesh at both ends of their ways.
-struct Vertices {
-  std::span<const Vec3> from, to;
-};
-
-BoxPath path_of(const Vertices& vertices, const Corners& corners);
-
-/// Whether an axis separates two boxes from the start until `end`. The gap along an axis is then a linear function of
-/// time, positive throughout if it is at both ends.
-bool stay_apart(const BoxPath& a, const BoxPath& b, double end);
-
-/// A balanced binary tree over the triangles of a moving mesh, in the order in which it is walked: a node's first child
-/// follows it, and with a first child of n leaves the second comes 2 n - 1 nodes later.
-struct PathTree {
-  static constexpr std::size_t kLeafSize = 4;
-
-  std::vector<BoxPath> nodes;
-  std::vector<std::uint32_t> triangles;  ///< leaf by leaf
-
-  PathTree(const Vertices& vertices, std::span<const Corners> corners, const ForEach& for_each);
-
-  /// A subtree: leaves [first, first + leaves) below node `node`.
-  struct Part {
-    std::size_t node, first, leaves;
-    [[nodiscard]] Part left() const { return {node + 1, first, leaves / 2}; }
-    [[nodiscard]] Part right() const { return {node + 2 * (leaves / 2), first + leaves / 2, leaves - leaves / 2}; }
-  };
-  [[nodiscard]] Part root() const { return {0, 0, (triangles.size() + kLeafSize - 1) / kLeafSize}; }
-  /// Of a leaf.
-  [[nodiscard]] std::span<const std::uint32_t> triangles_of(const Part& leaf) const {
-    const std::size_t first = leaf.first * kLeafSize;
-    return std::span(triangles).subspan(first, std::min(kLeafSize, triangles.size() - first));
+/// Boxes in the order of their bounds: where a box that moves linearly is at both ends. What is inside at both, and
+/// moves linearly, is inside throughout.
+inline constexpr int kBounds = 12;  ///< lowest x, y, z and highest ones at the start, then those at the end
+inline constexpr int kWidth = 8;
+template <int kCount>
+struct alignas(kCount % 16 == 0 ? 64 : 32) PathBoxes {
+  float bounds[kBounds][kCount];
+  /// Holds nothing, and is apart from every box and from itself.
+  void clear(int i);
+  [[nodiscard]] PathBoxes<1> one(int i) const {
+    PathBoxes<1> result;
+    for (int k = 0; k < kBounds; ++k) result.bounds[k][0] = bounds[k][i];
+    return result;
   }
 };
+
+/// A tree over the triangles of a moving mesh until time `end`: eight boxes a node, each of eight triangles or of eight
+/// boxes of the level below.
+struct PathTree {
+  using Node = PathBoxes<kWidth>;
+
+  struct Plan {
+    FloatFrame frame;
+    double end;
+    std::size_t height;  ///< levels, at least as many as the triangles need
+    const ForEach& for_each;
+    const std::stop_token& stop;
+  };
+  /// `cache`, if any, tells an order and keeps a better one. Throws `Stopped`.
+  PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan);
+  static std::size_t height_for(std::size_t triangles);
+
+  /// A vertex in the frame at the start and at the end. The latter may be off by `margin`.
+  struct Point {
+    float at[2][3];
+  };
+  float margin;
+  std::vector<Point> points;
+  std::shared_ptr<const SpatialOrder> order;
+  std::vector<std::vector<Node>> levels;  ///< the boxes of node i, but at level 0, are of nodes 8 i to 8 i + 7 below
+
+  /// Those of a box at level 0.
+  [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::size_t leaf) const {
+    const std::span<const std::uint32_t> all = order->triangles;
+    return all.subspan(leaf * kWidth, std::min<std::size_t>(kWidth, all.size() - leaf * kWidth));
+  }
+  /// The box of a feature, to be written as number i.
+  template <int kCount, std::size_t kVertices>
+  void bound(const std::array<std::uint32_t, kVertices>& vertices, PathBoxes<kCount>& boxes, int i) const {
+    for (int end = 0; end < 2; ++end)
+      for (int axis = 0; axis < 3; ++axis) {
+        float lo = points[vertices[0]].at[end][axis], hi = lo;
+        for (std::size_t k = 1; k < kVertices; ++k) {
+          const float x = points[vertices[k]].at[end][axis];
+          lo = std::min(lo, x), hi = std::max(hi, x);
+        }
+        boxes.bounds[6 * end + axis][i] = end == 0 ? lo : lo - margin;
+        boxes.bounds[6 * end + 3 + axis][i] = end == 0 ? hi : hi + margin;
+      }
+  }
+
+ private:
+  void add_level(std::size_t boxes);
+  /// Returns the looseness.
+  double bound_leaves(std::span<const Corners> corners, const ForEach& for_each);
+};
+
+template <int kCount>
+void PathBoxes<kCount>::clear(int i) {
+  for (int k = 0; k < kBounds; ++k) bounds[k][i] = k % 6 < 3 ? 3e38f : -3e38f;
+}
 
 }  // namespace impinge::motion

@@ -67,17 +67,20 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   return product;
 }
 
-// With s' + t' = 1 in the interval, 2^level t = first s' + (first + 1) t' and 2^level s is what is left of
-// 2^level (s' + t').
+// With the start of time, 1 = s + t, in the place of s; then 2^level t = first + t'; then the interval's own s' = 1 -
+// t'. Each is a shift of one variable (Horner's scheme), and all but the second are without products.
 Polynomial restricted(const Polynomial& p, const Dyadic& to) {
   if (to.level == 0) return p;
-  const Integer whole = Integer(1) << to.level, second = to.first + 1;
-  const Polynomial t = linear(to.first, second), s = linear(whole - to.first, whole - second);
-  Polynomial result{{p.coefficients[p.degree]}, 0}, power{{Integer(1)}, 0};
-  for (int i = p.degree; i-- > 0;) {
-    power = power * s;
-    result = result * t + Polynomial{{p.coefficients[i]}, 0} * power;
-  }
+  Polynomial result = p;
+  const int d = p.degree;
+  auto& c = result.coefficients;
+  for (int i = 0; i < d; ++i)
+    for (int j = 1; j <= d - i; ++j) c[j] -= c[j - 1];
+  for (int i = 0; i < d; ++i) c[i] <<= to.level * static_cast<unsigned>(d - i);
+  for (int i = 0; i < d; ++i)
+    for (int j = d - 1; j >= i; --j) c[j] += to.first * c[j + 1];
+  for (int i = 0; i < d; ++i)
+    for (int j = 1; j <= d - i; ++j) c[j] += c[j - 1];
   return result;
 }
 

@@ -40,6 +40,13 @@ Root::Root(Polynomial of, Dyadic interval) : of_(std::move(of)), interval_(std::
     inside_ = restricted(of_, interval_);
 }
 
+Root Root::only_one(const Polynomial& of, const Interval& between) {
+  Root root;
+  root.of_ = of;
+  root.narrow(between);
+  return root;
+}
+
 void Root::be(Integer rest, Integer time) {
   rational_ = true;
   rest_ = std::move(rest);
@@ -66,9 +73,9 @@ int Root::sign(const Polynomial& p) {
   for (bool first = true; !rational_; first = false) {
     const Polynomial over = restricted(p, interval_);
     if (over.variations() == 0) return over.first_sign();
-    // Every root of the divisor is one of `inside_`, which has one inside the interval. Where it is none of p, halves
-    // will tell.
-    if (first && common_divisor(inside_, over).variations() % 2 == 1) return 0;
+    // Every root of the divisor is one of `of_`, which has one inside the interval. Where it is none of p, halves will
+    // tell.
+    if (first && restricted(common_divisor(of_, p), interval_).variations() % 2 == 1) return 0;
     halve();
   }
   return p.sign(rest_, time_);

@@ -18,6 +18,10 @@ class Root {
   /// `of` has exactly one root inside the interval, a simple one.
   Root(Polynomial of, Dyadic interval);
 
+  /// Of a polynomial of degree 3 with the signs of its ends at the ends of time, the only root between neighbouring
+  /// doubles, a simple one.
+  static Root only_one(const Polynomial& of, const Interval& between);
+
   /// The root between equal or neighbouring doubles.
   [[nodiscard]] Interval bounds() const;
   /// Makes signs cheaper: `bounds` are what `bounds()` says.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/impacts_of_pairs.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -27,23 +28,21 @@ Result<void> validate(const MotionOptions& options) {
   return {};
 }
 
-motion::BoxPath bounds_of(const MovingObject& object) {
-  const std::vector<motion::Corners>& corners = object.features->corners;
-  motion::BoxPath bounds = motion::path_of(object.vertices, corners[0]);
-  const auto add = [](Box& box, const Box& more) { box = {min(box.lo, more.lo), max(box.hi, more.hi)}; };
-  for (const motion::Corners& triangle : corners) {
-    const motion::BoxPath path = motion::path_of(object.vertices, triangle);
-    add(bounds.from, path.from), add(bounds.to, path.to);
-  }
-  return bounds;
-}
-
 SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<const broad::ObjectPair> pairs,
                               const MotionOptions& options) {
   motion::ImpactQuery query{options.earliest, options.end, options.limit, on_threads(options.threads), options.stop};
+  // One frame and height for all, so that each can be walked with each.
+  std::vector<motion::Vertices> ways;
+  std::size_t height = 1;
+  for (const auto& [vertices, features, cache] : objects)
+    if (features != nullptr) {
+      ways.push_back(vertices);
+      height = std::max(height, motion::PathTree::height_for(features->corners.size()));
+    }
+  const motion::PathTree::Plan plan{motion::frame_of(ways), options.end, height, query.for_each, options.stop};
   std::vector<std::optional<motion::PathTree>> trees(objects.size());
   const auto tree_of = [&](std::uint32_t i) -> const motion::PathTree& {
-    if (!trees[i]) trees[i].emplace(objects[i].vertices, objects[i].features->corners, query.for_each);
+    if (!trees[i]) trees[i].emplace(objects[i].vertices, objects[i].features->corners, objects[i].cache, plan);
     return *trees[i];
   };
   const auto find = [&](const broad::ObjectPair& pair) {
@@ -55,7 +54,7 @@ SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<c
     }
     std::optional<motion::Features> joined;
     if (options.adjacency == Adjacency::by_position)
-      joined = motion::join_equal_vertices(*a.features, a.vertices.from, a.vertices.to);
+      joined = motion::join_equal_vertices(*a.features, a.vertices.from, a.vertices.to, options.stop);
     return motion::find_impacts({a.vertices, joined ? *joined : *a.features, first.tree}, nullptr, query);
   };
 

@@ -8,7 +8,6 @@
 #include "impinge/impacts.hpp"
 #include "impinge/result.hpp"
 #include "motion/features.hpp"
-#include "motion/path_tree.hpp"
 
 namespace impinge {
 
@@ -19,10 +18,8 @@ Result<void> validate(const MotionOptions& options);
 struct MovingObject {
   motion::Vertices vertices{};
   const motion::Features* features = nullptr;
+  motion::FeaturesCache* cache = nullptr;
 };
-
-/// The boxes of a mesh's triangles at both ends.
-motion::BoxPath bounds_of(const MovingObject& object);
 
 /// The impacts of each of these pairs of objects, in the order of the pairs; of an object with itself where both are
 /// the same. The answer has no hash. Throws `Stopped`.

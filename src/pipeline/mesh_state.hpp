@@ -28,7 +28,8 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
       : data(std::move(numbers)),
         config(source.config),
         tree(data, source.tree.leaf_size()),
-        wide_tree(source.wide_tree, data, for_each) {}
+        wide_tree(source.wide_tree, data, for_each),
+        features(source.features) {}
 
   // Where the cost function is least (tests/schedule by counts, docs/performance.md by the clock). The paper's way
   // tests a mesh of up to kPlainDirect triangles directly, as one leaf. The wide tree, which measures distances too,
@@ -42,7 +43,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
   mutable MeshPiecesCache pieces_cache;
-  mutable motion::FeaturesCache features;
+  const std::shared_ptr<motion::FeaturesCache> features = std::make_shared<motion::FeaturesCache>();
 };
 
 }  // namespace impinge

@@ -38,7 +38,7 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
      {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "exact/triangle_pair.hpp", "solid/body.hpp",
       "solid/cells.hpp", "solid/classed_piece.hpp", "solid/locate.hpp", "solid/part.hpp", "solid/topology.hpp",
       "measure/nearest.hpp", "measure/triangle_distance.hpp"}},
-    {"motion", {"exact/integers.hpp"}},
+    {"motion", {"exact/expansion.hpp", "exact/integers.hpp"}},
     {"results", {"broad/object_pairs.hpp"}},
     {"schedule", {}},
     {"solid",

@@ -132,6 +132,15 @@ TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
       EXPECT_EQ(expected, rows(impacts.impacts));
       count += expected.size();
 
+      // Back again from a deformed mesh, which shares what was found out, whether it is near or far from where that
+      // was.
+      for (const double scale : {1.0, -0.5}) {
+        std::vector<double> xyz;
+        for (const Point& p : mesh.to.vertices()) xyz.insert(xyz.end(), {scale * p.z, p.x, p.y});
+        const Moving back{*mesh.from.deformed(xyz), mesh.from};
+        EXPECT_EQ(brute_force(back, back, true), rows(found(find_impacts(back, {.adjacency = kByIndex})).impacts));
+      }
+
       // The first so many, the first of all, and those until some time.
       const Impacts few = found(find_impacts(mesh, {.adjacency = kByIndex, .limit = expected.size() / 2}));
       EXPECT_EQ(std::vector(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(expected.size() / 2)),

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "motion/leaf_features.hpp"
+
+#include <bit>
+
+#include "impinge/impacts.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "motion/leaf_features.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/mask_bits-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::motion::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A bit for each of the first `count` boxes that may meet box i of `one`: those that no axis separates at the start
+/// and at the end, in the same order. (The gap along an axis is a linear function of time, positive throughout if it is
+/// so at both ends. A difference has the sign of the exact one.)
+template <int kOne, int kCount>
+HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes<kCount>& boxes, int count) {
+  const hn::CappedTag<float, kCount % 16 == 0 ? 16 : kWidth> d;
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < count; lane += static_cast<int>(hn::Lanes(d))) {
+    const auto lanes = [&](int bound) HWY_ATTR { return hn::Load(d, boxes.bounds[bound] + lane); };
+    const auto own = [&](int bound) HWY_ATTR { return hn::Set(d, one.bounds[bound][i]); };
+    const auto gap = [&](int axis) HWY_ATTR {
+      const int lo = axis, hi = 3 + axis, end = 6;
+      const auto above = hn::Min(hn::Sub(lanes(lo), own(hi)), hn::Sub(lanes(end + lo), own(end + hi)));
+      const auto below = hn::Min(hn::Sub(own(lo), lanes(hi)), hn::Sub(own(end + lo), lanes(end + hi)));
+      return hn::Max(above, below);
+    };
+    const auto largest = hn::Max(hn::Max(gap(0), gap(1)), gap(2));
+    bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(largest, hn::Zero(d))) << lane;
+  }
+  return bits & ((1u << count) - 1);
+}
+
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b) {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < kWidth; ++i) bits |= std::uint64_t{near(a, i, b, kWidth)} << (kWidth * i);
+  return bits;
+}
+
+/// A bit for each of the group's features that has one of feature i's vertices.
+template <class A, class B>
+HWY_INLINE std::uint32_t sharing(const A& a, int i, const B& b) {
+  const hn::CappedTag<std::uint32_t, (sizeof(b.index) / sizeof(b.index[0])) % 16 == 0 ? 16 : kWidth> d;
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < b.count; lane += static_cast<int>(hn::Lanes(d))) {
+    auto any = hn::FirstN(d, 0);
+    for (const auto& one : a.vertices)
+      for (const auto& row : b.vertices) any = hn::Or(any, hn::Eq(hn::Set(d, one[i]), hn::Load(d, row + lane)));
+    bits |= impinge::HWY_NAMESPACE::mask_bits(d, any) << lane;
+  }
+  return bits;
+}
+
+/// Those of both groups; of one group with itself each pair once.
+template <class A, class B>
+HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint32_t near_b, Leaves leaves, bool itself,
+                        bool in_order, FeaturePairs::List& list) {
+  for (; near_a != 0; near_a &= near_a - 1) {
+    const int i = std::countr_zero(near_a);
+    std::uint32_t bits = near(a.boxes, i, b.boxes, b.count) & near_b;
+    if (itself) bits &= ~((2u << i) - 1);
+    if (bits != 0 && leaves != Leaves::of_two_meshes) bits &= ~sharing(a, i, b);
+    for (; bits != 0; bits &= bits - 1) {
+      const std::uint32_t one = a.index[i], two = b.index[std::countr_zero(bits)];
+      const bool swap = in_order && one > two;
+      list.pairs[list.count++] = {swap ? two : one, swap ? one : two};
+    }
+  }
+}
+
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, FeaturePairs& pairs) {
+  const auto list = [&](Feature feature)
+                        HWY_ATTR -> FeaturePairs::List& { return pairs.lists[static_cast<std::size_t>(feature)]; };
+  const bool same = leaves == Leaves::the_same;
+  std::uint32_t faces_a = (1u << a.faces.count) - 1, faces_b = (1u << b.faces.count) - 1;
+  if (!same) {
+    faces_b = near(a.box, 0, b.faces.boxes, b.faces.count);
+    std::uint32_t may_be = faces_b == 0 ? 0 : near(b.box, 0, a.faces.boxes, a.faces.count);
+    std::uint32_t met = 0;
+    for (faces_a = 0; may_be != 0; may_be &= may_be - 1) {
+      const int i = std::countr_zero(may_be);
+      const std::uint32_t bits = near(a.faces.boxes, i, b.faces.boxes, b.faces.count) & faces_b;
+      met |= bits, faces_a |= std::uint32_t{bits != 0} << i;
+    }
+    if (faces_a == 0) return;
+    faces_b = met;
+  }
+  const auto all = [](std::uint32_t faces, const std::uint32_t(&of)[kWidth]) HWY_ATTR {
+    std::uint32_t bits = 0;
+    for (; faces != 0; faces &= faces - 1) bits |= of[std::countr_zero(faces)];
+    return bits;
+  };
+  pair_up(a.vertices, all(faces_a, a.vertices_of), b.faces, faces_b, leaves, false, false, list(Feature::vertex_face));
+  if (!same)
+    pair_up(b.vertices, all(faces_b, b.vertices_of), a.faces, faces_a, leaves, false, false,
+            list(leaves == Leaves::of_two_meshes ? Feature::face_vertex : Feature::vertex_face));
+  pair_up(a.edges, all(faces_a, a.edges_of), b.edges, all(faces_b, b.edges_of), leaves, same,
+          leaves != Leaves::of_two_meshes, list(Feature::edge_edge));
+}
+
+}  // namespace impinge::motion::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace impinge::motion {
+
+HWY_EXPORT(may_meet);
+HWY_EXPORT(add_pairs);
+
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b) {
+  return HWY_DYNAMIC_DISPATCH(may_meet)(a, b);
+}
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, FeaturePairs& pairs) {
+  HWY_DYNAMIC_DISPATCH(add_pairs)(a, b, leaves, pairs);
+}
+
+void LeafFeatures::read(const PathTree& tree, const Features& features, std::size_t leaf) {
+  faces.count = edges.count = vertices.count = 0;
+  const auto add = [&](auto& group, std::uint32_t index, const auto& corners) {
+    tree.bound(corners, group.boxes, group.count);
+    for (std::size_t k = 0; k < group.kVertices; ++k) group.vertices[k][group.count] = corners[k];
+    group.index[group.count++] = index;
+  };
+  for (const std::uint32_t i : tree.triangles_of(leaf)) {
+    const Corners& corners = features.corners[i];
+    const int edges_before = edges.count, vertices_before = vertices.count, face = faces.count;
+    add(faces, i, corners);
+    for (int k = 0; k < 3; ++k) {
+      if ((features.care[i] >> k & 1) != 0) add(vertices, corners[k], std::array{corners[k]});
+      const std::uint32_t side = features.sides[i][k];
+      if ((features.care[i] >> (3 + k) & 1) != 0) add(edges, side, features.edges[side]);
+    }
+    edges_of[face] = (1u << edges.count) - (1u << edges_before);
+    vertices_of[face] = (1u << vertices.count) - (1u << vertices_before);
+  }
+  box = tree.levels[0][leaf / kWidth].one(static_cast<int>(leaf % kWidth));
+}
+
+}  // namespace impinge::motion
+#endif
