@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <map>
 #include <set>
 #include <tuple>
@@ -163,6 +165,49 @@ TEST(SceneImpacts, AreThoseOfEveryPairThatIsTested) {
 }
 
 Pose moved_by(double x, double y = 0) { return {.t{x, y, 0}}; }
+
+/// docs/hash.md
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15u;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
+std::uint64_t folded(std::uint64_t h, std::uint64_t w) { return mixed(h ^ mixed(w)); }
+std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+
+std::uint64_t key_of(const Mesh& mesh, const Pose& pose) {
+  std::uint64_t h = folded(mesh.vertex_count(), mesh.triangle_count());
+  for (const Point& p : mesh.vertices())
+    for (const double x : {p.x, p.y, p.z}) h = folded(h, bits_of(x));
+  for (const auto& triangle : mesh.triangles())
+    for (const std::uint32_t v : triangle) h = folded(h, v);
+  for (const double x : pose.R) h = folded(h, bits_of(x));
+  for (const double x : pose.t) h = folded(h, bits_of(x));
+  return h;
+}
+
+TEST(SceneImpacts, HaveTheHashThatTheDocumentationDefines) {
+  const Mesh cube = test::mesh_of(scenes::cube()), box = test::mesh_of(scenes::box({0, 0, 0}, {1, 1, 1}, 2));
+  Scene scene;
+  const ObjectId id = scene.add(cube, moved_by(0, 0.5)).value();
+  ASSERT_TRUE(scene.add(box, moved_by(3)));
+  ASSERT_TRUE(scene.set_pose(id, moved_by(8, 0.5)));
+  const std::uint64_t a = folded(key_of(cube, moved_by(0, 0.5)), key_of(cube, moved_by(8, 0.5)));
+  const std::uint64_t b = folded(key_of(box, moved_by(3)), key_of(box, moved_by(3)));
+  for (const std::uint64_t limit : {5u, 1000u}) {
+    const SceneImpacts impacts = scene_impacts(scene.find_impacts({.limit = limit}));
+    EXPECT_FALSE(impacts.impacts.empty());
+    std::uint64_t sum = 0;
+    for (const Impact& x : impacts.impacts) {
+      constexpr std::array<std::array<std::uint64_t, 2>, 3> kFeatures{{{0, 1}, {1, 0}, {2, 2}}};
+      const auto& [of_a, of_b] = kFeatures[static_cast<std::size_t>(x.feature)];
+      const auto [lo, hi] = std::minmax({folded(folded(a, of_a), x.a), folded(folded(b, of_b), x.b)});
+      sum += folded(folded(folded(lo, hi), bits_of(x.time.lo)), bits_of(x.time.hi));
+    }
+    EXPECT_EQ(impacts.hash, sum);
+  }
+}
 
 TEST(SceneImpacts, HaveAHashThatKnowsNoIndices) {
   const Mesh cube = test::mesh_of(scenes::cube()), box = test::mesh_of(scenes::box({0, 0, 0}, {1, 1, 1}, 2));

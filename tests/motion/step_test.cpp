@@ -190,7 +190,7 @@ TEST(CollisionFreeStep, StopsSoonWhenAskedTo) {
   std::stop_source stop;
   std::chrono::steady_clock::time_point asked;
   std::jthread asking([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     asked = std::chrono::steady_clock::now();
     stop.request_stop();
   });
@@ -199,7 +199,7 @@ TEST(CollisionFreeStep, StopsSoonWhenAskedTo) {
   asking.join();
   if (result) GTEST_SKIP() << "done before it was asked to stop";
   EXPECT_EQ(result.error().code, Code::cancelled);
-  EXPECT_LT(ended - asked, std::chrono::milliseconds(500));  // 100 on a machine of its own
+  EXPECT_LT(ended - asked, std::chrono::seconds(1));  // 0.1 on a machine of its own
 }
 
 }  // namespace
