@@ -163,7 +163,7 @@ Result<ReviewInput> read_input(const ReportOptions& options) {
   return input;
 }
 
-Result<Review> make_review(Assembly assembly, ReviewInput input) {
+Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<Clashes> known) {
   const auto start = std::chrono::steady_clock::now();
   if (auto brought = bring_to_unit(input, assembly.unit_in_metres); !brought) return brought.error();
   Review review;
@@ -178,11 +178,15 @@ Result<Review> make_review(Assembly assembly, ReviewInput input) {
   }
   const std::vector<std::uint32_t> groups = groups_of(review.assembly, review.options);
   review.split_products = count_shared(groups);
-  const Result<Scene> scene = scene_of(review.assembly, review.options, groups);
-  if (!scene) return scene.error();
-  Result<Clashes> clashes = judge_all(review, *scene);
-  if (!clashes) return clashes.error();
-  review.clashes = std::move(*clashes);
+  if (known) {
+    review.clashes = *std::move(known);
+  } else {
+    const Result<Scene> scene = scene_of(review.assembly, review.options, groups);
+    if (!scene) return scene.error();
+    Result<Clashes> clashes = judge_all(review, *scene);
+    if (!clashes) return clashes.error();
+    review.clashes = std::move(*clashes);
+  }
   review.judge_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   review.parts.reserve(review.clashes.parts.size());

@@ -24,7 +24,7 @@ struct ReviewInput {
 Result<ReviewInput> read_input(const ReportOptions& options);
 
 /// Finds what clashes and compares it with the earlier report. Errors: `bad_file` (a test that names no part), those of
-/// `scene_of` and `find_clashes`.
-Result<Review> make_review(Assembly assembly, ReviewInput input);
+/// `scene_of` and `find_clashes`. `known`: clashes of the assembly's objects, which are then not looked for.
+Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<Clashes> known = std::nullopt);
 
 }  // namespace impinge::report

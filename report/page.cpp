@@ -26,7 +26,8 @@ static_assert(std::endian::native == std::endian::little, "the page reads number
 constexpr std::string_view kMark = "<!-- impinge: data -->";
 constexpr std::string_view kName = "report.html";
 
-std::vector<std::filesystem::path> places_of_template() {
+std::vector<std::filesystem::path> places_of_template(const std::string& program) {
+  if (!program.empty()) return {program};
   if (const char* const named = std::getenv("IMPINGE_PAGE"); named != nullptr && *named != '\0') return {named};
   std::vector<std::filesystem::path> places;
   std::error_code unknown;
@@ -78,8 +79,8 @@ Result<void> write_geometry(Sink& sink, const DrawnScene& scene, const std::stop
 
 }  // namespace
 
-Result<std::string> read_page_template() {
-  const std::vector<std::filesystem::path> places = places_of_template();
+Result<std::string> read_page_template(const std::string& named) {
+  const std::vector<std::filesystem::path> places = places_of_template(named);
   std::string looked;
   for (const auto& place : places) {
     looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();

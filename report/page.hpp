@@ -13,9 +13,10 @@
 
 namespace impinge::report {
 
-/// The page's program, in which a report is written. It is looked for at `IMPINGE_PAGE`, beside the running program,
-/// where it is installed and where `./dev` builds it. Errors: `bad_file`, with where it was looked for.
-Result<std::string> read_page_template();
+/// The page's program, in which a report is written. If it is not named, it is looked for at `IMPINGE_PAGE`, beside the
+/// running program, where it is installed and where `./dev` builds it. Errors: `bad_file`, with where it was looked
+/// for.
+Result<std::string> read_page_template(const std::string& named = {});
 
 /// What a page needs to know beside what is drawn.
 struct PageHead {

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/report.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "report/make_review.hpp"
@@ -15,6 +19,15 @@ namespace {
 Result<Report> report_of(Result<Review> review) {
   if (!review) return review.error();
   return Report(std::make_unique<const Review>(*std::move(review)));
+}
+
+/// Of an assembly at hand. The clashes are looked for unless they are known.
+Result<Report> review_of(Assembly assembly, ReportOptions options, std::optional<Clashes> known) {
+  options.files = assembly.files;
+  if (!assembly.unit_in_metres) assembly.unit_in_metres = options.unit_in_metres;
+  Result<ReviewInput> input = read_input(options);
+  if (!input) return input.error();
+  return report_of(make_review(std::move(assembly), *std::move(input), std::move(known)));
 }
 
 template <class Fill>
@@ -58,12 +71,18 @@ Result<Report> review(const ReportOptions& options) {
 }
 
 Result<Report> review(Assembly assembly, const ReportOptions& options) {
-  ReportOptions of_assembly = options;
-  of_assembly.files = assembly.files;
-  if (!assembly.unit_in_metres) assembly.unit_in_metres = options.unit_in_metres;
-  Result<ReviewInput> input = read_input(of_assembly);
-  if (!input) return input.error();
-  return report_of(make_review(std::move(assembly), *std::move(input)));
+  return review_of(std::move(assembly), options, std::nullopt);
+}
+
+Result<Report> review(Assembly assembly, Clashes clashes, const ReportOptions& options) {
+  if (options.config || options.between)
+    return Error{Code::bad_option, "the clashes are known, and named tests and --between would judge them anew"};
+  const std::size_t count = assembly.objects.size();
+  const auto is_known = [&](const Clash& pair) { return pair.objects[0] < count && pair.objects[1] < count; };
+  if (clashes.parts.size() != count || !std::ranges::all_of(clashes.pairs, is_known))
+    return Error{Code::bad_option,
+                 fmt::format("the clashes are of {} parts, and the assembly has {}", clashes.parts.size(), count)};
+  return review_of(std::move(assembly), options, std::move(clashes));
 }
 
 Result<void> write_json(const Report& report, const std::string& file) {
@@ -90,7 +109,7 @@ Result<void> write_gltf(const Report& report, const std::string& file) {
 Result<void> write_page(const Report& report, const std::string& file) {
   const Review& review = report.internal();
   const ReportOptions& options = review.options;
-  const Result<std::string> page = read_page_template();
+  const Result<std::string> page = read_page_template(options.page_program);
   if (!page) return page.error();
   return write_file(file, kPage, [&](Sink& sink) -> Result<void> {
     const Result<DrawnScene> scene = draw(review.assembly, options.page_triangles, options.stop);

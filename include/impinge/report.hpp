@@ -52,6 +52,8 @@ struct SceneOptions {
 struct PageOptions {
   std::uint64_t page_triangles = 1'000'000;  ///< about so many are drawn at most
   std::optional<bool> y_up;                  ///< or Z, for other outputs too; nothing: by the files' formats
+  /// The page's program; empty: at `IMPINGE_PAGE`, beside the running program, as installed, or as built.
+  std::string page_program{};
 };
 
 /// Which pairs fail.
@@ -168,6 +170,10 @@ Result<Report> review(const ReportOptions& options);
 /// The same of an assembly at hand; files that the configuration names are not read. Its unit, if it has none, is that
 /// of the options.
 Result<Report> review(Assembly assembly, const ReportOptions& options);
+/// The same of clashes that are known: what `find_clashes` found in a scene of the assembly's objects, in their order.
+/// The options say how, and what fails; nothing is judged again. Errors: `bad_option` (a configuration, or `between`,
+/// which would judge; clashes of other objects), and those of reading an earlier report and decisions.
+Result<Report> review(Assembly assembly, Clashes clashes, const ReportOptions& options);
 
 /// Write a report to a file, which appears whole or not at all; "-" is standard output. Regions and distances
 /// are written where the review's options asked for them. Errors: `bad_file`; `cancelled`, by the review's

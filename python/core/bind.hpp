@@ -19,6 +19,7 @@ void bind_meshes(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_clashes(pybind11::module_& module);
 void bind_motion(pybind11::module_& module);
+void bind_reports(pybind11::module_& module);
 
 /// `Options` as Python hands them over: (first, limit, kinds, threads, backend, device, by_index); the strings live as
 /// long as this.

@@ -65,6 +65,7 @@ PYBIND11_MODULE(_core, module) {
   bind_scenes(module);
   bind_clashes(module);
   bind_motion(module);
+  bind_reports(module);
   module.def("devices", &devices_of_machine);
   module.def("set_num_threads", &set_num_threads);
 }

@@ -67,6 +67,7 @@ from ._queries import (
     touches_poses,
 )
 from ._scene import Configurations, ObjectDistance, Scene
+from ._show import draw
 
 __all__ = [
     "Cancelled",
@@ -118,6 +119,7 @@ __all__ = [
     "contact_regions",
     "devices",
     "distance",
+    "draw",
     "edge_edge_impact",
     "examine",
     "find_clashes",

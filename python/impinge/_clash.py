@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import os
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Hashable, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._mesh import MeshLike, as_core, placed
 from ._queries import Nearest, OverlapDepth, make_depth, make_nearest
 
@@ -104,16 +105,98 @@ class Clash:
         return f"<impinge.Clash: {a!r}, {b!r}: {self.verdict.name.lower()}>"
 
 
+_ROW = np.dtype(
+    [("a", "O"), ("b", "O"), ("verdict", "u1"), ("fails_below", "f8"), ("depth", "f8"), ("distance", "f8")]
+    + [(kind, "i8") for kind in ContactCounts._fields]
+)
+
+
 @dataclass(frozen=True, eq=False)
 class Clashes:
-    """What `find_clashes` found."""
+    """What `find_clashes` found. A notebook shows it as a table, worst first.
+
+    Reports are those of the command line (docs/reports.md), of the scene as it was then. They tell regions of contact, so the first one
+    judges again. `title` stands for the name of a file; `unit_in_metres`: metres in one of your units of length, which BCF and glTF
+    are in; `y_up`: whether Y points up, and not Z. Clashes that were unpickled have no scene and write none.
+    """
 
     pairs: list[Clash]  #: by the order of the objects; those that are apart and not nearer than the clearance left out
     parts: dict[Hashable, PartFacts]  #: by name
+    _source: _show.Source | None = field(default=None, repr=False)
 
     def failing(self) -> list[Clash]:
         """The pairs that fail, the largest `fails_below` first."""
         return sorted((pair for pair in self.pairs if pair.fails), key=lambda pair: -pair.fails_below)
+
+    def table(self) -> NDArray[Any]:
+        """(N,), a record for each pair, in the same order: to filter and sort by numpy. `depth` is that of the reports, what neither
+        part reaches beyond; it and `distance` are NaN where there is none.
+
+        >>> import impinge
+        >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene = impinge.Scene()
+        >>> names = [scene.add(tetrahedron, [[1, 0, 0, 0.5 * k], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) for k in range(3)]
+        >>> table = impinge.find_clashes(scene).table()
+        >>> table[table["depth"] > 0][["a", "b"]].tolist()
+        [(0, 1), (1, 2)]
+        """
+        rows = [
+            (
+                *pair.objects,
+                pair.verdict,
+                pair.fails_below,
+                float("nan") if pair.overlap_depth is None else max(depth.hi for depth in pair.overlap_depth),
+                float("nan") if pair.nearest is None else pair.nearest.distance,
+                *pair.contacts,
+            )
+            for pair in self.pairs
+        ]
+        return np.array(rows, dtype=_ROW)
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        title: str = "scene",
+        unit_in_metres: float | None = None,
+        y_up: bool = False,
+        stop: _core.Stop | None = None,
+    ) -> None:
+        """Writes a report, in the format that the name ends in: .html (the page to look at), .json, .csv, .bcf, or .glb (the regions of contact).
+
+        Raises
+        ------
+        OptionError
+            The name ends in something else, or the unit is not above 0.
+        FileError
+            The file cannot be written, or the page's program is not installed.
+        RangeError, Cancelled, OutOfMemoryError
+        """
+        _show.save(self._source, path, title, unit_in_metres, y_up, stop)
+
+    def page(
+        self, *, title: str = "scene", unit_in_metres: float | None = None, y_up: bool = False, stop: _core.Stop | None = None
+    ) -> str:
+        """The page that `save` writes to a .html, as text: one document that needs nothing else. Errors as there."""
+        return _show.page(self._source, title=title, unit_in_metres=unit_in_metres, y_up=y_up, stop=stop)
+
+    def show(self, height: int = 600, **settings: Any) -> Any:
+        """The page in a notebook's cell, so many pixels high, in a frame that reaches nothing outside; settings are those of `page`. A page
+        above 20 MB is written to the working folder, and a link to it shown.
+
+        Raises
+        ------
+        ImportError
+            IPython is not installed.
+        As `page`.
+        """
+        return _show.in_notebook(lambda: self.page(**settings), height)
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_clashes(self)
+
+    def __repr__(self) -> str:
+        return f"<impinge.Clashes: {len(self.pairs)} pairs, {len(self.failing())} fail, of {len(self.parts)} parts>"
 
 
 def _region(found: tuple[Any, ...]) -> Region:
@@ -170,6 +253,11 @@ def judge(
     `tolerance`, in your unit of length, None: what rounding of the coordinates leaves. `clearance`: with parts nearer than it their
     distance. `depth_precision`: how wide intervals of depths may be, relative to the depth; infinity: verdicts alone.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> impinge.judge(tetrahedron, tetrahedron, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
+    <impinge.Clash: 0, 1: touching>
+
     Raises
     ------
     MeshError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
@@ -193,6 +281,16 @@ def find_clashes(
 
     With a `ClashMemory`, given again and again as objects move, what did not change is not found out again; the answer is the same.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> scene = impinge.Scene()
+    >>> base, top = scene.add(tetrahedron, name="base"), scene.add(tetrahedron, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.5], [0, 0, 0, 1]], name="top")
+    >>> clashes = impinge.find_clashes(scene)
+    >>> clashes
+    <impinge.Clashes: 1 pairs, 1 fail, of 2 parts>
+    >>> clashes.pairs
+    [<impinge.Clash: 'base', 'top': penetrating>]
+
     Raises
     ------
     As `judge`.
@@ -204,11 +302,21 @@ def find_clashes(
         return Clashes(
             [_clash(pair, (names[pair[0][0]], names[pair[0][1]])) for pair in pairs],
             {names[i]: _facts(facts) for i, facts in enumerate(parts) if i in names},
+            _show.Source(
+                _core.Judged(scene._core, tolerance, clearance, depth_precision),
+                {names[i]: (i, scene._objects[names[i]].mesh) for i in sorted(names)},
+            ),
         )
 
 
 def examine(mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None) -> PartFacts:
     """What a part is: solid, cracked or a surface, and why it is no better.
+
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> facts = impinge.examine(tetrahedron)
+    >>> facts.part_class.name, facts.closed, round(6 * facts.volume, 9)
+    ('SOLID', True, 1.0)
 
     Raises
     ------
@@ -229,6 +337,13 @@ def contact_regions(
     stop: _core.Stop | None = None,
 ) -> list[Region]:
     """The connected regions in which two parts touch, largest first. What comes within `tolerance` is in contact; 0: exactly.
+
+    >>> import impinge
+    >>> a = [[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]]
+    >>> b = [[1, 1, -1], [1, 1, 1], [3, 1, 0]], [[0, 1, 2]]  # goes through a along y = 1
+    >>> (region,) = impinge.contact_regions(a, b)
+    >>> region.length, region.centroid.tolist()
+    (2.0, [2.0, 1.0, 0.0])
 
     Raises
     ------

@@ -4,7 +4,7 @@
 # shape said here, and were checked there: a pose is float64 (4, 4), or None for the identity; poses are float64 (..., 4, 4). Ids and
 # strings are as in the C++ library, structs are tuples of their members. It raises what _errors.py defines.
 from types import TracebackType
-from typing import Any
+from typing import Any, Sequence
 
 from numpy import float64, uint32
 from numpy.typing import NDArray
@@ -160,6 +160,24 @@ class ClashMemory(metaclass=_Type):
 def find_clashes(
     scene: Scene, options: VerdictOptions, memory: ClashMemory | None, stop: Stop | None, /
 ) -> tuple[list[_Tuple], list[_Tuple]]: ...
+class Judged(metaclass=_Type):
+    """A scene as it was when clashes were found in it, for reports."""
+
+    def __init__(self, scene: Scene, tolerance: float | None, clearance: float, depth_precision: float, /) -> None: ...
+
+def write_report(
+    judged: Judged,
+    objects: Sequence[tuple[int, str, Mesh]],
+    title: str,
+    unit_in_metres: float | None,
+    y_up: bool | None,
+    page_program: str,
+    date: str,
+    format: str,
+    file: str,
+    stop: Stop | None,
+    /,
+) -> None: ...
 def read(
     file: str, scale: float, unit_in_metres: float | None, importer: str, stop: Stop | None, /
 ) -> tuple[list[_Tuple], float | None, list[str], list[str]]: ...

@@ -60,6 +60,17 @@ def read(
 
     `scale` multiplies every coordinate; without it a file whose unit is known is brought to the one of `unit_in_metres`.
 
+    >>> import impinge, os, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = os.path.join(folder, "part.obj")
+    ...     with open(file, "w") as text:
+    ...         _ = text.write("o plate\\nv 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n")
+    ...     model = impinge.read(file)
+    >>> [(found.name, len(found.mesh.faces)) for found in model.objects]
+    [('plate', 1)]
+    >>> model.scene()
+    <impinge.Scene: 1 objects, 1 faces>
+
     Raises
     ------
     FileNotFoundError, FileError, OptionError, Cancelled, OutOfMemoryError

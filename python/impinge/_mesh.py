@@ -26,6 +26,10 @@ class HasVerticesFaces(Protocol):
 class Mesh:
     """An immutable triangle mesh, with a tree that queries make and keep; safe to use from many threads.
 
+    >>> import impinge
+    >>> impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    <impinge.Mesh: 4 vertices, 4 faces>
+
     Parameters
     ----------
     vertices : (V, 3) array of finite coordinates, in your unit of length; or a mesh of another library, or (vertices, faces)
@@ -90,6 +94,11 @@ class Mesh:
     def transformed(self, matrix: ArrayLike) -> Mesh:
         """With every vertex mapped by an affine (4, 4) matrix: any scale, shear or mirror. Answers are the same bit for bit as
         if a rigid map had been a pose. Mirroring keeps the order of vertices.
+
+        >>> import impinge
+        >>> mesh = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> mesh.transformed([[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 5], [0, 0, 0, 1]]).bounds.tolist()
+        [[0.0, 0.0, 5.0], [2.0, 2.0, 5.0]]
 
         Raises
         ------

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Hashable, Iterable, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._errors import ImpingeWarning, MeshError
 from ._mesh import Mesh, MeshLike, as_core, placed
 
@@ -58,6 +58,9 @@ class Contacts:
     def rows(self) -> NDArray[np.int64]:
         """(K,): the row of each pair."""
         return np.repeat(np.arange(len(self.objects)), np.diff(self.offsets))
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_contacts(self)
 
     def __repr__(self) -> str:
         more = ", truncated" if self.truncated else ""
@@ -148,6 +151,12 @@ def collide(
     first so many in canonical order; with `kinds` those alone. Backends, "auto", "simd", "paper", "gpu", "raster" and "hybrid",
     answer the same; `device` is the number of a device (`devices`) or a part of its name.
 
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> contacts = impinge.collide(sheet, sheet, None, [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])  # corner to corner
+    >>> contacts.pairs.tolist(), impinge.Kind(contacts.kinds[0]).name
+    ([[0, 0]], 'COPLANAR')
+
     Raises
     ------
     MeshError, PoseError, OptionError, Cancelled, OutOfMemoryError
@@ -205,6 +214,11 @@ def touches(
 ) -> bool:
     """Whether any two triangles of two meshes share a point, exactly; the search stops at the first that do.
 
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> impinge.touches(sheet, sheet, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1e-09], [0, 0, 0, 1]])
+    False
+
     Raises
     ------
     As `collide`.
@@ -230,6 +244,13 @@ def collide_poses(
 
     `limit` is for the call as a whole.
 
+    >>> import impinge, numpy as np
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> poses = np.tile(np.eye(4), (3, 1, 1))
+    >>> poses[:, 0, 3] = [0, 1, 2]
+    >>> impinge.collide_poses(sheet, sheet, None, poses).offsets.tolist()  # one pair at each of the first two
+    [0, 1, 2, 2]
+
     Raises
     ------
     As `collide`; OptionError also if the numbers of poses do not match.
@@ -249,6 +270,13 @@ def touches_poses(
     stop: _core.Stop | None = None,
 ) -> NDArray[np.bool_]:
     """(N,): for each pose whether any two triangles share a point.
+
+    >>> import impinge, numpy as np
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> poses = np.tile(np.eye(4), (3, 1, 1))
+    >>> poses[:, 0, 3] = [0, 1, 2]
+    >>> impinge.touches_poses(sheet, sheet, None, poses)
+    array([ True,  True, False])
 
     Raises
     ------
@@ -273,6 +301,11 @@ def distance(
 
     None if they are farther apart than `stop_above`; where the distance is below `enough_below`, any below it may be given, sooner.
 
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> impinge.distance(sheet, sheet, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]]).distance
+    2.0
+
     Raises
     ------
     As `collide`; MeshError also for a mesh without triangles.
@@ -294,6 +327,11 @@ def closer_than(
 ) -> bool:
     """Whether some points of two meshes are nearer to each other than `limit`. Much faster than the distance itself.
 
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> impinge.closer_than(sheet, sheet, 1.5, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]])
+    False
+
     Raises
     ------
     As `distance`; OptionError also for a limit that is negative or not a number.
@@ -304,17 +342,15 @@ def closer_than(
 class PointLocator:
     """A closed mesh at a pose, prepared so that many points are located fast; immutable, safe to use from many threads.
 
-    Raises
-    ------
-    As `collide`; MeshError also for a mesh that is not closed.
-
-    Examples
-    --------
     >>> import impinge
     >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
     >>> locator = impinge.PointLocator(tetrahedron)
     >>> [impinge.Location(where).name for where in locator.locate([[0.1, 0.1, 0.1], [0.5, 0.5, 0], [1, 1, 1]])]
     ['INSIDE', 'BOUNDARY', 'OUTSIDE']
+
+    Raises
+    ------
+    As `collide`; MeshError also for a mesh that is not closed.
     """
 
     def __init__(self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0) -> None:
@@ -372,6 +408,12 @@ def overlap_depth(
 
     `precision`, in (0, 1], is how wide they may be relative to the depth.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> found = impinge.overlap_depth(tetrahedron, tetrahedron, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.75], [0, 0, 0, 1]])
+    >>> found.a_in_b.hi >= found.a_in_b.lo > 0
+    True
+
     Raises
     ------
     As `locate`.
@@ -389,6 +431,11 @@ def overlap_volume(
     stop: _core.Stop | None = None,
 ) -> OverlapVolume:
     """The volume that two closed meshes have in common.
+
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> round(6 * impinge.overlap_volume(tetrahedron, tetrahedron, None, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.5], [0, 0, 0, 1]]).volume, 6)  # halved in size
+    0.125
 
     Raises
     ------

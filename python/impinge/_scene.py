@@ -10,7 +10,7 @@ from weakref import WeakSet
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _show
 from ._errors import OptionError, UnknownObjectError
 from ._mesh import Mesh, MeshLike, as_core
 from ._queries import Contacts, Kind, Nearest, make_contacts, make_nearest, make_options
@@ -50,6 +50,16 @@ class Scene:
     """Placed meshes that are asked about again and again, by names of yours.
 
     Safe to use from many threads: queries run side by side, changes wait for them. Pickles, and so copies by `copy.copy`.
+
+    >>> import impinge
+    >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> scene = impinge.Scene()
+    >>> floor, lid = scene.add(sheet, name="floor"), scene.add(sheet, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]], name="lid")
+    >>> scene.touches_any()
+    False
+    >>> scene.set_pose("lid", None)
+    >>> scene.collide().names
+    (('floor', 'lid'),)
     """
 
     def __init__(self) -> None:
@@ -362,6 +372,19 @@ class Scene:
         any other object of the scene, (T,). The others are not tested against each other. The scene does not change. With `witnesses`
         two triangles that touch are told too.
 
+        >>> import impinge, numpy as np
+        >>> sheet = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene = impinge.Scene()
+        >>> floor, arm = scene.add(sheet, name="floor"), scene.add(sheet, name="arm")
+        >>> poses = np.tile(np.eye(4), (3, 1, 1, 1))  # three configurations of one moving object
+        >>> poses[:, 0, 2, 3] = [-1, 0, 1]
+        >>> scene.collide_configurations(["arm"], poses)
+        array([False,  True, False])
+        >>> scene.first_touching(["arm"], poses)
+        1
+        >>> scene.distance_configurations(["arm"], poses)
+        array([1., 0., 1.])
+
         Raises
         ------
         UnknownObjectError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
@@ -521,6 +544,9 @@ class Scene:
         for a, b in state["ignored"]:
             self.ignore(a, b)
         self._next = state["next"]
+
+    def _repr_html_(self) -> str:
+        return _show.table_of_scene(self)
 
     def __repr__(self) -> str:
         return f"<impinge.Scene: {len(self)} objects, {self._core.triangles} faces>"

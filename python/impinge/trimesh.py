@@ -87,6 +87,14 @@ class _Pair(NamedTuple):
 class CollisionManager:
     """Placed meshes, by names.
 
+    >>> import impinge
+    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> from impinge.trimesh import CollisionManager
+    >>> manager = CollisionManager()
+    >>> _ = manager.add_object("base", tetrahedron), manager.add_object("top", tetrahedron, [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.5], [0, 0, 0, 1]])
+    >>> manager.in_collision_internal(return_names=True)
+    (True, {('base', 'top')})
+
     Parameters
     ----------
     solid : "convex", "closed" or "none"

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: MIT
 """What the process sees: locks, signals, memory, time to import, types."""
 
+import ast
 import doctest
 import gc
+import importlib
 import importlib.metadata
+import inspect
 import multiprocessing
 import os
 import pkgutil
@@ -14,6 +17,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -223,6 +227,40 @@ def test_the_page_and_the_docstring_print_what_they_say(capsys):
     for part in pkgutil.iter_modules(impinge.__path__, "impinge."):
         assert doctest.testmod(importlib.import_module(part.name)).failed == 0, part.name
     assert doctest.testmod(impinge).failed == 0 < doctest.testmod(impinge).attempted
+
+
+def test_each_call_in_the_tables_of_the_page_exists():
+    page = (Path(__file__).parents[2] / "docs" / "python.md").read_text()
+    variables = {"scene": impinge.Scene, "mesh": impinge.Mesh, "model": impinge.Model, "manager": impinge.trimesh.CollisionManager}
+    fields = {name for found in vars(impinge).values() if isinstance(found, type) for name in dir(found) + list(getattr(found, "__annotations__", ()))}
+    checked = 0
+    for library in ("python-fcl", "Coal", "trimesh"):
+        (section,) = re.findall(rf"^## From {library}\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
+        table = section[: section.index("\n\n", section.index("| --- |"))]
+        for row in table.splitlines()[3:]:
+            for code in re.findall(r"`([^`]+)`", row.rsplit("|", 2)[1]):
+                name, call, arguments = re.fullmatch(r"([\w.]+)(\(?)(.*)", code).groups()
+                first, *rest = name.split(".")
+                if not call and not rest and first in fields:
+                    continue  # of an answer
+                found = impinge if first == "impinge" else variables.get(first) or getattr(impinge, first)
+                for step in rest:
+                    found = getattr(found, step)
+                if call:
+                    given = ast.parse(code[: code.index(")") + 1], mode="eval").body
+                    itself = [None] if first in variables else []
+                    signature = inspect.signature(found)
+                    (signature.bind_partial if "..." in arguments else signature.bind)(*itself, *given.args, **{word.arg: None for word in given.keywords})
+                checked += 1
+    assert checked > 40
+
+
+def test_every_public_name_is_documented_and_every_function_has_an_example():
+    public = {name: getattr(impinge, name) for name in impinge.__all__ if name not in ("MeshLike", "__version__")}
+    assert [name for name, found in public.items() if not found.__doc__] == []
+    functions = [name for name, found in public.items() if isinstance(found, types.FunctionType)]
+    assert len(functions) > 10  # (what devices a machine has, no example can say)
+    assert [name for name in functions if ">>>" not in public[name].__doc__ and name != "devices"] == []
 
 
 def test_the_version_is_that_of_the_build():

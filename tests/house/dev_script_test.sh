@@ -14,7 +14,7 @@ fail() {
 }
 
 help=$("$dev" --help) || fail '--help does not end with status 0'
-for words in './dev demo' './dev test' './dev test --all' './dev build' './dev bench' './dev bundle' './dev wheel' './dev format' 'README.md'; do
+for words in './dev demo' './dev test' './dev test --all' './dev build' './dev bench' './dev bundle' './dev wheel' './dev docs' './dev format' 'README.md'; do
   case $help in
     *"$words"*) ;;
     *) fail "--help does not speak of '$words'" ;;
@@ -44,6 +44,7 @@ refuses 'here' demo here
 refuses --slow bench --slow
 refuses extra bundle extra
 refuses extra wheel extra
+refuses extra docs extra
 refuses --fix format --fix
 
 [ "$failures" -eq 0 ] && echo 'all as promised'

@@ -8,6 +8,7 @@
 #include <map>
 #include <thread>
 
+#include "impinge/report.hpp"
 #include "tests/cli/meshes.hpp"
 #include "tests/cli/program.hpp"
 
@@ -227,6 +228,35 @@ TEST_F(Files, OptionsThatSayNothingAreRefused) {
   refused({"--date", "2023-02-29", "--bcf", "out.bcf"}, "'2023-02-29'");
   refused({"--bcf-topics", "many", "--bcf", "out.bcf"}, "'many'");
   refused({"--bcf-topics", "20001", "--bcf", "out.bcf"}, "20000");
+}
+
+/// What the library's own calls write, of clashes that it looks for and of clashes that are known.
+TEST_F(Files, AReportOfKnownClashesIsThatOfTheSameScene) {
+  report::ReportOptions options;
+  options.files = {(folder.path() / "a.off").string(), (folder.path() / "b.off").string()};
+  options.regions = true;
+  options.page_program = (folder.path() / "page.html").string();
+  const auto read = [&] { return *report::read_assembly(options); };
+  Scene scene;
+  for (const io::Object& object : read().objects) ASSERT_TRUE(scene.add(object.mesh, object.pose));
+  const Clashes clashes = *find_clashes(scene, {.regions = true});
+  const auto bytes = [&](const Result<report::Report>& found,
+                         Result<void> (*write)(const report::Report&, const std::string&), const char* name) {
+    EXPECT_TRUE(found) << found.error().message;
+    EXPECT_TRUE(write(*found, (folder.path() / name).string()));
+    return folder.read(name);
+  };
+  const auto known = report::review(read(), clashes, options), looked_for = report::review(read(), options);
+  EXPECT_EQ(bytes(known, report::write_csv, "x.csv"), bytes(looked_for, report::write_csv, "y.csv"));
+  EXPECT_EQ(bytes(known, report::write_bcf, "x.bcf"), bytes(looked_for, report::write_bcf, "y.bcf"));
+  EXPECT_TRUE(bytes(known, report::write_page, "x.html").starts_with(kPageHead));
+
+  Clashes of_one = clashes;
+  of_one.parts.pop_back();
+  EXPECT_EQ(report::review(read(), of_one, options).error().message,
+            "the clashes are of 1 parts, and the assembly has 2");
+  options.between.emplace(options.files[0], options.files[1]);
+  EXPECT_EQ(report::review(read(), clashes, options).error().code, Code::bad_option);
 }
 
 }  // namespace
