@@ -166,7 +166,7 @@ def collide(
         The backend needs a device, and there is none.
     """
     options = make_options(first, limit, kinds, threads, backend, device)
-    return make_contacts(_core.collide(placed(a, b, pose_a, pose_b), options, stop))
+    return make_contacts(_core.collide(*placed(a, b, pose_a, pose_b), options, stop))
 
 
 def self_collide(
@@ -223,7 +223,7 @@ def touches(
     ------
     As `collide`.
     """
-    return _core.touches(placed(a, b, pose_a, pose_b), threads, stop)
+    return _core.touches(*placed(a, b, pose_a, pose_b), threads, stop)
 
 
 def collide_poses(
@@ -311,7 +311,7 @@ def distance(
     As `collide`; MeshError also for a mesh without triangles.
     """
     options = _core.DistanceOptions(stop_above, enough_below, threads)
-    found = _core.distance(placed(a, b, pose_a, pose_b), options, stop)
+    found = _core.distance(*placed(a, b, pose_a, pose_b), options, stop)
     return None if found is None else make_nearest(found)
 
 
@@ -336,7 +336,7 @@ def closer_than(
     ------
     As `distance`; OptionError also for a limit that is negative or not a number.
     """
-    return _core.closer_than(placed(a, b, pose_a, pose_b), limit, threads, stop)
+    return _core.closer_than(*placed(a, b, pose_a, pose_b), limit, threads, stop)
 
 
 class PointLocator:
@@ -418,7 +418,7 @@ def overlap_depth(
     ------
     As `locate`.
     """
-    return make_depth(_core.overlap_depth(placed(a, b, pose_a, pose_b), precision, threads, stop))
+    return make_depth(_core.overlap_depth(*placed(a, b, pose_a, pose_b), precision, threads, stop))
 
 
 def overlap_volume(
@@ -441,4 +441,4 @@ def overlap_volume(
     ------
     As `locate`.
     """
-    return OverlapVolume(*_core.overlap_volume(placed(a, b, pose_a, pose_b), threads, stop))
+    return OverlapVolume(*_core.overlap_volume(*placed(a, b, pose_a, pose_b), threads, stop))
