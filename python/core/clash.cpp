@@ -145,9 +145,9 @@ void bind_clashes(py::module_& module) {
             return VerdictOptions{tolerance, clearance, depth_precision, regions, threads};
           }));
   module.def("find_clashes", &find_in_scene);
-  module.def("judge", &judge_pair);
+  bind_pair(module, "judge", &judge_pair);
   module.def("examine", &examine_mesh);
-  module.def("contact_regions", &regions_of_pair);
+  bind_pair(module, "contact_regions", &regions_of_pair);
   module.def("read", &read_file);
 }
 

@@ -215,18 +215,15 @@ void bind_meshes(py::module_& module) {
              }());
            })
       .def("memory_bytes", &Mesh::memory_bytes);
-  py::class_<Pair>(module, "Pair").def(py::init([](const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b) {
-    return Pair{a, pose_of(pose_a, "pose_a"), b, pose_of(pose_b, "pose_b")};
-  }));
   module.def("nearest_poses", &nearest_poses);
   module.def("poses_of_quaternions", &poses_of_quaternions);
   module.def("off_rotation", &off_rotation);
-  module.def("collide", &collide_pair);
-  module.def("touches", &touches_pair);
+  bind_pair(module, "collide", &collide_pair);
+  bind_pair(module, "touches", &touches_pair);
   module.def("self_collide", &collide_self);
   module.def("collide_poses", &collide_at_poses);
-  module.def("distance", &distance_of_pair);
-  module.def("closer_than", &pair_closer_than);
+  bind_pair(module, "distance", &distance_of_pair);
+  bind_pair(module, "closer_than", &pair_closer_than);
   py::class_<PointLocator>(module, "PointLocator")
       .def(py::init([](const Mesh& mesh, py::handle pose, int threads) {
         const Pose at = pose_of(pose, "pose");
@@ -234,8 +231,8 @@ void bind_meshes(py::module_& module) {
                           [&](std::stop_token) { return PointLocator::create(mesh, at, threads); }));
       }))
       .def("locate", &locate_points);
-  module.def("overlap_depth", &depth_of_overlap);
-  module.def("overlap_volume", &volume_of_overlap);
+  bind_pair(module, "overlap_depth", &depth_of_overlap);
+  bind_pair(module, "overlap_volume", &volume_of_overlap);
 }
 
 }  // namespace impinge::python

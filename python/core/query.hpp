@@ -144,6 +144,14 @@ struct Pair {
   Pose bt;
 };
 
+/// Makes `function(pair, ...)` a function of Python's of a mesh, its pose, another mesh, its pose, and so on.
+template <class Answer, class... Arguments>
+void bind_pair(py::module_& module, const char* name, Answer (*function)(const Pair&, Arguments...)) {
+  module.def(name, [function](const Mesh& a, py::handle pose_a, const Mesh& b, py::handle pose_b, Arguments... rest) {
+    return function({a, pose_of(pose_a, "pose_a"), b, pose_of(pose_b, "pose_b")}, rest...);
+  });
+}
+
 /// Which of the poses is none, for the error that says so.
 const char* bad_pose_of(const Pair& pair);
 

@@ -263,7 +263,7 @@ def judge(
     MeshError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
     """
     options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, threads)
-    return _clash(_core.judge(placed(a, b, pose_a, pose_b), options, stop), (0, 1))
+    return _clash(_core.judge(*placed(a, b, pose_a, pose_b), options, stop), (0, 1))
 
 
 def find_clashes(
@@ -349,5 +349,5 @@ def contact_regions(
     ------
     As `judge`; OptionError also for a tolerance that is negative or too large.
     """
-    found = _core.contact_regions(placed(a, b, pose_a, pose_b), tolerance, threads, stop)
+    found = _core.contact_regions(*placed(a, b, pose_a, pose_b), tolerance, threads, stop)
     return [_region(region) for region in found]

@@ -129,7 +129,7 @@ def set_num_threads(threads: int) -> None:
 
 def take_environment() -> None:
     """Does what the environment says."""
-    threads = os.environ.get("IMPINGE_NUM_THREADS", "0")
+    threads = os.environ.get("IMPINGE_NUM_THREADS") or "0"
     if not threads.isdecimal():
         raise OptionError(f"the environment's IMPINGE_NUM_THREADS is {threads!r}; choose 1 or more, or 0 for no limit")
     set_num_threads(int(threads))

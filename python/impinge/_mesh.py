@@ -182,7 +182,9 @@ def as_core(mesh: MeshLike, what: str) -> _core.Mesh:
         raise MeshError(f"{what}: {problem}") from None
 
 
-def placed(a: MeshLike, b: MeshLike, pose_a: ArrayLike | None, pose_b: ArrayLike | None) -> _core.Pair:
-    """What queries on two meshes work on."""
+def placed(
+    a: MeshLike, b: MeshLike, pose_a: ArrayLike | None, pose_b: ArrayLike | None
+) -> tuple[_core.Mesh, NDArray[np.float64] | None, _core.Mesh, NDArray[np.float64] | None]:
+    """The first arguments of the extension's queries on two meshes."""
     at, bt = _arrays.pose(pose_a, "pose_a"), _arrays.pose(pose_b, "pose_b")
-    return _core.Pair(as_core(a, "a"), at, as_core(b, "b"), bt)
+    return as_core(a, "a"), at, as_core(b, "b"), bt

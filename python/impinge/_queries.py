@@ -176,7 +176,7 @@ def collide(
         The backend needs a device, and there is none.
     """
     options = make_options(first, limit, kinds, threads, backend, device)
-    return make_contacts(_core.collide(placed(a, b, pose_a, pose_b), options, stop))
+    return make_contacts(_core.collide(*placed(a, b, pose_a, pose_b), options, stop))
 
 
 def self_collide(
@@ -233,7 +233,7 @@ def touches(
     ------
     As `collide`.
     """
-    return _core.touches(placed(a, b, pose_a, pose_b), threads, stop)
+    return _core.touches(*placed(a, b, pose_a, pose_b), threads, stop)
 
 
 def collide_poses(
@@ -321,7 +321,7 @@ def distance(
     As `collide`; MeshError also for a mesh without triangles.
     """
     options = _core.DistanceOptions(stop_above, enough_below, threads)
-    found = _core.distance(placed(a, b, pose_a, pose_b), options, stop)
+    found = _core.distance(*placed(a, b, pose_a, pose_b), options, stop)
     return None if found is None else make_nearest(found)
 
 
@@ -346,7 +346,7 @@ def closer_than(
     ------
     As `distance`; OptionError also for a limit that is negative or not a number.
     """
-    return _core.closer_than(placed(a, b, pose_a, pose_b), limit, threads, stop)
+    return _core.closer_than(*placed(a, b, pose_a, pose_b), limit, threads, stop)
 
 
 class PointLocator:
@@ -354,20 +354,13 @@ class PointLocator:
 
     >>> import impinge
     >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-    >>> [impinge.Location(where).name for where in impinge.locate([[0.1, 0.1, 0.1], [0, 0, 0], [1, 1, 1]], tetrahedron)]
+    >>> locator = impinge.PointLocator(tetrahedron)
+    >>> [impinge.Location(where).name for where in locator.locate([[0.1, 0.1, 0.1], [0.5, 0.5, 0], [1, 1, 1]])]
     ['INSIDE', 'BOUNDARY', 'OUTSIDE']
 
     Raises
     ------
     As `collide`; MeshError also for a mesh that is not closed.
-
-    Examples
-    --------
-    >>> import impinge
-    >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-    >>> locator = impinge.PointLocator(tetrahedron)
-    >>> [impinge.Location(where).name for where in locator.locate([[0.1, 0.1, 0.1], [0.5, 0.5, 0], [1, 1, 1]])]
-    ['INSIDE', 'BOUNDARY', 'OUTSIDE']
     """
 
     def __init__(self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0) -> None:
@@ -435,7 +428,7 @@ def overlap_depth(
     ------
     As `locate`.
     """
-    return make_depth(_core.overlap_depth(placed(a, b, pose_a, pose_b), precision, threads, stop))
+    return make_depth(_core.overlap_depth(*placed(a, b, pose_a, pose_b), precision, threads, stop))
 
 
 def overlap_volume(
@@ -458,4 +451,4 @@ def overlap_volume(
     ------
     As `locate`.
     """
-    return OverlapVolume(*_core.overlap_volume(placed(a, b, pose_a, pose_b), threads, stop))
+    return OverlapVolume(*_core.overlap_volume(*placed(a, b, pose_a, pose_b), threads, stop))
