@@ -386,7 +386,7 @@ void add_motion(CLI::App& command, MotionArguments& to) {
   add_files(command, to.files)->description("one file with an animation, of glTF or another format");
   begin_group(command, "What is looked at");
   add_number(command, "--frames", to.frames, 1U, 1'000'000U,
-             "look at N steps of equal length; what is over within one of them may be missed (default: 120)");
+             "look at N steps of equal length, and follow parts between them (default: 120)");
   command
       .add_option("--animation", to.animation, "which of the file's animations, by name or number (default: the first)")
       ->type_name("NAME|N");

@@ -155,8 +155,10 @@ const HelpPage kMotionHelp{
 Runs an animation of the file (glTF, or another format with moving nodes) and
 says of each two parts when they begin and cease to clash. It looks at steps of
 equal length, and halves the time between two of them on which the answers
-differ until it is known to a millionth of a step. What begins and ends within
-one step is not seen: --frames makes steps shorter.
+differ until it is known to a millionth of a step. Between two steps it follows
+parts from pose to pose on screws, so that what passes through within one step
+is found; of parts that touch at both its ends, change their shape or move
+otherwise it may be missed: --frames makes steps shorter.
 )",
     R"(Examples:
   impinge motion robot.glb

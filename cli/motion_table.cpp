@@ -71,8 +71,9 @@ void print_motion(const MotionReport& report, Sink& sink, std::optional<std::siz
                          : spans.size() == 1 ? "1 clash"
                                              : grouped(spans.size()) + " clashes"));
   sink.write(
-      fmt::format("Looked at {} of {} s: a clash that is over within one step may be missed; the times of "
-                  "those that were seen are exact to a millionth of a step.\n",
+      fmt::format("Looked at {} of {} s, and between them along screws: a clash that is over within one step is missed "
+                  "only where its parts touch at both ends of the step, change their shape or move otherwise; the "
+                  "times of those that were seen are exact to a millionth of a step.\n",
                   counted(frames, "step"), time_text(step, step)));
   if (report.animations > 1)
     sink.write(fmt::format("The file has {} animations; --animation N chooses another one.\n", report.animations));

@@ -208,10 +208,12 @@ struct Timeline {
 };
 
 /// When parts that move clash: looks at every frame for pairs that do, and halves the time between two frames of which
-/// one clashes and one does not, down to a millionth of a frame's step. A clash that begins and ends between two frames
-/// is not seen. The animation is one of the model's. Errors: `bad_file` (coordinates that are not finite, or a part
-/// that is flat at rest, with its name); `bad_option` (a pair to ignore that is none, or a tolerance in a unit where
-/// the model's is not known); those of `find_clashes`.
+/// one clashes and one does not, down to a millionth of a frame's step. Between two frames it follows parts that keep
+/// their shape from pose to pose on a screw (`time_of_impact`), and judges them where they meet: a clash that begins
+/// and ends there is seen, the first of each pair, unless they touch at both frames or move otherwise. The animation is
+/// one of the model's. Errors: `bad_file` (coordinates that are not finite, or a part that is flat at rest, with its
+/// name); `bad_option` (a pair to ignore that is none, or a tolerance in a unit where the model's is not known); those
+/// of `find_clashes`.
 Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation,
                                const MotionOptions& options = {});
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "report/motion/mover.hpp"
+#include "report/motion/passages.hpp"
 #include "report/review.hpp"
 #include "report/scene.hpp"
 #include "report/units.hpp"
@@ -38,6 +39,7 @@ class MovingScene {
     posed_ = std::move(posed);
     return {};
   }
+  [[nodiscard]] const std::vector<Posed>& posed() const { return posed_; }
   /// As `find_clashes`, which looks only at what moved since the last call.
   Result<Clashes> clashes(const ClashOptions& options) { return find_clashes(scene_, options, &memory_); }
 
@@ -45,6 +47,39 @@ class MovingScene {
   Scene scene_;
   std::vector<Posed> posed_;
   ClashMemory memory_;
+};
+
+/// The pairs that `MotionOptions::ignored` and products leave out, as a scene does.
+class LeftOutPairs {
+ public:
+  static Result<LeftOutPairs> create(const Assembly& assembly, const MotionOptions& options) {
+    LeftOutPairs pairs;
+    pairs.products_ = products_of(assembly);
+    for (const auto& words : options.ignored) {
+      std::array<std::vector<std::uint32_t>, 2> named;
+      for (const std::size_t side : {0, 1}) {
+        auto objects = objects_named(assembly, side == 0 ? words.first : words.second);
+        if (!objects) return objects.error();
+        named[side] = *std::move(objects);
+      }
+      pairs.ignored_.push_back(std::move(named));
+    }
+    return pairs;
+  }
+  [[nodiscard]] bool contains(const Objects& objects) const {
+    const auto& [a, b] = objects;
+    if (products_[a] != 0 && products_[a] == products_[b]) return true;
+    const auto is_in = [](const std::vector<std::uint32_t>& all, std::uint32_t one) {
+      return std::ranges::find(all, one) != all.end();
+    };
+    return std::ranges::any_of(ignored_, [&](const auto& named) {
+      return (is_in(named[0], a) && is_in(named[1], b)) || (is_in(named[0], b) && is_in(named[1], a));
+    });
+  }
+
+ private:
+  std::vector<std::uint32_t> products_;
+  std::vector<std::array<std::vector<std::uint32_t>, 2>> ignored_;
 };
 
 class Search {
@@ -56,8 +91,11 @@ class Search {
   Result<Timeline> run() {
     for (std::uint32_t frame = 0; frame <= options_.frames; ++frame) {
       const double time = mover_.seconds() * frame / options_.frames;
+      const std::vector<Posed> before = frame == 0 ? std::vector<Posed>() : scene_->posed();
       Result<Frame> found = look(time, frame == 0);
       if (!found) return found.error();
+      if (frame > 0)
+        if (auto passed = take_passages(before, time, *found); !passed) return passed.error();
       if (auto taken = take(time, *found); !taken) return taken.error();
       timeline_.times.push_back(time);
       if (options_.progress != nullptr) options_.progress->done.fetch_add(1);
@@ -120,6 +158,9 @@ class Search {
     Result<Scene> scene = scene_of(assembly_, options_, products_of(assembly_));
     if (!scene) return scene.error();
     scene_.emplace(*std::move(scene), *std::move(posed));
+    auto left_out = LeftOutPairs::create(assembly_, options_);
+    if (!left_out) return left_out.error();
+    left_out_ = *std::move(left_out);
     return {};
   }
 
@@ -150,6 +191,38 @@ class Search {
     return {};
   }
 
+  /// Spans of pairs that clash neither at the last time nor at this one, but between. Where the parts meet is told by
+  /// screws, and whether they clash there by where the animation has them. Those that touch at both times do so by
+  /// design, as a shaft in its bearing, and are left out.
+  Result<void> take_passages(const std::vector<Posed>& before, double time, const Frame& frame) {
+    const auto passages = passages_between(before, scene_->posed(), mover_.bodies(),
+                                           {.threads = options_.threads, .stop = options_.stop});
+    if (!passages) return passages.error();
+    const double last = timeline_.times.back();
+    for (const auto& [objects, from, to] : *passages) {
+      if (frame.contains(objects) || open_.contains(objects) || (from <= 0 && to >= 1)) continue;
+      if (left_out_->contains(objects)) continue;
+      for (const double part : {0.5, 0.25, 0.75}) {
+        const double within = last + (time - last) * (from + (to - from) * part);
+        std::optional<MovingScene> pair;
+        Result<std::optional<Clash>> clash = clash_at(objects, within, pair, options_.depth_precision);
+        if (!clash) return clash.error();
+        if (!*clash || !names(options_.fail_on, (*clash)->verdict)) continue;
+        const auto begin = moment_between(objects, last, within, false);
+        if (!begin) return begin.error();
+        const auto end = moment_between(objects, within, time, true);
+        if (!end) return end.error();
+        ClashSpan span;
+        span.objects = objects, span.from = *begin, span.to = *end;
+        (*clash)->objects = objects;
+        note(span, **clash, within);
+        timeline_.spans.push_back(span);
+        break;
+      }
+    }
+    return {};
+  }
+
   /// Keeps the worst of a span, of equals the first.
   static void note(ClashSpan& span, const Clash& clash, double time) {
     if (badness(clash.verdict, clash.fails_below, clash.overlap_depth) >=
@@ -174,8 +247,16 @@ class Search {
     return moment;
   }
 
-  /// The verdict on two parts at a time. `pair` is the two alone, where they were looked at last.
+  /// The verdict on two parts at a time.
   Result<Verdict> judge_at(const Objects& objects, double time, std::optional<MovingScene>& pair) {
+    const auto clash = clash_at(objects, time, pair, std::numeric_limits<double>::infinity());
+    if (!clash) return clash.error();
+    return *clash ? (*clash)->verdict : Verdict::apart;
+  }
+
+  /// Nothing where they are apart. `pair` is the two alone, where they were looked at last.
+  Result<std::optional<Clash>> clash_at(const Objects& objects, double time, std::optional<MovingScene>& pair,
+                                        double depth_precision) {
     auto posed = mover_.at(time, objects);
     if (!posed) return posed.error();
     std::vector<Posed> both{std::move((*posed)[0]), std::move((*posed)[1])};
@@ -188,10 +269,11 @@ class Search {
       pair.emplace(std::move(scene), std::move(both));
     }
     ClashOptions options = clash_options();
-    options.depth_precision = std::numeric_limits<double>::infinity();
-    const Result<Clashes> clashes = pair->clashes(options);
+    options.depth_precision = depth_precision;
+    Result<Clashes> clashes = pair->clashes(options);
     if (!clashes) return clashes.error();
-    return clashes->pairs.empty() ? Verdict::apart : clashes->pairs[0].verdict;
+    if (clashes->pairs.empty()) return std::optional<Clash>();
+    return std::optional(std::move(clashes->pairs[0]));
   }
 
   const Mover& mover_;
@@ -199,6 +281,7 @@ class Search {
   const MotionOptions& options_;
   Timeline timeline_;
   std::optional<MovingScene> scene_;
+  std::optional<LeftOutPairs> left_out_;
   std::map<Objects, ClashSpan> open_;
   Frame still_;
 };
