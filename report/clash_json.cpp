@@ -131,6 +131,7 @@ Json json_decisions(const Review& review) {
     if (!decision.status.empty()) entry["status"] = decision.status;
     if (!decision.comment.empty()) entry["comment"] = decision.comment;
     if (!decision.assignee.empty()) entry["assignee"] = decision.assignee;
+    if (!decision.due.empty()) entry["due"] = decision.due;
   }
   return all;
 }
@@ -200,6 +201,7 @@ Json json_triage(const Review& review, std::size_t pair) {
           {"status", or_null(standing.decision.status)},
           {"comment", or_null(standing.decision.comment)},
           {"assignee", or_null(standing.decision.assignee)},
+          {"due", or_null(standing.decision.due)},
           {"was", standing.was ? Json(name(*standing.was)) : Json()}};
 }
 

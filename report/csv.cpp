@@ -198,6 +198,7 @@ constexpr std::array kColumns{
              return row.pair.overlap_volume ? in_metres(row.conventions, row.pair.overlap_volume->volume, 3) : "";
            }},
     Column{"depth_least", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).lo) : ""; }},
+    Column{"due", [](const Row& row) { return csv_cell(row.standing.decision.due); }},
 };
 
 /// Cells with commas between them, and the end of the line.

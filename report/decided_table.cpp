@@ -71,7 +71,7 @@ class Table {
 
 /// Where the first row of a table says that ids and decisions are.
 struct Columns {
-  std::optional<std::size_t> id, status, comment, assignee;
+  std::optional<std::size_t> id, status, comment, assignee, due;
 
   explicit Columns(Table& table) {
     const std::optional<Table::Row> names = table.next();
@@ -80,9 +80,10 @@ struct Columns {
       if (names->cells[i] == "status") status = i;
       if (names->cells[i] == "comment") comment = i;
       if (names->cells[i] == "assignee") assignee = i;
+      if (names->cells[i] == "due") due = i;
     }
   }
-  [[nodiscard]] bool are_there() const { return id && (status || comment || assignee); }
+  [[nodiscard]] bool are_there() const { return id && (status || comment || assignee || due); }
 };
 
 }  // namespace
@@ -91,20 +92,23 @@ Result<Decisions> parse_decided_table(const std::string& name, const std::string
   Table table(text);
   const Columns columns(table);
   if (!columns.are_there())
-    return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status', 'comment' and "
-                                             "'assignee', as the CSV of impinge clash has them",
+    return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status', 'comment', "
+                                             "'assignee' and 'due', as the CSV of impinge clash has them",
                                              name)};
   Decisions decisions;
   while (const std::optional<Table::Row> row = table.next()) {
     const auto cell = [&](const std::optional<std::size_t>& at) {
       return at && *at < row->cells.size() ? without_defusing(row->cells[*at]) : std::string();
     };
-    const Decision decision{cell(columns.status), cell(columns.comment), cell(columns.assignee)};
+    const Decision decision{cell(columns.status), cell(columns.comment), cell(columns.assignee), cell(columns.due)};
     if (is_empty(decision)) continue;
     const std::string id = cell(columns.id);
     if (!is_pair_id(id))
       return Error{Code::bad_file,
                    fmt::format("{}:{}: the cell under 'id' is no id of a pair: '{}'", name, row->line, printable(id))};
+    if (!decision.due.empty() && !is_day(decision.due))
+      return Error{Code::bad_file, fmt::format("{}:{}: the cell under 'due' is no day such as 2024-06-14: '{}'", name,
+                                               row->line, printable(decision.due))};
     if (!decisions.add(id, decision))
       return Error{Code::bad_file,
                    fmt::format("{}:{}: another row decides otherwise about the pair {}", name, row->line, id)};

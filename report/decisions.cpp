@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -33,7 +34,7 @@ bool is_bcf(std::string_view name) { return name.ends_with(".bcf") || name.ends_
 
 bool is_same(const Decision& p, const Decision& q) {
   return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment) &&
-         printable(p.assignee) == printable(q.assignee);
+         printable(p.assignee) == printable(q.assignee) && p.due == q.due;
 }
 
 /// What a document that is to be replaced holds: nothing where it is no table of decisions and no archive.
@@ -53,11 +54,20 @@ Result<Decisions> decisions_in(const std::string& name) {
 }  // namespace
 
 bool is_empty(const Decision& decision) {
-  return decision.status.empty() && decision.comment.empty() && decision.assignee.empty();
+  return decision.status.empty() && decision.comment.empty() && decision.assignee.empty() && decision.due.empty();
 }
 
 bool Decisions::add(const std::string& id, const Decision& decision) {
   return is_empty(decision) || is_same(by_id.emplace(id, decision).first->second, decision);
+}
+
+bool is_day(std::string_view text) {
+  constexpr std::string_view kShape = "0000-00-00";
+  const auto is_as_shaped = [](char shape, char c) { return shape == '0' ? c >= '0' && c <= '9' : c == shape; };
+  if (!std::ranges::equal(kShape, text, is_as_shaped)) return false;
+  const auto number = [&](std::size_t at) { return static_cast<unsigned>(10 * (text[at] - '0') + text[at + 1] - '0'); };
+  const std::chrono::year year(static_cast<int>(100 * number(0) + number(2)));
+  return year > std::chrono::year(0) && (year / std::chrono::month(number(5)) / std::chrono::day(number(8))).ok();
 }
 
 bool is_pair_id(std::string_view key) {
@@ -79,7 +89,11 @@ Result<Decisions> parse_decisions(const std::string& name, const std::string& te
       return json_error(name, text, (json::json_pointer() / key).to_string(),
                         "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
                         "between them");
-    const Decision decision{entry.value("status", ""), entry.value("comment", ""), entry.value("assignee", "")};
+    const Decision decision{entry.value("status", ""), entry.value("comment", ""), entry.value("assignee", ""),
+                            entry.value("due", "")};
+    if (!decision.due.empty() && !is_day(decision.due))
+      return json_error(name, text, (json::json_pointer() / key / "due").to_string(),
+                        fmt::format("a day is such as 2024-06-14, not '{}'", fit(printable(decision.due), 80)));
     if (bar == std::string::npos)
       decisions.by_id.emplace(key, decision);
     else
@@ -139,18 +153,23 @@ Result<void> check_replaced(const std::string& name, const Decisions& given, con
   if (!earlier) return earlier.error();
   std::unordered_map<std::string_view, const Decision*> shown;
   for (std::size_t i = 0; i < review.ids.size(); ++i) shown.emplace(review.ids[i], &review.standings[i].decision);
+  // The day of a topic may be that of `--due`, which nobody decided.
+  const auto same = [&](const Decision& earlier_one, Decision other) {
+    if (is_bcf(name)) other.due = earlier_one.due;
+    return is_same(earlier_one, other);
+  };
   // Of a pair that is gone the new document says nothing: what only the earlier one says would be lost.
   const auto is_given = [&](const std::string& id, const Decision& decision) {
     const auto same_id = given.by_id.find(id);
-    if (same_id != given.by_id.end() && is_same(same_id->second, decision)) return true;
+    if (same_id != given.by_id.end() && same(decision, same_id->second)) return true;
     return std::any_of(given.by_names.begin(), given.by_names.end(),
-                       [&](const Decisions::ByNames& entry) { return is_same(entry.decision, decision); });
+                       [&](const Decisions::ByNames& entry) { return same(decision, entry.decision); });
   };
   std::size_t lost = 0;
   std::string first;
   for (const auto& [id, decision] : earlier->by_id) {
     const auto pair = shown.find(id);
-    if (pair != shown.end() ? is_same(*pair->second, decision) : is_given(id, decision)) continue;
+    if (pair != shown.end() ? same(decision, *pair->second) : is_given(id, decision)) continue;
     if (lost++ == 0) first = id;
   }
   if (lost == 0) return {};

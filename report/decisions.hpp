@@ -35,15 +35,18 @@ struct Decisions {
 /// ".bcf" or ".bcfzip". Errors: `bad_file`, with the line and the place.
 Result<Decisions> read_decisions(const std::string& name);
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text);
-/// Rows without a status, a comment and an assignee decide nothing.
+/// Rows without a status, a comment, an assignee and a day decide nothing.
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text);
 /// Whether a text has the columns of a table of decisions.
 bool is_decided_table(const std::string& text);
-/// Status and comments of the topics of BCF 2.0 to 3.0, whose GUIDs are ids of pairs. Errors: also of an archive that
-/// unpacks to more than people write.
+/// Status, comments, assignee and due day of the topics of BCF 2.0 to 3.0, whose GUIDs are ids of pairs. Errors: also
+/// of an archive that unpacks to more than people write.
 Result<Decisions> read_decided_bcf(const std::string& name);
 
 bool is_empty(const Decision& decision);
+
+/// Whether a text is a day such as 2024-06-14 (ISO 8601).
+bool is_day(std::string_view text);
 
 /// Whether a text looks like the id of a pair.
 bool is_pair_id(std::string_view key);

@@ -93,7 +93,7 @@ Json json_identity(const Assembly& assembly, std::size_t object);
 /// The facts of a part: "class" to "inner_radius", all null where there is no part; not "closed" and "open_edges".
 Json json_facts(const std::optional<Part>& part);
 
-/// Members of a pair: "test", "change", "status", "comment", "assignee" and "was".
+/// Members of a pair: "test", "change", "status", "comment", "assignee", "due" and "was".
 Json json_triage(const Review& review, std::size_t pair);
 
 /// {"name":"mm","metres":0.001}, with null for the name of one that has none; null where nobody said it.

@@ -78,6 +78,8 @@ export interface Pair {
   status?: string | null;
   comment?: string | null;
   assignee?: string | null;
+  /** A day such as 2024-06-14. */
+  due?: string | null;
 }
 
 /** A part, as far as an earlier run names it. */

@@ -6,7 +6,7 @@
 import type { Pair, Report } from './data';
 import type { Store } from './store';
 
-const kKeys = ['status', 'assignee', 'comment'] as const;
+const kKeys = ['status', 'assignee', 'due', 'comment'] as const;
 export type Decision = Record<(typeof kKeys)[number], string>;
 
 const kStatuses = ['open', 'active', 'reviewed', 'approved', 'resolved'];
@@ -14,6 +14,7 @@ const kStatuses = ['open', 'active', 'reviewed', 'approved', 'resolved'];
 const decisionOf = (pair: Pair): Decision => ({
   status: pair.status ?? '',
   assignee: pair.assignee ?? '',
+  due: pair.due ?? '',
   comment: pair.comment ?? '',
 });
 

@@ -128,6 +128,9 @@ export class Details {
     const assignee = el('input', { type: 'text', id: 'decided-assignee', dir: 'auto', autocomplete: 'off' });
     assignee.value = pair.assignee ?? '';
     assignee.addEventListener('input', () => take({ assignee: assignee.value.trim() }));
+    const due = el('input', { type: 'date', id: 'decided-due' });
+    due.value = pair.due ?? '';
+    due.addEventListener('input', () => take({ due: due.value }));
     const comment = el('textarea', { id: 'decided-comment', rows: 2, dir: 'auto' });
     comment.value = pair.comment ?? '';
     comment.addEventListener('input', () => take({ comment: comment.value.trim() }));
@@ -139,6 +142,7 @@ export class Details {
       { class: 'decision', role: 'group', 'aria-label': 'Decision' },
       ...labelled('Status', status),
       ...labelled('Assignee', assignee),
+      ...labelled('Due', due),
       ...labelled('Comment', comment),
       this.all,
     );
@@ -147,17 +151,17 @@ export class Details {
   private offerAll(): void {
     const { clash, group } = this.store.state;
     if (!this.all || !clash?.pair) return;
-    const { status, assignee, comment } = clash.pair;
+    const { status, assignee, due, comment } = clash.pair;
     const count = this.around(clash).length;
-    this.all.hidden = count < 2 || !(status || assignee || comment);
+    this.all.hidden = count < 2 || !(status || assignee || due || comment);
     this.all.textContent = `Same for all ${counted(count)} of the ${group === 'none' ? 'list' : 'group'}`;
   }
 
   /** What is not said of the one stays as it is of the others. */
-  private decideAll(clash: Clash, { status, assignee, comment }: Pair): void {
+  private decideAll(clash: Clash, { status, assignee, due, comment }: Pair): void {
     const pairs = this.around(clash).flatMap((one) => one.pair ?? []);
     if (!confirm(`Decide the same about ${counted(pairs.length)} clashes? It replaces what was decided about them.`)) return;
-    const said = { ...(status && { status }), ...(assignee && { assignee }), ...(comment && { comment }) };
+    const said = { ...(status && { status }), ...(assignee && { assignee }), ...(due && { due }), ...(comment && { comment }) };
     this.decisions.decide(pairs, said);
   }
 

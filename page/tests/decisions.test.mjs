@@ -31,14 +31,16 @@ describe('decisions', () => {
   after(() => browser.stop());
 
   const choose = (page, rank) => page.locator('#clash-list .row', { has: page.locator('.names') }).nth(rank - 1).click();
-  const decide = async (page, { status, assignee, comment }) => {
+  const decide = async (page, { status, assignee, due, comment }) => {
     if (status !== undefined) await page.selectOption('#decided-status', status);
     if (assignee !== undefined) await page.fill('#decided-assignee', assignee);
+    if (due !== undefined) await page.fill('#decided-due', due);
     if (comment !== undefined) await page.fill('#decided-comment', comment);
   };
   const decided = async (page) => ({
     status: await page.inputValue('#decided-status'),
     assignee: await page.inputValue('#decided-assignee'),
+    due: await page.inputValue('#decided-due'),
     comment: await page.inputValue('#decided-comment'),
   });
   const unsaved = (page) => page.isVisible('#save-decisions');
@@ -62,7 +64,7 @@ describe('decisions', () => {
       const first = await browser.open(clash());
       assert.ok(!(await unsaved(first.page)), 'there is nothing to save');
       await choose(first.page, 1);
-      const made = { status: 'reviewed', assignee: 'Ann Ü', comment: kComment };
+      const made = { status: 'reviewed', assignee: 'Ann Ü', due: '2024-06-14', comment: kComment };
       await decide(first.page, made);
       await choose(first.page, 2);
       await decide(first.page, { status: 'open' });
@@ -87,7 +89,7 @@ describe('decisions', () => {
       await second.page.selectOption('#filter-assignee', 'Ann Ü');
       assert.equal(await second.page.textContent('#clashes-count'), '1 of 3');
       // What came with the report is saved with what is new, and what was taken back stays so.
-      await decide(second.page, { status: '', assignee: '', comment: '' });
+      await decide(second.page, { status: '', assignee: '', due: '', comment: '' });
       await second.page.click('#clear-filters');
       await choose(second.page, 3);
       await decide(second.page, { comment: 'new' });
@@ -110,7 +112,7 @@ describe('decisions', () => {
     await decide(page, { status: 'active', comment: kComment });
     await page.reload();
     await choose(page, 2);
-    assert.deepEqual(await decided(page), { status: 'active', assignee: '', comment: kComment });
+    assert.deepEqual(await decided(page), { status: 'active', assignee: '', due: '', comment: kComment });
     assert.ok(await unsaved(page));
     const { report, ...rest } = review();
     report.pairs[0].status = 'other';
@@ -176,7 +178,7 @@ describe('decisions', () => {
     const rank = await page.evaluate(() => window.impinge.clashes.find(({ pair }) => pair?.comment).rank);
     await choose(page, rank);
     const text = 'seen by <b>two</b>\nnot by\u202e three\nor four';
-    assert.deepEqual(await decided(page), { status: 'approved', assignee: '', comment: text });
+    assert.deepEqual(await decided(page), { status: 'approved', assignee: '', due: '', comment: text });
     await page.focus('#decided-comment');
     await page.keyboard.type('j?');
     assert.equal(await page.inputValue('#decided-comment'), `${text}j?`, 'keys in a field are text');

@@ -270,7 +270,9 @@ std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) 
     add_element(labels, topic.is_3_0() ? "Label" : "Labels", label);
   add_element(about, "CreationDate", topic.date);
   add_element(about, "CreationAuthor", topic.author);
-  if (const std::string& due = review.options.due; !due.empty()) add_element(about, "DueDate", due);
+  const std::string& due = topic.standing.decision.due;
+  if (!due.empty() || !review.options.due.empty())
+    add_element(about, "DueDate", due.empty() ? review.options.due : due + "T00:00:00Z");
   if (const std::string& assignee = topic.standing.decision.assignee; !assignee.empty())
     add_element(about, "AssignedTo", printable(assignee));
   if (const std::string& stage = review.options.stage; !stage.empty()) add_element(about, "Stage", printable(stage));

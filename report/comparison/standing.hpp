@@ -22,6 +22,7 @@ enum class Change : std::uint8_t {
 /// What people decided about a pair, in their own words.
 struct Decision {
   std::string status, comment, assignee;
+  std::string due;  ///< a day, such as 2024-06-14
 };
 
 struct RegionStanding {

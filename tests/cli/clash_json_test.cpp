@@ -82,6 +82,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"status", nullptr},
                          {"comment", nullptr},
                          {"assignee", nullptr},
+                         {"due", nullptr},
                          {"was", nullptr},
                          {"a", 0},
                          {"b", 1},

@@ -83,6 +83,7 @@ TEST_F(DecisionsFile, MistakesAreToldWithTheirPlaces) {
            {"[]", "d.json:1: this is no list of decisions"},
            {"{\n\"a | b\":7}", "d.json:2: /a | b: a decision should stand here"},
            {R"({"a | b":{"state":"x"}})", "d.json:1: /a | b/state: there is no 'state' here; did you mean 'status'?"},
+           {R"({"a | b":{"due":"14.6.2024"}})", "d.json:1: /a | b/due: a day is such as 2024-06-14, not '14.6.2024'"},
            {R"({"a/c | b":{"status":null}})", "d.json:1: /a~1c | b/status: a text in quotes should stand here"}}) {
     const Ended ended = run(text);
     EXPECT_EQ(ended.code, 2) << text;

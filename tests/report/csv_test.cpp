@@ -23,7 +23,7 @@ const std::string kHead =
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
     "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,"
     "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee,unit,incomplete,"
-    "volume,volume_error,volume_m3,depth_least\r\n";
+    "volume,volume_error,volume_m3,depth_least,due\r\n";
 
 class Csv : public testing::Test {
  protected:
@@ -164,14 +164,15 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   const std::string id = rows[1].at("id");
   folder.write("saved.csv",
                "\xEF\xBB\xBF"
-               "comment;id;status;assignee\n\"'-3 mm; see \"\"A\"\"\";" +
-                   id + ";approved;Ann\n;" + rows[0].at("id") + ";;\n");
+               "comment;id;status;assignee;due\n\"'-3 mm; see \"\"A\"\"\";" +
+                   id + ";approved;Ann;2024-02-29\n;" + rows[0].at("id") + ";;;\n");
   EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
   const std::string decided = folder.read("t.csv");
   EXPECT_EQ(rows_of(decided)[0].at("status"), "");
   EXPECT_EQ(rows_of(decided)[1].at("status"), "approved");
   EXPECT_EQ(rows_of(decided)[1].at("comment"), "'-3 mm; see \"A\"");
   EXPECT_EQ(rows_of(decided)[1].at("assignee"), "Ann");
+  EXPECT_EQ(rows_of(decided)[1].at("due"), "2024-02-29");
 
   const auto is_refused = [&](const Ended& ended) {
     EXPECT_EQ(folder.read("t.csv"), decided);
@@ -184,7 +185,8 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   EXPECT_EQ(clash(both, {"--decisions", "saved.csv"}).code, 1);
   // Where the pair is gone, another file may still tell what was decided.
   is_refused(clash(one, {}));
-  const std::string same = R"({"a | b":{"status":"approved","comment":"-3 mm; see \"A\"","assignee":"Ann"}})";
+  const std::string same =
+      R"({"a | b":{"status":"approved","comment":"-3 mm; see \"A\"","assignee":"Ann","due":"2024-02-29"}})";
   std::string other = same;
   folder.write("d.json", other.replace(other.find("Ann"), 3, "Bob"));
   is_refused(clash(one, {"--decisions", "d.json"}));
@@ -197,6 +199,8 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
            {"", "bad.csv:1: a table of decisions has the columns"},
            {"id,area\n", "bad.csv:1: a table of decisions has the columns"},
+           {"id,due\n01234567-89ab-5cde-8f01-23456789abcd,2023-02-29\n",
+            "bad.csv:2: the cell under 'due' is no day such as 2024-06-14: '2023-02-29'"},
            {"id,status\n,\n7,open\n", "bad.csv:3: the cell under 'id' is no id of a pair: '7'"},
            {"id,status\n" + id + ",a\n" + id + ",b\n", "bad.csv:3: another row decides otherwise"}}) {
     folder.write("bad.csv", text);
