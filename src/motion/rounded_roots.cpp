@@ -35,17 +35,17 @@ Two operator*(const Two& a, const Two& b) {
   return exact::fast_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-using Vector = std::array<Two, 3>;
-Vector cross(const Vector& a, const Vector& b) {
+using TwoVector = std::array<Two, 3>;
+TwoVector cross(const TwoVector& a, const TwoVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Two dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Two dot(const TwoVector& a, const TwoVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// c0 s^3 + c1 s^2 t + c2 s t^2 + c3 t^3 with s = 1 - t.
 class Volume {
  public:
   Volume(const FourPoints& from, const FourPoints& to, const Spanning& spanning) {
-    std::array<std::array<Vector, 2>, 3> d;  // by difference and end
+    std::array<std::array<TwoVector, 2>, 3> d;  // by difference and end
     std::array<double, 3> largest{0, 0, 0};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t end = 0; end < 2; ++end) {
@@ -62,7 +62,7 @@ class Volume {
     size_ = largest[0] * largest[1] * largest[2];
     for (std::size_t u = 0; u < 2; ++u)
       for (std::size_t v = 0; v < 2; ++v) {
-        const Vector normal = cross(d[0][u], d[1][v]);
+        const TwoVector normal = cross(d[0][u], d[1][v]);
         for (std::size_t w = 0; w < 2; ++w) c_[u + v + w] = c_[u + v + w] + dot(normal, d[2][w]);
       }
     for (std::size_t i = 0; i < 4; ++i) valid_ = valid_ && sign_of(c_[i], 0x1p-96) != 0;
