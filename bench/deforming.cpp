@@ -1,26 +1,32 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// What deforms and touches itself: refitted trees against built ones, with a query and without, and self-collision.
+/// What deforms and touches itself: refitted trees against built ones, with a query and without, self-collision, and
+/// impacts between two states. With IMPINGE_CCD_DIR in the environment, those of its steps too (docs/motion.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 
 #include "bench/contest.hpp"
 #include "bench/mesh_pairs.hpp"
 #include "bench/ours.hpp"
 #include "bench/peers/cgal.hpp"
 #include "bench/peers/fcl.hpp"
+#include "bench/peers/fcl_impacts.hpp"
+#include "impinge/impacts.hpp"
+#include "impinge/io.hpp"
 
 namespace impinge::bench {
 namespace {
 
-/// Twisted along x, by a quarter turn over its length.
-scenes::MeshData twisted(scenes::MeshData mesh) {
+/// Twisted along x, by so many quarter turns over its length.
+scenes::MeshData twisted(scenes::MeshData mesh, double turns = 1) {
   double most = 0;
   for (std::size_t i = 0; i < mesh.xyz.size(); i += 3) most = std::max(most, std::abs(mesh.xyz[i]));
   for (std::size_t i = 0; i < mesh.xyz.size(); i += 3) {
-    const double angle = mesh.xyz[i] / most * std::acos(0.0) / 2, c = std::cos(angle), s = std::sin(angle);
+    const double angle = turns * mesh.xyz[i] / most * std::acos(0.0) / 2, c = std::cos(angle), s = std::sin(angle);
     const double y = mesh.xyz[i + 1], z = mesh.xyz[i + 2];
     mesh.xyz[i + 1] = c * y - s * z, mesh.xyz[i + 2] = s * y + c * z;
   }
@@ -40,6 +46,88 @@ void add(const Subject& subject, const std::string& what, const std::vector<Cont
     const Spread ratio = spread(times[c].ratio);
     table.add({subject.name, count(subject.data.triangle_count()), what, contestants[c].name,
                milliseconds(median(times[c].seconds)), digits(ratio.median), digits(ratio.low), digits(ratio.high)});
+  }
+}
+
+scenes::MeshData data_of(const Mesh& mesh) {
+  scenes::MeshData data;
+  for (const Point& p : mesh.vertices()) data.xyz.insert(data.xyz.end(), {p.x, p.y, p.z});
+  for (const auto& triangle : mesh.triangles())
+    data.triangles.insert(data.triangles.end(), triangle.begin(), triangle.end());
+  return data;
+}
+
+/// All vertices and faces, and all pairs of edges, that share no vertex and whose boxes around both states meet: by
+/// sweep and prune along x.
+std::vector<FclFeatures> candidates(const Mesh& mesh, const std::vector<double>& from, const std::vector<double>& to) {
+  struct Swept {
+    double lo[3], hi[3];
+    std::array<std::uint32_t, 3> vertices;
+    std::size_t count;
+  };
+  std::vector<Swept> all;
+  const auto add = [&](std::size_t count, std::array<std::uint32_t, 3> vertices) {
+    Swept swept{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}, vertices, count};
+    for (std::size_t i = 0; i < count; ++i)
+      for (const auto* xyz : {&from, &to})
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double x = (*xyz)[3 * std::size_t{vertices[i]} + k];
+          swept.lo[k] = std::min(swept.lo[k], x), swept.hi[k] = std::max(swept.hi[k], x);
+        }
+    all.push_back(swept);
+  };
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) add(1, {i, i, i});
+  for (const auto& e : mesh.edges()) add(2, {e[0], e[1], e[1]});
+  for (const auto& c : mesh.triangles()) add(3, c);
+  std::sort(all.begin(), all.end(), [](const Swept& a, const Swept& b) { return a.lo[0] < b.lo[0]; });
+  std::vector<FclFeatures> pairs;
+  std::vector<Swept> open;
+  for (const Swept& b : all) {
+    std::erase_if(open, [&](const Swept& a) { return a.hi[0] < b.lo[0]; });
+    for (const Swept& a : open) {
+      if (a.count + b.count != 4 || a.hi[1] < b.lo[1] || b.hi[1] < a.lo[1] || a.hi[2] < b.lo[2] || b.hi[2] < a.lo[2])
+        continue;
+      bool share = false;
+      for (const std::uint32_t i : a.vertices)
+        for (const std::uint32_t j : b.vertices) share |= i == j;
+      if (share) continue;
+      const Swept &one = a.count <= b.count ? a : b, &two = a.count <= b.count ? b : a;
+      if (one.count == 2)
+        pairs.push_back({true, {one.vertices[0], one.vertices[1], two.vertices[0], two.vertices[1]}});
+      else
+        pairs.push_back({false, {one.vertices[0], two.vertices[0], two.vertices[1], two.vertices[2]}});
+    }
+    open.push_back(b);
+  }
+  return pairs;
+}
+
+void measure_impacts(const Subject& subject, const std::vector<double>& to, const Effort& effort, Table& table) {
+  const Mesh mesh = make_mesh(subject.data);
+  const Moving moving{mesh, must(mesh.deformed(to))};
+  const std::vector<FclFeatures> pairs = candidates(mesh, subject.data.xyz, to);
+  const auto ask = [&](bool earliest) { return must(find_impacts(moving, {.earliest = earliest, .threads = 1})); };
+  std::printf("%s: %zu pairs of features whose boxes meet, %zu impacts\n", subject.name.c_str(), pairs.size(),
+              ask(false).impacts.size());
+  add(subject, "impacts",
+      {{"impinge", [&](std::size_t) { (void)ask(false); }},
+       {"impinge for the first", [&](std::size_t) { (void)ask(true); }},
+       {"FCL's tests alone", [&](std::size_t) { (void)FclImpacts::count(subject.data.xyz, to, pairs); }}},
+      effort, table);
+}
+
+/// Folders of scenes, each with a folder `frames` of meshes N.ply and N + 1.ply.
+void measure_public_steps(const std::filesystem::path& folder, const Effort& effort, Table& table) {
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (std::filesystem::is_directory(entry.path() / "frames")) scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  for (const auto& scene : scenes) {
+    std::vector<std::filesystem::path> frames;
+    for (const auto& entry : std::filesystem::directory_iterator(scene / "frames")) frames.push_back(entry.path());
+    std::sort(frames.begin(), frames.end());
+    const auto data = [&](std::size_t i) { return data_of(must(io::read(frames.at(i))).objects.at(0).mesh); };
+    measure_impacts({scene.filename().string(), data(0)}, data(1).xyz, effort, table);
   }
 }
 
@@ -69,6 +157,7 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
        {"CGAL", [&](std::size_t) { theirs = cgal.self_intersections(); }}},
       effort, table);
   if (ours != theirs) std::fprintf(stderr, "%s: %zu and %zu pairs\n", subject.name.c_str(), ours.size(), theirs.size());
+  measure_impacts(subject, twisted(subject.data, 0.01).xyz, effort, table);
 }
 
 }  // namespace
@@ -80,6 +169,7 @@ void bench_main(const Arguments& arguments) {
   for (const Subject& subject :
        {torus_knot_subject(9612), demo_subject("armadillo.off"), demo_subject("refined_elephant.off")})
     measure(subject, effort, table);
+  if (const char* const folder = std::getenv("IMPINGE_CCD_DIR")) measure_public_steps(folder, effort, table);
   table.write(arguments.folder, "deforming");
 }
 
