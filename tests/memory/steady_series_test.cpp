@@ -163,6 +163,7 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
     Workspace workspace;
     ContactManifolds manifolds;
     std::size_t contacts = 0, regions = 0;
+    const bool is_partial = options.find == Options::Find::first || options.kinds != kAllKinds;
     expect_steady(20, [&](int i) {
       for (std::size_t k = 0; k < ids.size(); ++k) {
         Pose pose = placed.objects[k].pose;
@@ -172,11 +173,11 @@ TEST(SteadySeries, OfScenesAllocatesNothing) {
       ASSERT_TRUE(scene.update());
       Contacts found = scene.collide(options, &workspace).value();
       contacts += found.triangles.size();
-      regions += manifolds.update(scene, found).value().size();
+      if (!found.partial) regions += manifolds.update(scene, found).value().size();
       workspace.recycle(std::move(found));
     });
     EXPECT_GT(contacts, 100u);
-    EXPECT_GT(regions, 100u);
+    EXPECT_TRUE(regions > 100 || is_partial);
   }
 }
 
