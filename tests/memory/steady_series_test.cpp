@@ -140,6 +140,15 @@ TEST(SteadySeries, OfTouchesAnyAllocatesNothing) {
   EXPECT_GT(touching, 10);
 }
 
+TEST(SteadySeries, OfTouchesAllocatesNothing) {
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
+  const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 60, 0.1);
+  int touching = 0;
+  expect_steady(
+      60, [&](int i) { touching += touches(cube, {}, knot, poses[static_cast<std::size_t>(i)]).value() ? 1 : 0; });
+  EXPECT_GT(touching, 5);
+}
+
 TEST(SteadySeries, OfPosesAllocatesNothing) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
   const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 60, 0.1);
