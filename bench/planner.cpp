@@ -3,8 +3,10 @@
 
 /// An arm of seven links among obstacles at random configurations, as a planner samples them: yes or no, and the least
 /// distance, against FCL's broad-phase managers; the cost of a call where nothing is near; and rooms and tables of 12
-/// triangles.
+/// triangles. With IMPINGE_PLANNER_CONFIGURATIONS set to a number, it only compares the yes or no of so many.
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "bench/contest.hpp"
@@ -130,6 +132,40 @@ void check_distance(double ours, double theirs) {
   if (!(std::abs(ours - theirs) <= 1e-6)) fail("impinge and FCL do not agree about a distance");
 }
 
+/// So many random configurations of the arm.
+Poses random_configurations(scenes::Random& random, std::size_t count) {
+  Poses poses;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, kLinks> angles;
+    for (double& angle : angles) angle = random.uniform(-2, 2);
+    append_arm(angles, poses);
+  }
+  return poses;
+}
+
+/// The yes or no of so many configurations, by both of impinge's calls and by FCL; nothing is timed.
+void compare_answers(const std::string& name, double size, double clear, std::size_t count) {
+  const Arm arm;
+  const scenes::PlacedScene around = obstacles(size, clear);
+  OurRobot ours(around, arm);
+  FclRobot tree(FclManager::tree, around, arm.links, arm.pairs);
+  scenes::Random random(4242);
+  constexpr std::size_t kAtOnce = 1000;
+  std::size_t touching = 0, done = 0;
+  for (; done < count; done += kAtOnce) {
+    const Poses poses = random_configurations(random, kAtOnce);
+    const auto batch = must(ours.scene.collide_configurations(ours.links, poses, {.threads = 1}));
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+      const auto at = std::span<const Pose>(poses).subspan(kLinks * i, kLinks);
+      const bool touches = batch.touches[i] != 0;
+      touching += touches ? 1 : 0;
+      if (ours.touches(at) != touches || tree.touches(at) != touches)
+        fail("impinge and FCL do not agree about configuration " + std::to_string(done + i) + " of " + name);
+    }
+  }
+  std::printf("%s: the same yes or no of %zu configurations, %zu of them in contact\n", name.c_str(), done, touching);
+}
+
 /// The arm among obstacles of one size.
 void add_robot(const std::string& name, double size, double clear, std::size_t questions, PlannerTable& table) {
   const Arm arm;
@@ -140,12 +176,7 @@ void add_robot(const std::string& name, double size, double clear, std::size_t q
       sweep(FclManager::sweep_and_prune, around, arm.links, arm.pairs);
 
   scenes::Random random(42);
-  Poses poses;
-  for (std::size_t i = 0; i < questions; ++i) {
-    std::array<double, kLinks> angles;
-    for (double& angle : angles) angle = random.uniform(-2, 2);
-    append_arm(angles, poses);
-  }
+  const Poses poses = random_configurations(random, questions);
   const auto at = [&](std::size_t i) { return std::span<const Pose>(poses).subspan(kLinks * i, kLinks); };
   const auto batch = must(ours.scene.collide_configurations(ours.links, poses, {.threads = 1}));
   const auto distances = must(ours.scene.distance_configurations(ours.links, poses, MeasureOptions{.threads = 1}));
@@ -204,7 +235,7 @@ void add_robot(const std::string& name, double size, double clear, std::size_t q
 
 /// Two meshes, the first of which stands still.
 void add_pair(const std::string& name, const scenes::MeshData& standing, const scenes::MeshData& moving,
-              const Poses& poses, double must_contact, double must_distance, PlannerTable& table) {
+              const Poses& poses, double must_touches, double must_distance, PlannerTable& table) {
   const Mesh a = make_mesh(standing), b = make_mesh(moving);
   must(a.build_tree()), must(b.build_tree());
   FclDebianMesh fcl_a(standing), fcl_b(moving);
@@ -221,13 +252,15 @@ void add_pair(const std::string& name, const scenes::MeshData& standing, const s
     return must(distance(a, {}, b, poses[i], MeasureOptions{.threads = 1}, &workspace)).distance;
   };
   const auto fcls = [&](std::size_t i) { return fcl_a.collide({}, fcl_b, poses[i], 1) > 0; };
+  const auto touch = [&](std::size_t i) { return must(touches(a, {}, b, poses[i], {}, &workspace)); };
   for (std::size_t i = 0; i < poses.size(); ++i) {
     ours(i);
-    if (answer.objects.empty() == fcls(i)) fail(name + ": impinge and FCL do not agree");
+    if (answer.objects.empty() == fcls(i) || touch(i) != fcls(i)) fail(name + ": impinge and FCL do not agree");
     check_distance(distance_of(i), std::max(0.0, near_a.distance({}, near_b, poses[i])));
   }
-  table.add(name, "first contact", {{"impinge", ours}, {"mesh", [&](std::size_t i) { fcls(i); }}}, poses.size(),
-            must_contact);
+  const Contestant fcl{"mesh", [&](std::size_t i) { fcls(i); }};
+  table.add(name, "touches", {{"impinge", [&](std::size_t i) { touch(i); }}, fcl}, poses.size(), must_touches);
+  table.add(name, "first contact", {{"impinge", ours}, fcl}, poses.size(), 0);
   if (must_distance > 0)
     table.add(name, "distance",
               {{"impinge", [&](std::size_t i) { distance_of(i); }},
@@ -251,6 +284,11 @@ Poses places(const std::array<double, 3>& low, const std::array<double, 3>& high
 
 void bench_main(const Arguments& arguments) {
   pin_to_one_core();
+  if (const char* configurations = std::getenv("IMPINGE_PLANNER_CONFIGURATIONS")) {
+    compare_answers("dense", 0.53, 0.45, std::stoul(configurations));
+    compare_answers("sparse", 0.14, 0.45, std::stoul(configurations));
+    return;
+  }
   PlannerTable table(arguments.quick ? Effort{2, 2, 0} : Effort{5, 9, 3});
   const std::size_t questions = arguments.quick ? 128 : 1024;
   add_robot("dense", 0.53, 0.45, questions, table);

@@ -70,6 +70,7 @@ struct Contacts {
   std::vector<TrianglePair> triangles;                ///< per contact
   std::vector<Kind> kinds;                            ///< per contact
   bool truncated = false;                             ///< more contacts exist than `Options::limit` kept
+  bool partial = false;                               ///< `Find::first`, or not all kinds, was asked for
   std::uint64_t hash = 0;                             ///< of the kept contacts (docs/hash.md); 0 with `Find::first`
   Statistics statistics;
   std::vector<std::string> warnings;  ///< a device that was left out, and why; the answer is whole all the same

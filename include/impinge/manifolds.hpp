@@ -70,7 +70,7 @@ class ContactManifolds {
   /// in a's own frame. An object that was removed or belongs to another scene shares no id with one at its index. A
   /// steady series of calls allocates nothing; an object's mesh is looked through when it is first in contact. Errors:
   /// `unknown_id` (contacts of objects or triangles that the scene does not have), `bad_option` (contacts that were cut
-  /// off at a limit), `out_of_memory`.
+  /// off at a limit, found by `Find::first`, or of some kinds alone), `out_of_memory`.
   Result<std::span<const Manifold>> update(const Scene& scene, const Contacts& contacts);
 
   struct State;  // internal

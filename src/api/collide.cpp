@@ -8,15 +8,19 @@
 
 #include "broad/may_touch.hpp"
 #include "core/guarded.hpp"
+#include "core/stopped.hpp"
+#include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/workspace_state.hpp"
+#include "scene/placed_block.hpp"
 #include "scene/scene_view.hpp"
 #include "scene/validate_pose.hpp"
 
 namespace impinge {
 namespace {
 
+/// Appends a mesh at each of these poses. Errors: `bad_pose`, with its place where the poses have a name.
 Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std::string& name,
                        Workspace::State& memory) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -27,6 +31,17 @@ Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std:
     memory.placed.push_back(scene::place(mesh.state().data, poses[i], 0));
     memory.meshes.push_back(&mesh.state());
   }
+  return {};
+}
+
+/// Two meshes at their poses. Errors: `bad_pose`.
+Result<void> compute(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                     scene::PlacedBlock& block) {
+  block.add(mesh_a.state().data, pose_a), block.add(mesh_b.state().data, pose_b);
+  block.compute();
+  if (!block.is_valid(0) || !block.is_valid(1))
+    for (const Pose* pose : {&pose_a, &pose_b})
+      if (auto valid = scene::validate(*pose); !valid) return valid;
   return {};
 }
 
@@ -45,10 +60,11 @@ bool is_apart(const Options& options, const Workspace::State& memory) {
 }
 
 /// No contacts, in the memory of an earlier answer.
-Contacts nothing(Workspace::State& memory) {
+Contacts nothing(const Options& options, Workspace::State& memory) {
   Contacts none = std::move(memory.spare);
   none.objects.clear(), none.offsets.assign(1, 0), none.triangles.clear(), none.kinds.clear();
-  none.truncated = false, none.hash = 0, none.statistics = {}, none.warnings.clear();
+  none.truncated = false, none.partial = options.find == Options::Find::first || options.kinds != kAllKinds;
+  none.hash = 0, none.statistics = {}, none.warnings.clear();
   return none;
 }
 
@@ -59,12 +75,33 @@ Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
   return guarded([&]() -> Result<Contacts> {
     if (auto valid = validate(options); !valid) return valid.error();
     const QueryMemory memory(workspace);
-    memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
-    if (auto placed = place_all(mesh_a, {&pose_a, 1}, "", *memory); !placed) return placed.error();
-    if (auto placed = place_all(mesh_b, {&pose_b, 1}, "", *memory); !placed) return placed.error();
+    scene::PlacedBlock block;
+    if (auto valid = compute(mesh_a, pose_a, mesh_b, pose_b, block); !valid) return valid.error();
+    memory->placed.resize(2), memory->meshes.assign({&mesh_a.state(), &mesh_b.state()}), memory->pairs.clear();
+    for (std::size_t i = 0; i < 2; ++i) block.write(i, memory->placed[i]), memory->placed[i].group = 0;
     pair_up(0, 1, false, *memory);
-    if (is_apart(options, *memory)) return nothing(*memory);
+    if (is_apart(options, *memory)) return nothing(options, *memory);
     return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
+  });
+}
+
+Result<bool> touches(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
+                     const std::stop_token& stop, Workspace* workspace) {
+  return guarded([&]() -> Result<bool> {
+    scene::PlacedBlock block;
+    if (auto valid = compute(mesh_a, pose_a, mesh_b, pose_b, block); !valid) return valid.error();
+    if (stop.stop_requested()) return cancelled();
+    if (block.are_clearly_apart()) return false;
+    scene::PlacedObject a, b;
+    block.write(0, a), block.write(1, b);
+    if (!a.in_domain) return out_of_domain("object 0");
+    if (!b.in_domain) return out_of_domain("object 1");
+    if (!broad::bounds_meet(a, b)) return false;
+    const QueryMemory memory(workspace);
+    memory->touch.restart(stop);
+    const bool found = memory->touch.find({a, mesh_a.state()}, {b, mesh_b.state()}).has_value();
+    if (!found && stop.stop_requested()) return cancelled();
+    return found;
   });
 }
 

@@ -203,9 +203,9 @@ Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::
   if (count == 0) return nearest;
   NearestObjectsSearch search(count, options.stop_above, options.enough_below);
   offer_some(search);
-  const QueryMemory memory(nullptr);
+  QueryMemory memory(nullptr);
   for (const NearestObjects& found : search.find([&](std::uint32_t i) { return s.placed(i); },
-                                                 {on_threads(options.threads), options.stop, &memory->nearest}))
+                                                 {on_threads(options.threads), options.stop, &memory.nearest()}))
     nearest.push_back(object_distance(found));
   if (options.stop.stop_requested()) return cancelled();
   return nearest;

@@ -107,7 +107,11 @@ const KnownMesh& ContactManifolds::State::known(const MeshState& mesh) {
 }
 
 Result<void> ContactManifolds::State::check(const Scene::State& scene, const Contacts& contacts) const {
-  if (contacts.truncated) return Error{Code::bad_option, "the contacts were cut off at a limit; ask for all of them"};
+  if (contacts.truncated || contacts.partial)
+    return Error{Code::bad_option,
+                 contacts.truncated
+                     ? "the contacts were cut off at a limit; ask for all of them"
+                     : "the contacts are some of all, by Find::first or Options::kinds; ask for all of them"};
   for (std::size_t row = 0; row < contacts.objects.size(); ++row) {
     for (const int side : {0, 1}) {
       const std::uint32_t object = contacts.objects[row][static_cast<std::size_t>(side)];

@@ -57,9 +57,9 @@ struct Reach {
 Result<std::optional<measure::NearestPair>> nearest(const Measured& a, const Measured& b, const Reach& reach,
                                                     const MeasureOptions& options, Workspace* workspace) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
-  const QueryMemory memory(workspace);
+  QueryMemory memory(workspace);
   auto found = measure::nearest_pair(a.tree(), b.tree(), reach.within, reach.enough,
-                                     {on_threads(options.threads), options.stop, &memory->nearest});
+                                     {on_threads(options.threads), options.stop, &memory.nearest()});
   if (options.stop.stop_requested()) return cancelled();
   return found;
 }

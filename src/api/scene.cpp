@@ -83,8 +83,11 @@ Result<void> Scene::set_pose(ObjectId id, const Pose& pose) {
   const FloatEnvironment nearest;
   State& s = *state_;
   if (auto known = s.check(id); !known) return known;
-  if (auto valid = scene::validate(pose); !valid) return valid;
-  s.move(id.index, pose);
+  scene::PlacedBlock block;
+  block.add(s.meshes[id.index]->data, pose), block.compute();
+  if (!block.is_valid(0))
+    if (auto valid = scene::validate(pose); !valid) return valid;
+  s.move({&id, 1}, block);
   return {};
 }
 
@@ -94,14 +97,34 @@ Result<void> Scene::set_poses(std::span<const ObjectId> ids, std::span<const Pos
   if (ids.size() != poses.size())
     return Error{Code::bad_option, "there are " + std::to_string(ids.size()) + " ids and " +
                                        std::to_string(poses.size()) + " poses; give as many of both"};
-  for (std::size_t i = 0; i < ids.size(); ++i) {
+  constexpr std::size_t kAtOnce = scene::PlacedBlock::kMost;
+  scene::PlacedBlock block;
+  const auto size_from = [&](std::size_t begin) { return std::min(kAtOnce, ids.size() - begin); };
+  const auto is_good = [&](std::size_t begin) {
+    block.clear();
+    for (std::size_t i = begin; i < begin + size_from(begin); ++i) {
+      if (!s.has(ids[i])) return false;
+      block.add(s.meshes[ids[i].index]->data, poses[i]);
+    }
+    block.compute();
+    bool all_valid = true;
+    for (std::size_t i = 0; i < block.size(); ++i) all_valid &= block.is_valid(i);
+    return all_valid;
+  };
+  // All are looked at before any is moved; a single block is then known.
+  bool all_good = true;
+  for (std::size_t begin = 0; begin < ids.size(); begin += kAtOnce) all_good = all_good && is_good(begin);
+  for (std::size_t i = 0; i < ids.size() && !all_good; ++i) {
     const auto at = [i](const char* list, const Error& error) {
       return Error{error.code, list + ("[" + std::to_string(i) + "]: ") + error.message};
     };
     if (auto known = s.check(ids[i]); !known) return at("ids", known.error());
     if (auto valid = scene::validate(poses[i]); !valid) return at("poses", valid.error());
   }
-  for (std::size_t i = 0; i < ids.size(); ++i) s.move(ids[i].index, poses[i]);
+  for (std::size_t begin = 0; begin < ids.size(); begin += kAtOnce) {
+    if (ids.size() > kAtOnce || !all_good) static_cast<void>(is_good(begin));
+    s.move(ids.subspan(begin, size_from(begin)), block);
+  }
   return {};
 }
 

@@ -89,7 +89,8 @@ QueryMemory::QueryMemory(Workspace* workspace) {
 QueryMemory::~QueryMemory() {
   if (!is_threads_own_) return;
   thread_memory().is_taken = false;
-  if (state_->assembly.keys.capacity() > kMostContactsKept || state_->nearest.pairs_kept() > kMostPairsKept)
+  if (state_->assembly.keys.capacity() > kMostContactsKept ||
+      (has_distances_ && state_->nearest.pairs_kept() > kMostPairsKept))
     thread_memory().workspace = Workspace();
 }
 

@@ -14,7 +14,12 @@ inline bool spheres_meet(const Sphere& a, const Sphere& b) {
   return !(dot(d, d) > reach * reach * (1 + 0x1p-49));
 }
 
-/// Whether two objects are to be tested, and their bounds meet: boxes, then spheres (section 3.2 of the paper).
+/// Whether the bounds of two objects meet: spheres, which are quick to compare, and boxes (section 3.2 of the paper).
+inline bool bounds_meet(const scene::PlacedObject& a, const scene::PlacedObject& b) {
+  return a.mesh != nullptr && b.mesh != nullptr && spheres_meet(a.sphere, b.sphere) && overlap(a.box, b.box);
+}
+
+/// Whether two objects are to be tested, and their bounds meet.
 bool may_touch(const scene::SceneView& view, std::uint32_t a, std::uint32_t b);
 
 }  // namespace impinge::broad

@@ -104,7 +104,7 @@ void NearPairs::find_jumping() {
 }
 
 /// Objects that jumped and have come to rest are to go back into the tree.
-void NearPairs::find_resting() {
+void NearPairs::put_back() {
   if (frame_ % kFramesToRest != 0) return;
   for (const std::uint32_t object : jumping_) {
     if (has_changed_[object] != 0) continue;
@@ -121,7 +121,7 @@ void NearPairs::find_resting() {
 
 void NearPairs::update(const ForEach& for_each) {
   ++frame_;
-  find_resting();
+  put_back();
   if (is_current()) return;
   find_jumping();
   const bool much = static_cast<double>(changed_.size()) > kShareToBuild * population_;
@@ -236,7 +236,7 @@ void NearPairs::merge_fresh() {
 
 void NearPairs::find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes,
                           BoxTree::Search& search) const {
-  tree_.find(asked, boxes, search);
+  find_resting(asked, boxes, search);
   for (const std::uint32_t object : jumping_)
     for (const std::uint32_t i : asked)
       if (overlap(boxes[i], boxes_[object])) search.found.push_back(std::uint64_t{i} << 32 | object);
@@ -262,7 +262,13 @@ std::size_t NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, Sc
                    });
   });
   if (jumping_.empty()) return n;
-  find_near(jumping_, boxes_, scratch.jumping);
+  find_resting(jumping_, boxes_, scratch.jumping);
+  for (std::size_t i = 0; i < jumping_.size(); ++i) {
+    const Sphere& sphere = spheres_[jumping_[i]];
+    for (std::size_t k = i + 1; k < jumping_.size(); ++k)
+      if (spheres_meet(sphere, spheres_[jumping_[k]]))
+        scratch.jumping.found.push_back(scene::pair_key(jumping_[i], jumping_[k]));
+  }
   const std::size_t looked_up = scratch.jumping.found.size();
   add_jumping(view, pairs, scratch.jumping);
   return n + looked_up;
@@ -273,9 +279,8 @@ void NearPairs::add_jumping(const scene::SceneView& view, ObjectPairs& pairs, Bo
   std::vector<std::uint64_t>& found = search.found;
   std::erase_if(found, [&](std::uint64_t pair) {
     const std::uint32_t a = first_of(pair), b = second_of(pair);
-    const bool comes_again = a >= b && is_jumping_[b] != 0;  // two that jump find each other, and themselves
     const bool one_group = groups_[a] != 0 && groups_[a] == groups_[b];
-    return comes_again || one_group || !spheres_meet(spheres_[a], spheres_[b]) || !overlap(boxes_[a], boxes_[b]) ||
+    return one_group || !spheres_meet(spheres_[a], spheres_[b]) || !overlap(boxes_[a], boxes_[b]) ||
            (view.ignored != nullptr && view.ignored->contains(a, b));
   });
   for (std::uint64_t& pair : found) pair = scene::pair_key(first_of(pair), second_of(pair));

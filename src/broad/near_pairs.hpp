@@ -55,6 +55,13 @@ class NearPairs {
   /// current.
   void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const;
 
+  /// The same but for objects that jump, which are those of `jumping`.
+  void find_resting(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const {
+    tree_.find(asked, boxes, search);
+  }
+  /// At most sixteen.
+  [[nodiscard]] std::span<const std::uint32_t> jumping() const { return jumping_; }
+
   /// How many candidates there are; those of objects that jump are none.
   [[nodiscard]] std::size_t candidates() const { return candidates_.size(); }
   /// How many tests of a box against the eight of a tree's node all updates have made.
@@ -69,7 +76,7 @@ class NearPairs {
 
   [[nodiscard]] Box fat_box(std::uint32_t object, bool is_new) const;
   void find_jumping();
-  void find_resting();
+  void put_back();
   void add_jumping(const scene::SceneView& view, ObjectPairs& pairs, BoxTree::Search& search) const;
   void build();
   void repair(const ForEach& for_each);

@@ -22,7 +22,8 @@ TreeRelation relate(const MeshData& mesh_a, const Pose& pose_a, int unit_a, cons
   const Vec3 ta{pose_a.t[0], pose_a.t[1], pose_a.t[2]}, tb{pose_b.t[0], pose_b.t[1], pose_b.t[2]};
   const Vec3 t = inverse_a * (tb - ta);
   const double magnitude = sum(mesh_a.max_abs) + sum(mesh_b.max_abs) + sum(abs(ta)) + sum(abs(tb));
-  const auto in_unit = [unit_a](double x) { return std::ldexp(x, -unit_a); };
+  const double per_unit = std::ldexp(1.0, -unit_a);  // a double, as the exponent is at least -1000 and at most 1026
+  const auto in_unit = [per_unit](double x) { return per_unit * x; };
   TreeRelation relation{};
   relation.scale = std::ldexp(1.0, unit_b - unit_a);
   for (int i = 0; i < 3; ++i) {

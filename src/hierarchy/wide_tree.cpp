@@ -67,8 +67,8 @@ void visit_leaves(const TreeRef& ref, const Visit& visit) {
   for (std::uint32_t lane = 0; lane < ref.node().size; ++lane) visit_leaves(known_child(ref.node(), lane), visit);
 }
 
-}  // namespace
-
+/// The surface of the children's boxes, by their triangles, in that of the box around all: how much of what meets the
+/// node meets a triangle's box below it.
 float surface_cost(const WideNode& node) {
   float lo[3] = {-kNoBox, -kNoBox, -kNoBox}, hi[3] = {kNoBox, kNoBox, kNoBox}, sum = 0, triangles = 0;
   for (std::uint32_t lane = 0; lane < node.size; ++lane) {
@@ -83,6 +83,8 @@ float surface_cost(const WideNode& node) {
   const float whole = half_surface(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
   return whole > 0 ? sum / (whole * triangles) : 0;
 }
+
+}  // namespace
 
 struct WideTree::State {
   /// Triangles that become a node or a leaf.

@@ -57,12 +57,8 @@ struct alignas(64) WideNode {
   std::uint32_t depth;
   Vec3 base;  ///< of the soup triangles below
   // For refitting alone.
-  float split_cost;  ///< surface_cost() when its triangles were split
+  float split_cost;  ///< how good its triangles' split was when it was made
 };
-
-/// The surface of the children's boxes, by their triangles, in that of the box around all: how much of what meets the
-/// node meets a triangle's box below it.
-float surface_cost(const WideNode& node);
 
 inline const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 

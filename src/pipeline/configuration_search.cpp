@@ -12,13 +12,6 @@
 #include "scene/validate_pose.hpp"
 
 namespace impinge {
-namespace {
-
-bool are_near(const scene::PlacedObject& a, const scene::PlacedObject& b) {
-  return a.mesh != nullptr && b.mesh != nullptr && overlap(a.box, b.box) && broad::spheres_meet(a.sphere, b.sphere);
-}
-
-}  // namespace
 
 Result<Movers> Movers::of(const Scene::State& scene, std::span<const ObjectId> ids) {
   Movers movers(scene);
@@ -35,12 +28,27 @@ Result<Movers> Movers::of(const Scene::State& scene, std::span<const ObjectId> i
   return movers;
 }
 
+PlacedMovers::PlacedMovers(const Movers& movers)
+    : movers_(movers),
+      placed_(movers.size()),
+      blocks_((movers.size() + scene::PlacedBlock::kMost - 1) / scene::PlacedBlock::kMost) {
+  static constexpr Pose kAnywhere;
+  for (std::size_t i = 0; i < movers.size(); ++i)
+    blocks_[i / scene::PlacedBlock::kMost].add(movers.scene().meshes[movers.object(i)]->data, kAnywhere);
+}
+
 Result<void> PlacedMovers::place(std::span<const Pose> poses) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (auto valid = scene::validate(poses[i]); !valid) return valid.error();
-    const std::uint32_t object = movers_.object(i);
-    placed_[i] = scene::place(movers_.scene().meshes[object]->data, poses[i], 0);
-    if (!placed_[i].in_domain) return out_of_domain("object " + std::to_string(object));
+  std::size_t first = 0;
+  for (scene::PlacedBlock& block : blocks_) {
+    for (std::size_t i = 0; i < block.size(); ++i) block.set_pose(i, poses[first + i]);
+    block.compute();
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (!block.is_valid(i))
+        if (auto valid = scene::validate(poses[first + i]); !valid) return valid;
+      block.write(i, placed_[first + i]);
+      if (!placed_[first + i].in_domain) return out_of_domain("object " + std::to_string(movers_.object(first + i)));
+    }
+    first += block.size();
   }
   return {};
 }
@@ -54,6 +62,8 @@ TouchingConfigurations::TouchingConfigurations(const Movers& movers, const broad
       placed_(movers),
       boxes_(movers.size()) {
   std::iota(numbers_.begin(), numbers_.end(), 0);
+  for (const std::uint32_t object : near_pairs.jumping())
+    if (!movers.moves(object)) jumping_.push_back(object);
 }
 
 PlacedMesh TouchingConfigurations::second(const Candidate& pair) const {
@@ -70,7 +80,7 @@ TouchingConfigurations::Found TouchingConfigurations::touch(const Candidate& pai
 
 void TouchingConfigurations::add_if_near(std::uint32_t mover, std::uint32_t other, bool other_moves,
                                          const scene::PlacedObject& placed) {
-  if (!are_near(placed_[mover], placed)) return;
+  if (!broad::bounds_meet(placed_[mover], placed)) return;
   const Vec3 d = placed_[mover].sphere.center - placed.sphere.center;
   candidates_.push_back({mover, other, other_moves, dot(d, d)});
 }
@@ -78,12 +88,15 @@ void TouchingConfigurations::add_if_near(std::uint32_t mover, std::uint32_t othe
 void TouchingConfigurations::find_candidates() {
   candidates_.clear();
   for (const auto& [i, k] : movers_.pairs()) add_if_near(i, k, true, placed_[k]);
-  near_pairs_.find_near(numbers_, boxes_, near_);
-  for (const std::uint64_t found : near_.found) {
-    const auto mover = static_cast<std::uint32_t>(found >> 32), object = static_cast<std::uint32_t>(found);
+  const auto add = [&](std::uint32_t mover, std::uint32_t object) {
     if (!movers_.moves(object) && movers_.meets(mover, object))
       add_if_near(mover, object, false, movers_.scene().objects[object]);
-  }
+  };
+  near_pairs_.find_resting(numbers_, boxes_, near_);
+  for (const std::uint64_t found : near_.found)
+    add(static_cast<std::uint32_t>(found >> 32), static_cast<std::uint32_t>(found));
+  for (const std::uint32_t object : jumping_)
+    for (const std::uint32_t mover : numbers_) add(mover, object);
   // The nearest first: they are the likeliest to touch.
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& c, const Candidate& d) { return c.square < d.square; });
@@ -92,7 +105,7 @@ void TouchingConfigurations::find_candidates() {
 Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
   for (std::size_t i = 0; i < poses.size(); ++i) boxes_[i] = placed_[i].box;
-  if (last_ && are_near(placed_[last_->mover], second(*last_).object) &&
+  if (last_ && broad::bounds_meet(placed_[last_->mover], second(*last_).object) &&
       search_.is_contact(placed_.mesh(last_->mover), second(*last_), last_triangles_))
     return touch(*last_, last_triangles_);
   find_candidates();
@@ -125,7 +138,8 @@ Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const
   const auto placed = [&](std::uint32_t object) {
     return movers_.moves(object) ? placed_.mesh(movers_.mover(object)) : scene.placed(object);
   };
-  return first_distance(search_.find(placed, {{}, options_.stop, &memory_}));
+  const std::span<const NearestObjects> nearest = search_.find(placed, {{}, options_.stop, &memory_});
+  return nearest.empty() ? Found() : Found(object_distance(nearest.front()));
 }
 
 }  // namespace impinge

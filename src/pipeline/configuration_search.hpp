@@ -48,7 +48,7 @@ class Movers {
 /// Movers, placed. One thread uses it at a time.
 class PlacedMovers {
  public:
-  explicit PlacedMovers(const Movers& movers) : movers_(movers), placed_(movers.size()) {}
+  explicit PlacedMovers(const Movers& movers);
 
   /// Errors: `bad_pose`, `out_of_range`.
   Result<void> place(std::span<const Pose> poses);
@@ -60,6 +60,7 @@ class PlacedMovers {
  private:
   const Movers& movers_;
   std::vector<scene::PlacedObject> placed_;
+  std::vector<scene::PlacedBlock> blocks_;  ///< of their meshes
 };
 
 /// Whether movers at given poses touch each other or what stands still, asked again and again by one thread. What it
@@ -91,6 +92,7 @@ class TouchingConfigurations {
   const broad::NearPairs& near_pairs_;
   TouchSearch search_;
   std::vector<std::uint32_t> numbers_;  ///< 0, 1, .. of the movers
+  std::vector<std::uint32_t> jumping_;  ///< objects that do, but movers
   PlacedMovers placed_;
   std::vector<Box> boxes_;
   broad::BoxTree::Search near_;

@@ -73,10 +73,6 @@ ObjectDistance object_distance(const NearestObjects& found) {
   return {{b, a}, {pair.distance, pair.error, pair.b, pair.a, pair.triangle_b, pair.triangle_a}};
 }
 
-std::optional<ObjectDistance> first_distance(std::span<const NearestObjects> found) {
-  return found.empty() ? std::nullopt : std::optional(object_distance(found.front()));
-}
-
 Result<void> validate_limits(const MeasureOptions& options) {
   if (options.stop_above >= 0 && options.enough_below >= 0) return {};
   return Error{Code::bad_option, "a limit of distance is a number that is not negative"};

@@ -81,8 +81,6 @@ class NearestObjectsSearch {
 
 /// The same with the lower object first.
 ObjectDistance object_distance(const NearestObjects& found);
-/// Of the first.
-std::optional<ObjectDistance> first_distance(std::span<const NearestObjects> found);
 
 /// Errors: `bad_option`.
 Result<void> validate_limits(const MeasureOptions& options);

@@ -96,6 +96,7 @@ class Pipeline {
     total.charge(statistics.total_seconds);
     if (options_.predict_cost) predict(statistics);
     if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
+    contacts.partial = first_only_ || options_.kinds != kAllKinds;
     contacts.statistics = statistics;
     contacts.warnings = std::move(memory_.warnings);
     return contacts;

@@ -15,6 +15,7 @@
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/query.hpp"
+#include "scene/placed_block.hpp"
 #include "scene/scene_view.hpp"
 
 namespace impinge {
@@ -49,8 +50,11 @@ struct Scene::State {
   broad::ObjectPairs own_pairs;  ///< objects that are tested against themselves, in order
   broad::NearPairs near_pairs;
 
+  [[nodiscard]] bool has(ObjectId id) const {
+    return id.index < slots.size() && slots[id.index].generation == id.generation && slots[id.index].mesh;
+  }
   [[nodiscard]] Result<void> check(ObjectId id) const {
-    if (id.index < slots.size() && slots[id.index].mesh && slots[id.index].generation == id.generation) return {};
+    if (has(id)) return {};
     if (id == ObjectId{}) return Error{Code::unknown_id, "the id is that of no object: Scene::add gives one"};
     return Error{Code::unknown_id, "there is no object " + std::to_string(id.index) +
                                        " with this id in this scene; it was removed, or belongs to another scene"};
@@ -88,8 +92,16 @@ struct Scene::State {
     const auto is_later = [index](const broad::ObjectPair& pair) { return pair.a > index; };
     if (on) own_pairs.insert(std::find_if(own_pairs.begin(), own_pairs.end(), is_later), {index, index});
   }
-  void move(std::uint32_t index, const Pose& pose) {
-    put(index, meshes[index], scene::place(meshes[index]->data, pose, objects[index].group));
+  /// Moves objects to where the members of the block are, valid ones of their meshes.
+  void move(std::span<const ObjectId> ids, const scene::PlacedBlock& block) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      scene::PlacedObject& object = objects[ids[i].index];
+      fine -= int{object.is_fine};
+      block.write(i, object);
+      fine += int{object.is_fine};
+    }
+    // Not at once: what has just been written number by number cannot be read in larger pieces yet.
+    for (const ObjectId& id : ids) near_pairs.place(id.index, objects[id.index]);
   }
   /// Whether two objects are tested against each other.
   [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {

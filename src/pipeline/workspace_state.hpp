@@ -89,10 +89,15 @@ class QueryMemory {
   QueryMemory& operator=(const QueryMemory&) = delete;
   Workspace::State& operator*() const { return *state_; }
   Workspace::State* operator->() const { return state_; }
+  /// For distances: looked at for its size when this query ends.
+  measure::PairMemory& nearest() {
+    has_distances_ = true;
+    return state_->nearest;
+  }
 
  private:
   Workspace::State* state_;
-  bool is_threads_own_ = false;
+  bool is_threads_own_ = false, has_distances_ = false;
   std::unique_ptr<Workspace> extra_;
 };
 

@@ -61,7 +61,9 @@ bool IgnoredPairs::is_named(std::uint32_t a, std::uint32_t b) const noexcept {
   if (std::max(a, b) >= partners_.size()) return false;
   const bool a_has_fewer = partners_[a].size() < partners_[b].size();
   const std::vector<std::uint32_t>& list = partners_[a_has_fewer ? a : b];
-  return std::binary_search(list.begin(), list.end(), a_has_fewer ? b : a);
+  const std::uint32_t partner = a_has_fewer ? b : a;
+  if (list.size() <= 4) return std::find(list.begin(), list.end(), partner) != list.end();  // nearly always
+  return std::binary_search(list.begin(), list.end(), partner);
 }
 
 }  // namespace impinge::scene

@@ -314,6 +314,8 @@ TEST(Manifolds, RefuseContactsOfOthers) {
   ASSERT_TRUE(one.add(cube));
   EXPECT_EQ(code(one, contacts), Code::unknown_id);
   EXPECT_EQ(code(two, two.collide({.limit = 1}).value()), Code::bad_option);
+  EXPECT_EQ(code(two, two.collide({.find = Options::Find::first}).value()), Code::bad_option);
+  EXPECT_EQ(code(two, two.collide({.kinds = kCrossing}).value()), Code::bad_option);
   EXPECT_EQ(next(manifolds, two).size(), 1u);
 
   // Of an object with itself there is nothing to leave.

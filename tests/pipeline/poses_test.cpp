@@ -133,6 +133,47 @@ TEST(CollidePoses, ALimitCutsTheCallAsAWhole) {
   }
 }
 
+TEST(Touches, WhereThePapersWayHasContacts) {
+  test::Seeded seeded(4);
+  const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube()),
+             soup = test::mesh_of(scenes::integer_soup(seeded.random, 60, 2)), empty = test::mesh_of({});
+  Workspace workspace;
+  int touching = 0;
+  for (const Mesh* a : {&knot, &cube, &soup, &empty}) {
+    const std::vector<Pose> poses_a = any_poses(seeded.random, 40), poses_b = any_poses(seeded.random, 40);
+    for (const Mesh* b : {&knot, &cube, &soup}) {
+      for (std::size_t i = 0; i < poses_a.size(); ++i) {
+        const bool expected = !collide(*a, poses_a[i], *b, poses_b[i], {.backend = "paper"}).value().objects.empty();
+        EXPECT_EQ(touches(*a, poses_a[i], *b, poses_b[i]).value(), expected);
+        EXPECT_EQ(touches(*b, poses_b[i], *a, poses_a[i], {}, &workspace).value(), expected);
+        touching += expected ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(touching, 40);
+}
+
+TEST(Touches, HasTheErrorsOfCollide) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  std::stop_source stopped;
+  stopped.request_stop();
+  const auto expect = [&](const Pose& pose, const std::stop_token& stop, Code code) {
+    for (const bool first : {true, false}) {
+      const auto found = first ? touches(cube, pose, cube, {}, stop) : touches(cube, {}, cube, pose, stop);
+      const auto known =
+          first ? collide(cube, pose, cube, {}, {.stop = stop}) : collide(cube, {}, cube, pose, {.stop = stop});
+      ASSERT_FALSE(found.has_value());
+      EXPECT_EQ(found.error().code, code);
+      EXPECT_EQ(found.error().message, known.error().message);
+    }
+  };
+  expect({.R{1, 0, 0, 0, 1, 0, 0, 0, -1}}, {}, Code::bad_pose);
+  expect({.t{0x1p301, 0, 0}}, {}, Code::out_of_range);
+  expect({.t{0x1p1023, 0x1p1023, 0x1p1023}}, {}, Code::out_of_range);
+  expect({}, stopped.get_token(), Code::cancelled);
+  expect({.t{9, 0, 0}}, stopped.get_token(), Code::cancelled);
+}
+
 TEST(CollidePoses, OfNothingIsNothing) {
   const Mesh cube = test::mesh_of(scenes::cube()), empty = test::mesh_of({});
   const std::vector<Pose> none, one(1), three(3);

@@ -6,11 +6,12 @@
 #include <limits>
 
 #include "core/pose.hpp"
-#include "scene/scene_view.hpp"
+#include "scene/placed_block.hpp"
 #include "scene/validate_pose.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
@@ -56,6 +57,50 @@ TEST(Place, BoundsHoldWhereTheyAreTight) {
     Pose pose = scenes::random_motion(random, seed % 3 == 0 ? 1e6 : seed % 3 == 1 ? 1 : 0);
     if (seed % 4 != 0) pose.R = scenes::stretched_rotation(random);
     expect_holds_world_vertices(scene::place(test::numbers_of(mesh), pose, 0), mesh, pose);
+  }
+}
+
+/// Every lane of a block, full or not, has its own mesh and pose, on every instruction set.
+TEST(Place, BlocksKeepTheirLanesApart) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    test::Seeded seeded(6);
+    scenes::Random& random = seeded.random;
+    for (int round = 0; round < 40; ++round) {
+      std::vector<Mesh> meshes;
+      std::vector<Pose> poses;
+      std::vector<bool> are_valid;
+      const std::size_t size = 1 + static_cast<std::size_t>(round) % scene::PlacedBlock::kMost;
+      for (std::size_t i = 0; i < size; ++i) {
+        meshes.push_back(
+            test::mesh_of(scenes::shifted(scenes::cube(), random.uniform(-2, 2), random.uniform(-2, 2), 0)));
+        Pose pose = scenes::random_motion(random, 1e6);
+        if (i % 3 == 1) pose.R = scenes::stretched_rotation(random);
+        const int fault = random.integer(0, 7);  // from 5 on there is none
+        double& entry = pose.R[static_cast<std::size_t>(random.integer(0, 8))];
+        if (fault == 0) entry += 0.01;
+        if (fault == 1) entry = kNone;
+        if (fault == 2) entry = -kInfinity;
+        if (fault == 3) pose.t[static_cast<std::size_t>(random.integer(0, 2))] = kNone;
+        if (fault == 4)
+          std::swap(pose.R[0], pose.R[3]), std::swap(pose.R[1], pose.R[4]), std::swap(pose.R[2], pose.R[5]);
+        poses.push_back(pose), are_valid.push_back(fault >= 5);
+      }
+      scene::PlacedBlock block;
+      for (std::size_t i = 0; i < size; ++i) block.add(test::numbers_of(meshes[i]), poses[i]);
+      block.compute();
+      ASSERT_EQ(block.size(), size);
+      for (std::size_t i = 0; i < size; ++i) {
+        ASSERT_EQ(block.is_valid(i), are_valid[i]) << "lane " << i;
+        if (!are_valid[i]) continue;
+        scene::PlacedObject object;
+        block.write(i, object);
+        EXPECT_EQ(object.mesh, &test::numbers_of(meshes[i]));
+        expect_holds_world_vertices(object, meshes[i], poses[i]);
+        EXPECT_LT(norm(object.box.hi - object.box.lo), 4);
+      }
+    }
   }
 }
 

@@ -15,6 +15,8 @@ namespace {
 /// Shares below which something counts as 0: of a contour's length, where it closes; of a line's length, what lies
 /// beside it.
 constexpr double kClosed = 0x1p-20, kBeside = 0x1p-20;
+/// By what share an extent must be the least to count as less than that of a facet's normal.
+constexpr double kClearlyLess = 0x1p-20;
 /// The share of the greatest depth as which shallower ones count where points are chosen.
 constexpr double kShallow = 0x1p-10;
 
@@ -145,30 +147,21 @@ std::uint32_t ManifoldMaker::first_at(std::uint64_t key, std::uint32_t touch) {
   return slots_[at].touch;
 }
 
-std::uint32_t ManifoldMaker::find(std::uint32_t touch) {
-  while (parents_[touch] != touch) touch = parents_[touch] = parents_[parents_[touch]];
-  return touch;
-}
-
 /// Joins touches whose triangles have a position in common in both surfaces.
 void ManifoldMaker::group(const std::array<PlacedSurface, 2>& surfaces) {
   const std::size_t room = std::bit_ceil(2 * 9 * touches_.size() + 1);
   if (++round_ == 0 || slots_.size() < room) slots_.assign(std::max(room, slots_.size()), Slot{0, 0, 0}), round_ = 1;
-  parents_.resize(touches_.size());
-  std::iota(parents_.begin(), parents_.end(), 0u);
+  groups_.restart(touches_.size());
   for (std::uint32_t i = 0; i < touches_.size(); ++i) {
     const auto& [a, b] = touches_[i].triangles;
-    std::uint32_t root = i;
+    std::uint32_t group = i;
     for (const std::uint32_t vertex_a : surfaces[0].mesh->triangles[a])
       for (const std::uint32_t vertex_b : surfaces[1].mesh->triangles[b]) {
         const std::uint64_t position_a = surfaces[0].topology->position[vertex_a];
-        const std::uint32_t other = find(first_at(position_a << 32 | surfaces[1].topology->position[vertex_b], i));
-        if (other == root) continue;
-        parents_[std::max(root, other)] = std::min(root, other);
-        root = std::min(root, other);
+        group = groups_.join(group, first_at(position_a << 32 | surfaces[1].topology->position[vertex_b], i));
       }
   }
-  for (std::uint32_t i = 0; i < touches_.size(); ++i) touches_[i].region = find(i);
+  for (std::uint32_t i = 0; i < touches_.size(); ++i) touches_[i].region = groups_.find(i);
 }
 
 Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const LocalFrame& frame) {
@@ -220,7 +213,7 @@ Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const Loc
         const Vec3 outward = (s == 0 ? 1.0 : -1.0) * touches_[i].normals[s];
         if (const double along = dot(outward, normal); along > cosine[s]) cosine[s] = along, nearest[s] = outward;
       }
-    extent *= 1 + kClosed;
+    extent *= 1 + kClearlyLess;
     for (const Vec3& facet : nearest)
       if (const double other = patches.extent(facet); other < extent) extent = other, normal = facet;
   }

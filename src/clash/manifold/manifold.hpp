@@ -9,6 +9,7 @@
 
 #include "clash/manifold/inner_vertices.hpp"
 #include "clash/manifold/touch.hpp"
+#include "core/disjoint_sets.hpp"
 #include "impinge/contacts.hpp"
 #include "impinge/manifolds.hpp"
 
@@ -42,13 +43,13 @@ class ManifoldMaker {
   void list_touches(const ContactRow& row);
   void group(const std::array<PlacedSurface, 2>& surfaces);
   std::uint32_t first_at(std::uint64_t key, std::uint32_t touch);
-  std::uint32_t find(std::uint32_t touch);
   Manifold measure(std::span<const std::uint32_t> region, const LocalFrame& frame);
 
   std::vector<Touch> touches_;
   std::vector<Slot> slots_;  ///< an open hash table of pairs of positions
   std::uint32_t round_ = 0;
-  std::vector<std::uint32_t> parents_, order_;
+  DisjointSets groups_;  ///< of touches
+  std::vector<std::uint32_t> order_;
   InnerVertices inner_;
   std::vector<Vec3> contour_;
   std::vector<ManifoldCandidate> candidates_;

@@ -149,7 +149,7 @@ class Surface {
   /// Joins a patch to a contact in its sight, or, at the border, to the next point of contact or the vertex on that
   /// edge.
   void join(const Sight& sight, const std::array<std::uint32_t, 3>& corners) {
-    if (sight.seen < Sight::kBorder) return groups_.join(sight.seen, sight.patch);
+    if (sight.seen < Sight::kBorder) return static_cast<void>(groups_.join(sight.seen, sight.patch));
     const std::uint32_t e = sight.seen - Sight::kBorder, p = corners[e], q = corners[(e + 1) % 3];
     const std::pair at{edge_key(p, q), along(p, q, sight.to)};
     const auto next = std::lower_bound(points_.begin(), points_.end(), at, [](const OnEdge& x, const auto& key) {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "scene/scene_view.hpp"
+
+namespace impinge::scene {
+
+/// Numbers of up to eight meshes at poses, a lane each.
+struct alignas(64) PlacedLanes {
+  static constexpr std::size_t kMost = 8;
+  using Row = double[kMost];
+
+  Row R[9], t[3];
+  Row center[3], radius, lo[3], hi[3], max_abs[3];  ///< of the mesh
+  Row least_entry;  ///< of R, beside 0: with less, world coordinates may be no multiples of 2^-358
+  // What is found.
+  Row world_center[3], world_radius, world_lo[3], world_hi[3];
+  std::uint64_t is_valid[kMost], is_clear[kMost];  ///< the pose; whether a glance shows the exact domain
+};
+
+/// Up to eight meshes at poses: whether these are valid, and bounds and domain, computed side by side.
+class PlacedBlock {
+ public:
+  static constexpr std::size_t kMost = PlacedLanes::kMost;
+
+  void clear() { size_ = 0; }
+  /// The mesh and its pose stay as they are until all is written.
+  void add(const MeshData& mesh, const Pose& pose) {
+    set_mesh(size_, mesh), set_pose(size_, pose);
+    ++size_;
+  }
+  /// Gives member `i` another pose.
+  void set_pose(std::size_t i, const Pose& pose);
+  void compute();
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool is_valid(std::size_t i) const { return lanes_.is_valid[i] != 0; }
+  /// Whether the first two, of valid poses, are apart for certain: by their boxes, and within the exact domain.
+  [[nodiscard]] bool are_clearly_apart() const;
+  /// The object, whose pose is valid, but for its group, which it keeps.
+  void write(std::size_t i, PlacedObject& object) const;
+
+ private:
+  void set_mesh(std::size_t i, const MeshData& mesh);
+
+  std::size_t size_ = 0;
+  const MeshData* meshes_[kMost];
+  const Pose* poses_[kMost];
+  PlacedLanes lanes_;
+};
+
+}  // namespace impinge::scene
