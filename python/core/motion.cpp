@@ -53,6 +53,18 @@ py::tuple impacts_of(const Moving& a, const Moving* b, bool earliest, double end
                         array_of(std::move(normals), "d", 8, {count, 3}), to_python(found.earliest), found.truncated);
 }
 
+py::tuple step_of(const std::vector<Moving>& meshes, double end, bool by_index, int threads, const Stop* stop) {
+  std::size_t size = 0;
+  for (const Moving& mesh : meshes) size += mesh.from.triangle_count();
+  Step found = unwrap(run(stop, size, [&](std::stop_token token) {
+    return collision_free_step(meshes, {.end = end,
+                                        .adjacency = by_index ? Adjacency::by_index : Adjacency::by_position,
+                                        .threads = threads,
+                                        .stop = token});
+  }));
+  return py::make_tuple(found.time, found.ends);
+}
+
 /// What `predicate` says of each row of so many points.
 template <std::size_t kPoints, class Predicate>
 auto each_row(py::handle points, const Stop* stop, Predicate predicate) {
@@ -94,6 +106,7 @@ void bind_impact(py::module_& module, const char* name, Predicate predicate) {
 void bind_motion(py::module_& module) {
   py::class_<Moving>(module, "Moving").def(py::init<Mesh, Mesh>());
   module.def("find_impacts", &impacts_of);
+  module.def("collision_free_step", &step_of);
   bind_sign<4>(module, "orient3d", [](const std::array<Point, 4>& p) {
     return static_cast<std::int8_t>(orient3d(p[0], p[1], p[2], p[3]));
   });

@@ -28,6 +28,7 @@ from ._core import VERSION as __version__
 from ._core import ClashMemory, Stop
 from ._errors import (
     Cancelled,
+    ContactError,
     FileError,
     ImpingeError,
     ImpingeWarning,
@@ -42,7 +43,7 @@ from ._errors import (
 from ._files import Device, Model, Object, devices, read, set_num_threads
 from ._manifolds import ContactManifolds, Manifolds
 from ._mesh import HasVerticesFaces, Mesh, MeshLike
-from ._motion import Feature, Impacts, Moving, find_impacts
+from ._motion import Feature, Impacts, Moving, Step, collision_free_step, find_impacts
 from ._placed import penetration
 from ._pose import nearest_pose, pose_from_quaternion
 from ._predicates import edge_edge_impact, orient3d, triangles_meet, vertex_face_impact
@@ -76,6 +77,7 @@ __all__ = [
     "Clashes",
     "Configurations",
     "ContactCounts",
+    "ContactError",
     "ContactManifolds",
     "Contacts",
     "Device",
@@ -110,12 +112,14 @@ __all__ = [
     "RangeError",
     "Region",
     "Scene",
+    "Step",
     "Stop",
     "UnknownObjectError",
     "Verdict",
     "closer_than",
     "collide",
     "collide_poses",
+    "collision_free_step",
     "contact_regions",
     "devices",
     "distance",

@@ -66,9 +66,26 @@ class OutOfMemoryError(ImpingeError, MemoryError):
     code = "out_of_memory"
 
 
+class ContactError(ImpingeError, ValueError):
+    """Meshes touch that must be apart."""
+
+    code = "in_contact"
+
+
 class ImpingeWarning(UserWarning):
     """The answer is whole, but something was not as asked for: a device was left out."""
 
 
 #: In the order of the C++ library's enum Code.
-BY_CODE = (MeshError, PoseError, RangeError, OptionError, UnknownObjectError, FileError, Cancelled, NoDeviceError, OutOfMemoryError)
+BY_CODE = (
+    MeshError,
+    PoseError,
+    RangeError,
+    OptionError,
+    UnknownObjectError,
+    FileError,
+    Cancelled,
+    NoDeviceError,
+    OutOfMemoryError,
+    ContactError,
+)

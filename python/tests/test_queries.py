@@ -236,10 +236,26 @@ def test_impacts_are_those_of_rational_numbers(seed):
     assert len(one.features) == 1 and one.earliest == found.earliest
     early = impinge.find_impacts(a_moves, (b, b), end=0.25)
     assert [row[:3] for row in as_impacts(early)] == [row[:3] for row in expected if row[3] <= 0.25]
+    if found.earliest.lo > 0 and not impinge.touches(a, b):
+        step = impinge.collision_free_step(a_moves, (b, b))
+        assert (1 - 2**-10) * found.earliest.lo <= step.time <= found.earliest.hi
+        assert np.allclose(step.ends[0].vertices, a.vertices + step.time * ways) and (step.ends[1].vertices == b.vertices).all()
+        assert not impinge.find_impacts((a, step.ends[0]), (b, b)) and not impinge.touches(*step.ends)
     for by_index in (False, True):  # all vertices are different
         own = impinge.find_impacts(a_moves, by_index=by_index)
         assert [row[:3] for row in as_impacts(own)] == [row[:3] for row in impacts_of(a, a, ways, ways)]
     assert as_impacts(pickle.loads(pickle.dumps(found))) == as_impacts(found)
+
+
+def test_a_step_ends_before_the_first_impact():
+    for height, fall, free in ((3.0, 4.0, 0.75), (3.0, 2.0, None), (0.5, 8.0, 0.0625)):
+        over = cube.deformed(CUBE + [0.25, 0.25, 1 + height])
+        step = impinge.collision_free_step((over, over.deformed(over.vertices - [0, 0, fall])), (cube, cube), threads=1)
+        assert step.time == 1 if free is None else (1 - 2**-10) * free <= step.time < free
+        assert step.ends[0].vertices == pytest.approx(over.vertices - [0, 0, step.time * fall]) and not impinge.touches(*step.ends)
+    with pytest.raises(impinge.ContactError):
+        impinge.collision_free_step((cube, cube.deformed(CUBE + 1)), (cube, cube))
+    assert impinge.collision_free_step((cube, cube.deformed(CUBE + 1)), end=0.5).time == 0.5
 
 
 def test_predicates_are_those_of_rational_numbers():
