@@ -138,7 +138,11 @@ void bind_clashes(py::module_& module) {
   py::class_<SharedMemory>(module, "ClashMemory",
                            "What one call of find_clashes found out, for the next one on the same scene.")
       .def(py::init<>())
-      .def("known_pairs", [](const SharedMemory& memory) { return memory.memory.known_pairs(); });
+      .def("known_pairs", [](SharedMemory& memory) {
+        const Unlocked released;
+        const std::lock_guard lock(memory.mutex);
+        return memory.memory.known_pairs();
+      });
   py::class_<VerdictOptions>(module, "VerdictOptions")
       .def(py::init(
           [](std::optional<double> tolerance, double clearance, double depth_precision, bool regions, int threads) {

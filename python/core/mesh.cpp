@@ -187,7 +187,14 @@ void bind_meshes(py::module_& module) {
       .def(py::init(&make_mesh))
       .def("vertices", [](const Mesh& mesh) { return numbers_of(mesh, mesh.vertices(), "d", 8); })
       .def("triangles", [](const Mesh& mesh) { return numbers_of(mesh, mesh.triangles(), "i", 4); })
-      .def("edges", [](const Mesh& mesh) { return numbers_of(mesh, mesh.edges(), "i", 4); })
+      .def("edges",
+           [](const Mesh& mesh) {
+             const auto edges = [&] {
+               const Unlocked released;
+               return mesh.edges();
+             }();
+             return numbers_of(mesh, edges, "i", 4);
+           })
       .def("is_single", [](const Mesh& mesh) { return mesh.precision() == Precision::single; })
       .def("key", [](const Mesh& mesh) { return reinterpret_cast<std::uintptr_t>(mesh.vertices().data()); })
       .def("triangle_count", &Mesh::triangle_count)

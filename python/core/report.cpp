@@ -110,6 +110,7 @@ void bind_reports(py::module_& module) {
             options.clearance = clearance;
             options.depth_precision = depth_precision;
             options.regions = true;
+            const Unlocked released;
             return std::unique_ptr<Judged>(new Judged{shared.scene, std::move(options)});
           }));
   module.def("write_report", &write_report);

@@ -108,7 +108,7 @@ def collision_free_step(
 
     On the way to the ends, where vertices were rounded to, there is no impact either. Where something would meet, the time is at least
     (1 - 2^-10) of that of the first impact, or if rounding would make things touch there, the first of some smaller parts of which it does
-    not. What stands still is not tested against itself and what else stands still. `by_index` as in `find_impacts`.
+    not: 0 where what meets is nearer than rounding can tell. What stands still is not tested against itself and what else stands still. `by_index` as in `find_impacts`.
 
     >>> import impinge
     >>> floor = impinge.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])

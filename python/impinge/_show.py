@@ -153,6 +153,7 @@ def save(
         raise OptionError(f"unit_in_metres is {unit_in_metres}; give the metres in one unit, such as 0.001")
     if source is None:
         raise ImpingeError("these clashes were unpickled, and their scene was not with them; find them again to write a report")
+    title = title.replace("/", "\u2215").encode(errors="replace").decode()  # documents take it for the name of a file
     page = os.path.join(os.path.dirname(__file__), "report.html")
     if "IMPINGE_PAGE" in os.environ or not os.path.exists(page):
         page = ""
@@ -177,7 +178,8 @@ def in_notebook(make: Callable[[], str], height: int) -> Any:
     text = make()
     if len(text) <= MOST_BYTES:
         style = f"width:100%;height:{int(height)}px;border:1px solid #8886;border-radius:6px"
-        return display.HTML(f'<div><iframe sandbox="allow-scripts" style="{style}" srcdoc="{html.escape(text)}"></iframe></div>')
+        sandbox = "allow-scripts allow-downloads allow-modals"
+        return display.HTML(f'<div><iframe sandbox="{sandbox}" style="{style}" srcdoc="{html.escape(text)}"></iframe></div>')
     with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=".", prefix="clashes-", suffix=".html", delete=False) as file:
         file.write(text)
     return display.FileLink(os.path.relpath(file.name))

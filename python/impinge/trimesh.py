@@ -192,7 +192,7 @@ class CollisionManager:
 
     def in_collision_poses(self, mesh: MeshLike, transforms: ArrayLike) -> NDArray[np.bool_]:
         """The same at many transforms, (N, 4, 4), in one call: (N,)."""
-        matrices = np.asarray(transforms, np.float64)
+        matrices = np.require(transforms, np.float64, ["C", "A"])
         if matrices.ndim != 3 or matrices.shape[1:] != (4, 4):
             raise ValueError("transforms must be (N,4,4)!")
         visitors = [place(mesh, matrices[0])] if len(matrices) else []

@@ -3,11 +3,14 @@
 """What is taken as it is, and what is refused with which sentence."""
 
 import pickle
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import impinge
+from impinge import _errors
 from oracle import CUBE, CUBE_FACES, moved
 
 
@@ -87,6 +90,12 @@ sheared = np.eye(4)
 sheared[0, 1] = 0.5
 CUBES = (CUBE, CUBE_FACES), (CUBE, CUBE_FACES)
 FACE = CUBE[:3]
+def test_errors_are_in_the_order_of_the_codes_of_the_library():
+    header = (Path(__file__).parents[2] / "include" / "impinge" / "result.hpp").read_text()
+    codes = header[header.index("enum class Code") :].split("{", 1)[1].split("}", 1)[0]
+    assert [error.code for error in _errors.BY_CODE] == re.findall(r"^  (\w+)", codes, re.MULTILINE)
+
+
 REFUSED = [
     (lambda: impinge.Mesh(with_nan, CUBE_FACES), impinge.MeshError, "vertex 3 has a coordinate that is not a finite number"),
     (lambda: impinge.Mesh(CUBE.T, CUBE_FACES), impinge.MeshError, r"vertices has the shape \(3, 8\), not \(V, 3\); transpose it"),

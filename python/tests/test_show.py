@@ -144,7 +144,7 @@ def test_a_page_is_shown_in_a_frame_and_a_large_one_by_a_link(monkeypatch):
     reader.feed(clashes.show(height=300))
     (_, (tag, frame)) = found
     assert tag == "iframe"
-    assert frame.get("sandbox") == "allow-scripts" and frame.get("srcdoc") == clashes.page() and "height:300px" in frame.get("style")
+    assert frame.get("sandbox") == "allow-scripts allow-downloads allow-modals" and frame.get("srcdoc") == clashes.page() and "height:300px" in frame.get("style")
     monkeypatch.setattr("impinge._show.MOST_BYTES", 10)
     word, file = clashes.show()
     assert word == "link" and Path(file).read_text() == clashes.page()

@@ -155,6 +155,7 @@ def test_names_of_700_probes():
     for probe, row in zip(transforms, expected):
         assert m.in_collision_single(cube, probe, return_names=True) == (row.any(), {f"cube{i}" for i in np.flatnonzero(row)})
     assert m.in_collision_poses(cube, transforms).tolist() == expected.any(axis=1).tolist()
+    assert m.in_collision_poses(cube, np.asfortranarray(transforms)).tolist() == expected.any(axis=1).tolist()
     assert m.in_collision_poses(cube, np.empty((0, 4, 4))).tolist() == []
 
 
