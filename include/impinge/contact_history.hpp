@@ -26,9 +26,9 @@ struct ContactEvent {
   std::array<ObjectId, 2> objects;  ///< the lower index first; twice the same of an object with itself
 };
 
-/// Compares the contacts of a scene from call to call, object by object: no index is taken for that of an earlier
-/// object. Each `enter` has one `leave`, the call after the last one of which the contacts hold the pair, whatever is
-/// the reason.
+/// Compares the contacts of a scene from call to call, object by object: of contacts, no index is taken for that of an
+/// earlier object. Each `enter` has one `leave`, the call after the last one of which the contacts hold the pair,
+/// whatever is the reason.
 class ContactHistory {
  public:
   ContactHistory();
@@ -37,10 +37,11 @@ class ContactHistory {
   ContactHistory& operator=(ContactHistory&&) noexcept;
 
   /// What has changed since the last call, in order of objects; valid until the next call. `contacts` are all that
-  /// `Scene::collide` finds now; `between`, for `pass`, all that `Scene::find_impacts` found since the last call. A
-  /// pair with an impact at the start of the motion has not passed. Errors, after which all is as it was: `unknown_id`
-  /// (objects that the scene does not have), `bad_option` (contacts or impacts that were cut off at a limit),
-  /// `out_of_memory`.
+  /// `Scene::collide` finds now, or the first of each pair, of all kinds; `between`, for `pass`, all that
+  /// `Scene::find_impacts` found since the last call, with the objects that the scene has now: it names them by index.
+  /// A pair with an impact at the start of the motion has not passed. Errors, after which all is as it was:
+  /// `unknown_id` (objects that the scene does not have), `bad_option` (contacts or impacts that were cut off at a
+  /// limit), `out_of_memory`.
   Result<std::span<const ContactEvent>> update(const Scene& scene, const Contacts& contacts,
                                                const SceneImpacts* between = nullptr);
 

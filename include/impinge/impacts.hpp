@@ -44,7 +44,7 @@ struct MotionOptions {
   /// Of a mesh with itself: features that share a vertex always meet, and are not reported. Of vertices or edges that
   /// are the same by position, the lowest index stands for all.
   Adjacency adjacency = Adjacency::by_position;
-  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many, in order
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many, not with `earliest`
   int threads = 0;                                                  ///< at most so many; 0: all there are
   std::stop_token stop{};
 };

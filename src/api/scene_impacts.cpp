@@ -89,12 +89,12 @@ class SceneMotion {
     return pairs;
   }
 
-  /// A mesh's world vertices. What no triangle uses may be beyond all range and is left out.
+  /// A mesh's world vertices. What no triangle uses may be beyond all range, and is put where nothing else is.
   std::span<const Vec3> world_vertices(const MeshState& mesh, const Pose& pose) {
     std::vector<Vec3>& world = world_.emplace_back(mesh.data.vertices);
     pose_all_vertices(pose, world);
-    for (Vec3& v : world)
-      if (!in_range(v)) v = {0, 0, 0};
+    for (std::size_t i = 0; i < world.size(); ++i)
+      if (!in_range(world[i])) world[i] = {0x1p301, static_cast<double>(i), 0};
     return world;
   }
 

@@ -7,8 +7,10 @@
 
 #include "core/guarded.hpp"
 #include "core/pose.hpp"
+#include "impinge/collide.hpp"
 #include "impinge/impacts.hpp"
 #include "measure/safe_time.hpp"
+#include "measure/triangle_distance.hpp"
 #include "motion/screw.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
@@ -52,6 +54,11 @@ Result<void> validate(const Swept& swept) {
   return {};
 }
 
+Triangle triangle_of(const Mesh& mesh, std::uint32_t i) {
+  const auto& [a, b, c] = mesh.triangles()[i];
+  return {mesh.vertices()[a], mesh.vertices()[b], mesh.vertices()[c]};
+}
+
 Result<std::optional<TimeOfImpact>> on_straight_paths(const Swept& a, const Swept& b, const MeasureOptions& options) {
   const auto moving = [](const Swept& swept) -> Result<Moving> {
     Result<Mesh> from = swept.mesh.transformed({swept.sweep.from.R, swept.sweep.from.t});
@@ -64,6 +71,18 @@ Result<std::optional<TimeOfImpact>> on_straight_paths(const Swept& a, const Swep
   if (!of_a) return of_a.error();
   const Result<Moving> of_b = moving(b);
   if (!of_b) return of_b.error();
+  // An edge through a face is no impact, so that what goes through something at the start need not have one there.
+  Options at_start;
+  at_start.find = Options::Find::first;
+  at_start.threads = options.threads;
+  at_start.stop = options.stop;
+  const Result<Contacts> contacts = collide(of_a->from, {}, of_b->from, {}, at_start);
+  if (!contacts) return contacts.error();
+  if (!contacts->triangles.empty()) {
+    const auto [i, j] = contacts->triangles[0];
+    const auto [p, q] = measure::common_point(triangle_of(of_a->from, i), triangle_of(of_b->from, j));
+    return std::optional(TimeOfImpact{{0, 0}, 0, p, q});
+  }
   MotionOptions motion;
   motion.earliest = true;
   motion.threads = options.threads;

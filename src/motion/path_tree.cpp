@@ -110,11 +110,10 @@ double extents(const PathTree::Node& boxes, int count) {
 
 }  // namespace
 
-FloatFrame frame_of(std::span<const Vertices> meshes) {
+FloatFrame frame_of(std::span<const BoxPath> meshes) {
   Vec3 lo{kInfinity, kInfinity, kInfinity}, hi = -1 * lo;
-  for (const Vertices& mesh : meshes)
-    for (const auto points : {mesh.from, mesh.to})
-      for (const Vec3& p : points) lo = min(lo, p), hi = max(hi, p);
+  for (const BoxPath& mesh : meshes)
+    for (const Box& box : {mesh.from, mesh.to}) lo = min(lo, box.lo), hi = max(hi, box.hi);
   if (!(lo.x <= hi.x)) return {};
   const double half = max_component(0.5 * hi - 0.5 * lo);
   return {0.5 * lo + 0.5 * hi, half > 0 ? std::ldexp(1.0, -std::max(exponent(half) + 1, -1000)) : 1};
@@ -125,6 +124,7 @@ FloatFrame frame_of(std::span<const Vertices> meshes) {
 PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan)
     : margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
   in_blocks(plan.for_each, 4096, points.size(), [&](std::size_t i) {
+    if (i % 4096 == 0) throw_if_stopped(plan.stop);
     const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);
     Vec3 to = plan.frame.scale * (vertices.to[i] - plan.frame.origin);
     if (plan.end < 1) to = from + plan.end * (to - from);
@@ -141,6 +141,7 @@ PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, F
   if (order == nullptr || bound_leaves(corners, plan.for_each) > kLoose * order->looseness)
     bound_in_order(spatial_order(points, corners, plan));
   while (levels.size() < plan.height) {
+    throw_if_stopped(plan.stop);
     add_level(levels.back().size());
     const auto& below = levels[levels.size() - 2];
     for (std::size_t i = 0; i < below.size(); ++i)

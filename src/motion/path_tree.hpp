@@ -13,6 +13,7 @@
 
 #include "core/for_each.hpp"
 #include "core/shapes.hpp"
+#include "motion/box_path.hpp"
 #include "motion/features.hpp"
 
 namespace impinge::motion {
@@ -23,7 +24,7 @@ struct FloatFrame {
   Vec3 origin{0, 0, 0};
   double scale = 1;
 };
-FloatFrame frame_of(std::span<const Vertices> meshes);
+FloatFrame frame_of(std::span<const BoxPath> meshes);
 
 /// Boxes in the order of their bounds: where a box that moves linearly is at both ends. What is inside at both, and
 /// moves linearly, is inside throughout.
@@ -57,7 +58,8 @@ struct PathTree {
   PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan);
   static std::size_t height_for(std::size_t triangles);
 
-  /// A vertex in the frame at the start and at the end. The latter may be off by `margin`.
+  /// A vertex in the frame at the start and at the end; of one that no triangle has, nothing. The latter may be off by
+  /// `margin`.
   struct Point {
     float at[2][3];
   };

@@ -32,11 +32,11 @@ SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<c
                               const MotionOptions& options) {
   motion::ImpactQuery query{options.earliest, options.end, options.limit, on_threads(options.threads), options.stop};
   // One frame and height for all, so that each can be walked with each.
-  std::vector<motion::Vertices> ways;
+  std::vector<motion::BoxPath> ways;
   std::size_t height = 1;
   for (const auto& [vertices, features, cache] : objects)
     if (features != nullptr) {
-      ways.push_back(vertices);
+      ways.push_back(motion::path_of(vertices, features->corners));
       height = std::max(height, motion::PathTree::height_for(features->corners.size()));
     }
   const motion::PathTree::Plan plan{motion::frame_of(ways), options.end, height, query.for_each, options.stop};

@@ -121,6 +121,22 @@ TEST(Sweeps, ACubeFallsOnAPlateWhenItsHeightIsZero) {
   }
 }
 
+/// No vertex is on a face and no edge on an edge there.
+TEST(Sweeps, WhatPiercesAtTheStartMeetsThere) {
+  const auto triangle = [](const std::array<double, 9>& xyz) {
+    return Mesh::create(xyz, std::array<std::uint32_t, 3>{0, 1, 2}).value();
+  };
+  const Mesh floor = triangle({-10, -10, 0, 10, -10, 0, 0, 10, 0}), wall = triangle({-1, 0, -1, 1, 0, -1, 0, 0, 1});
+  for (const double x : {0.0, 0.5, 100.0})
+    for (const Sweep::Path path : {Sweep::Path::straight, Sweep::Path::screw}) {
+      const auto found = impact(wall, {{}, at(x, 0, 0), path, 0}, floor, at_rest({}), 1e-6);
+      ASSERT_TRUE(found) << x;
+      EXPECT_EQ(found->time.hi, 0);
+      EXPECT_EQ(found->gap, 0);
+      EXPECT_NEAR(found->a.z, 0, 1e-12);
+    }
+}
+
 /// What is within the tolerance at the start, but leaves, has not met; nor has what slides along beyond it.
 TEST(Sweeps, WhatLeavesOrSlidesHasNotMet) {
   const Mesh cube = mesh_of(scenes::cube()), plate = mesh_of(scenes::box({-4, -4, -1}, {4, 4, 0}, 5));

@@ -259,6 +259,7 @@ void expect_as_model(const Scene& scene, const Model& model) {
     Pose guest = entry.pose;
     guest.t[0] += 2;
     RC_ASSERT(scene.touches_with(cube(), guest).value() == model.has_any_at(guest));
+    RC_ASSERT(!scene.touches_with(Mesh::create(std::span<const double>(), {}).value(), guest).value());
     movers.push_back(entry.id);
     Model moved = model;
     std::vector<Pose> poses;
