@@ -95,12 +95,10 @@ def pose(values: ArrayLike | None, what: str) -> NDArray[np.float64] | None:
 
 
 def poses(values: ArrayLike | None, what: str, shape: tuple[str, ...] = ("N",)) -> NDArray[np.float64]:
-    """Of the shape (N, 4, 4) or, of one, (4, 4), or (T, M, 4, 4) with ("T", "M"); None stands for one identity."""
+    """Of the shape (N, 4, 4), or (T, M, 4, 4) with ("T", "M"); None stands for one identity."""
     if values is None:
         return _IDENTITY
     array = numbers(values, what, PoseError)
-    if array.shape == (4, 4) and shape == ("N",):
-        array = array[None]
     if array.ndim != len(shape) + 2 or array.shape[-2:] != (4, 4):
         raise PoseError(f"{what} has the shape {array.shape}, not ({', '.join(shape)}, 4, 4)")
     return array
