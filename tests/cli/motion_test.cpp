@@ -145,6 +145,21 @@ TEST_F(Motion, WhatPassesThroughWithinAStepIsFound) {
   EXPECT_EQ(report({"--frames", "1", "--animation", "stay away"}).at("spans").size(), 0U);
 }
 
+/// Their distance at both ends is a thousandth of their size, less than what the sweeps tell.
+TEST_F(Motion, WhatPassesThroughFromNearToNearIsFound) {
+  AnimatedGltf file;
+  const int still = file.node({{"name", "still"}, {"mesh", 0}});
+  const int moving = file.node({{"name", "moving"}, {"mesh", 0}});
+  file.roots({still, moving});
+  file.animation("pass");
+  file.channel(moving, "translation", {0, 8}, {-2.001, 0, 0, 2.001, 0, 0});
+  folder.write("case.glb", file.glb());
+  const json passing = report({"--frames", "1", "--tolerance", "0"});
+  ASSERT_EQ(passing.at("spans").size(), 1U);
+  expect_moment(passing["spans"][0].at("from"), 0.002, 2e-5);
+  expect_moment(passing["spans"][0].at("to"), 7.998, 2e-5);
+}
+
 TEST_F(Motion, OptionsSayWhatIsAClash) {
   write_passing(folder);
   const json passing = report({"--frames", "16", "--tolerance", "0"});
