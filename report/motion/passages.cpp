@@ -64,9 +64,11 @@ Result<std::vector<Passage>> passages_between(const std::vector<Posed>& from, co
                               near, options.measure, &workspace);
       };
       const auto first = meet(from, to);
+      if (!first && first.error().code == Code::out_of_range) continue;
       if (!first) return first.error();
       if (!*first) continue;
       const auto last = meet(to, from);
+      if (!last && last.error().code == Code::out_of_range) continue;
       if (!last) return last.error();
       passages.push_back({{i, j}, (*first)->time.lo, *last ? 1 - (*last)->time.lo : 1});
     }

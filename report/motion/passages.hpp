@@ -30,8 +30,8 @@ struct PassageOptions {
 /// The pairs of parts that come near each other on the way between two frames, if each goes from its one pose to the
 /// other on a screw: a superset of those that penetrate there. Near is the tolerance, and at least 2^-10 of the smaller
 /// part's radius, which keeps conservative advancement short. Parts of equal `bodies` stand still to each other; parts
-/// that change their shape are left out. The boxes of the parts' swept spheres are tested first. Errors: those of
-/// `time_of_impact`.
+/// that change their shape and pairs that leave the exact domain on the way are left out. The boxes of the parts'
+/// swept spheres are tested first. Errors: those of `time_of_impact` but `out_of_range`.
 Result<std::vector<Passage>> passages_between(const std::vector<Posed>& from, const std::vector<Posed>& to,
                                               std::span<const std::uint32_t> bodies, const PassageOptions& options);
 
