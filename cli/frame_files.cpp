@@ -26,9 +26,12 @@ struct Numbered {
   std::string digits;
 };
 
+/// Behind the folders; npos + 1 is 0.
+std::size_t start_of_name(const std::string& file) { return file.rfind('/') + 1; }
+
 /// By the last number of the file's name, the folder and the ending aside; nothing without one.
 std::optional<Numbered> numbered(const std::string& name) {
-  const std::size_t folder = name.rfind('/') == std::string::npos ? 0 : name.rfind('/') + 1;
+  const std::size_t folder = start_of_name(name);
   const std::size_t dot = name.rfind('.');
   const std::size_t end = dot == std::string::npos || dot <= folder ? name.size() : dot;
   const std::size_t last = name.find_last_of(kDigits, end - (end > 0 ? 1 : 0));
@@ -41,9 +44,9 @@ std::optional<Numbered> numbered(const std::string& name) {
 Error bad_option(std::string sentence) { return {Code::bad_option, std::move(sentence)}; }
 
 Result<std::vector<std::string>> files_of(const std::string& pattern) {
-  const std::size_t first = pattern.find('#');
+  const std::size_t first = pattern.find('#', start_of_name(pattern));
   const std::size_t end = std::min(pattern.find_first_not_of('#', first), pattern.size());
-  if (pattern.find('#', end) != std::string::npos || pattern.find('/', first) != std::string::npos)
+  if (pattern.find('#', end) != std::string::npos)
     return bad_option(fmt::format(
         "{}: a sequence has one number, in the name of the file: write # for its digits once, as in frame_####.ply",
         pattern));
@@ -109,7 +112,8 @@ Result<void> check_numbers(const std::vector<std::string>& files) {
 
 Result<std::vector<std::string>> frame_files(const std::vector<std::string>& given) {
   std::error_code unknown;
-  if (given.size() == 1 && given.front().find('#') != std::string::npos && !fs::exists(given.front(), unknown))
+  if (given.size() == 1 && given.front().find('#', start_of_name(given.front())) != std::string::npos &&
+      !fs::exists(given.front(), unknown))
     return files_of(given.front());
   if (given.size() < 2)
     return bad_option(fmt::format(

@@ -128,7 +128,7 @@ export class Details {
     const assignee = el('input', { type: 'text', id: 'decided-assignee', dir: 'auto', autocomplete: 'off' });
     assignee.value = pair.assignee ?? '';
     assignee.addEventListener('input', () => take({ assignee: assignee.value.trim() }));
-    const due = el('input', { type: 'date', id: 'decided-due' });
+    const due = el('input', { type: 'date', id: 'decided-due', max: '9999-12-31' });
     due.value = pair.due ?? '';
     due.addEventListener('input', () => take({ due: due.value }));
     const comment = el('textarea', { id: 'decided-comment', rows: 2, dir: 'auto' });

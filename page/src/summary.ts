@@ -87,7 +87,8 @@ function stepsFact({ animation }: Motion): Fact {
     ...countedOf(animation.frames, 'step'),
     ' of ',
     numberOf(animation.step),
-    ' s: what is over within one step may be missed',
+    ' s, and between them along screws: a clash that is over within one step is missed only where its parts touch at ' +
+      'both ends of the step, change their shape or move otherwise',
   ];
 }
 

@@ -62,17 +62,20 @@ void add_surroundings(const Review& review, std::span<const Bounds> boxes, const
   for (std::uint32_t i = 0; i < objects.size(); ++i) {
     const Bounds& box = boxes[i];
     if (i == a || i == b || box.is_empty()) continue;
-    if (has_storey && std::ranges::find(storeys, storey_of(objects[i])) == storeys.end()) continue;
     const Point nearest{std::clamp(target.x, box.lo.x, box.hi.x), std::clamp(target.y, box.lo.y, box.hi.y),
                         std::clamp(target.z, box.lo.z, box.hi.z)};
     constexpr double kSeen = 4;  // in radii: the picture's corners, and what is behind the clash
-    if (const double distance = length(nearest - target); distance < kSeen * radius) near.emplace_back(distance, i);
+    const double distance = length(nearest - target);
+    if (!(distance < kSeen * radius)) continue;
+    if (has_storey && std::ranges::find(storeys, storey_of(objects[i])) == storeys.end()) continue;
+    near.emplace_back(distance, i);
   }
   std::ranges::sort(near);
   std::size_t triangles = 0;
   for (const auto& [distance, i] : near) {
-    triangles += objects[i].mesh.triangle_count();
-    if (triangles > kMostTriangles) break;
+    const std::size_t more = objects[i].mesh.triangle_count();
+    if (triangles + more > kMostTriangles) continue;
+    triangles += more;
     scenery.around.push_back(placed(objects[i]));
   }
   const Point up = y_up ? Point{0, 1, 0} : Point{0, 0, 1}, lid = dot(view.forward, up) < 0 ? up : -1.0 * up;

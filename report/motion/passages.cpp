@@ -43,7 +43,7 @@ bool may_meet(const Swept& a, const Swept& b) {
 }  // namespace
 
 Result<std::vector<Passage>> passages_between(const std::vector<Posed>& from, const std::vector<Posed>& to,
-                                              std::span<const std::uint32_t> bodies, const MeasureOptions& options) {
+                                              std::span<const std::uint32_t> bodies, const PassageOptions& options) {
   std::vector<Swept> swept;
   for (std::uint32_t i = 0; i < from.size(); ++i)
     if (&from[i].mesh.state() == &to[i].mesh.state() && from[i].mesh.triangle_count() > 0)
@@ -55,18 +55,20 @@ Result<std::vector<Passage>> passages_between(const std::vector<Posed>& from, co
     for (std::size_t l = k + 1; l < swept.size() && swept[l].lo[0] <= swept[k].hi[0]; ++l) {
       const std::uint32_t i = std::min(swept[k].object, swept[l].object),
                           j = std::max(swept[k].object, swept[l].object);
-      if (bodies[i] == bodies[j] || !may_meet(swept[k], swept[l])) continue;
-      // What is nearer counts, and is judged.
-      const double near = 0x1p-20 * (from[i].mesh.sphere_radius() + from[j].mesh.sphere_radius());
+      if (bodies[i] == bodies[j] || !may_meet(swept[k], swept[l]) || options.skip({i, j})) continue;
+      const double a = from[i].mesh.sphere_radius(), b = from[j].mesh.sphere_radius();
+      const double near = std::max({0x1p-20 * (a + b), 0x1p-10 * std::min(a, b), options.tolerance});
       if (!(near > 0)) continue;
       const auto meet = [&](const std::vector<Posed>& start, const std::vector<Posed>& end) {
         return time_of_impact(from[i].mesh, {start[i].pose, end[i].pose}, from[j].mesh, {start[j].pose, end[j].pose},
-                              near, options, &workspace);
+                              near, options.measure, &workspace);
       };
       const auto first = meet(from, to);
+      if (!first && first.error().code == Code::out_of_range) continue;
       if (!first) return first.error();
       if (!*first) continue;
       const auto last = meet(to, from);
+      if (!last && last.error().code == Code::out_of_range) continue;
       if (!last) return last.error();
       passages.push_back({{i, j}, (*first)->time.lo, *last ? 1 - (*last)->time.lo : 1});
     }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -230,6 +231,13 @@ TEST_F(Impacts, ASequenceSaysInWhichStep) {
             std::string::npos)
       << text.out;
   EXPECT_EQ(run({"frame_0008.ply", "frame_0009.ply", "--self"}).code, 0);
+  // A folder may have # in its name.
+  const auto other = folder.path() / "run #2";
+  std::filesystem::create_directory(other);
+  for (const std::string& name : names) std::filesystem::copy_file(folder.path() / name, other / name);
+  EXPECT_EQ(report({"run #2/frame_####.ply", "--self"}).at("earliest"), (json{{"frame", 2}, {"toi", {0.75, 0.75}}}));
+  EXPECT_EQ(run({"run #2/frame_0008.ply", "run #2/frame_0009.ply", "--self"}).code, 0);
+  EXPECT_NE(run({"run #2/none.ply", "--self"}).err.find("run #2/none.ply is one state"), std::string::npos);
 }
 
 TEST_F(Impacts, SelfIsBesideThePairsOfParts) {

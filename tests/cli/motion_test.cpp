@@ -145,6 +145,59 @@ TEST_F(Motion, WhatPassesThroughWithinAStepIsFound) {
   EXPECT_EQ(report({"--frames", "1", "--animation", "stay away"}).at("spans").size(), 0U);
 }
 
+/// Their distance at both ends is a thousandth of their size, less than what the sweeps tell.
+TEST_F(Motion, WhatPassesThroughFromNearToNearIsFound) {
+  AnimatedGltf file;
+  const int still = file.node({{"name", "still"}, {"mesh", 0}});
+  const int moving = file.node({{"name", "moving"}, {"mesh", 0}});
+  file.roots({still, moving});
+  file.animation("pass");
+  file.channel(moving, "translation", {0, 8}, {-2.001, 0, 0, 2.001, 0, 0});
+  folder.write("case.glb", file.glb());
+  const json passing = report({"--frames", "1", "--tolerance", "0"});
+  ASSERT_EQ(passing.at("spans").size(), 1U);
+  expect_moment(passing["spans"][0].at("from"), 0.002, 2e-5);
+  expect_moment(passing["spans"][0].at("to"), 7.998, 2e-5);
+}
+
+/// A square tube along z, from -1 to 1 each way, whose walls are so thick.
+int square_tube(AnimatedGltf& file, double wall) {
+  std::vector<double> corners;
+  for (const double half : {1.0, 1 - wall})
+    for (const auto& [x, y] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      for (const int z : {-1, 1}) corners.insert(corners.end(), {half * x, half * y, static_cast<double>(z)});
+  std::vector<int> triangles;
+  const auto add = [&](int a, int b, int c, int d) { triangles.insert(triangles.end(), {a, b, c, a, c, d}); };
+  for (int low = 0; low < 8; low += 2) {
+    const int next = (low + 2) % 8;
+    add(low, next, next + 1, low + 1);          // outside
+    add(next + 8, low + 8, low + 9, next + 9);  // inside
+    add(low + 1, next + 1, next + 9, low + 9);  // upper end
+    add(next, low, low + 8, next + 8);          // lower end
+  }
+  return file.mesh(corners, triangles);
+}
+
+/// A cube of 10 mm goes through both walls of a tube of 100 mm: between them it touches nothing.
+TEST_F(Motion, WhatPassesThroughThinWallsWithinAStepIsFound) {
+  for (const double wall : {0.003, 0.0001}) {
+    AnimatedGltf file;
+    const int tube =
+        file.node({{"name", "tube"}, {"mesh", square_tube(file, wall / 0.05)}, {"scale", {0.05, 0.05, 0.05}}});
+    const int cube = file.node({{"name", "cube"}, {"mesh", 0}, {"scale", {0.005, 0.005, 0.005}}});
+    file.roots({tube, cube});
+    file.animation("fly");
+    file.channel(cube, "translation", {0, 4}, {-0.1, 0, 0, 0.1, 0, 0});
+    folder.write("case.glb", file.glb());
+    const json passing = report({"--frames", "1", "--tolerance", "0"});
+    ASSERT_EQ(passing.at("spans").size(), 1U) << wall;
+    const json& span = passing["spans"][0];
+    EXPECT_EQ(span.at("worst"), "penetrating");
+    expect_moment(span.at("from"), 0.045 / 0.05, 2e-5);
+    expect_moment(span.at("to"), (0.055 + wall) / 0.05, 2e-5);  // of the first wall
+  }
+}
+
 TEST_F(Motion, OptionsSayWhatIsAClash) {
   write_passing(folder);
   const json passing = report({"--frames", "16", "--tolerance", "0"});

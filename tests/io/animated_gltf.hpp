@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -22,21 +23,33 @@ class AnimatedGltf {
             {"scene", 0},
             {"scenes", json::array({{{"nodes", json::array()}}})},
             {"nodes", json::array()},
+            {"meshes", json::array()},
             {"bufferViews", json::array()},
             {"accessors", json::array()}};
     std::vector<double> corners;
     for (int i = 0; i < 8; ++i)
       for (int k = 0; k < 3; ++k) corners.push_back((i >> k & 1) * 2 - 1);
+    mesh(corners,
+         {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5});
+  }
+
+  /// Three numbers for each corner, three corners for each triangle. Returns the mesh's number.
+  int mesh(const std::vector<double>& corners, const std::vector<int>& triangles) {
     const int positions = floats(corners, "VEC3");
-    root["accessors"][0]["min"] = {-1, -1, -1};
-    root["accessors"][0]["max"] = {1, 1, 1};
+    json lo = json::array(), hi = json::array();
+    for (std::size_t k = 0; k < 3; ++k) {
+      float least = static_cast<float>(corners[k]), most = least;
+      for (std::size_t i = k; i < corners.size(); i += 3)
+        least = std::min(least, static_cast<float>(corners[i])), most = std::max(most, static_cast<float>(corners[i]));
+      lo.push_back(least), hi.push_back(most);
+    }
+    root["accessors"].back()["min"] = lo, root["accessors"].back()["max"] = hi;
     std::string indices;
-    for (const int corner :
-         {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5})
-      append(indices, static_cast<std::uint16_t>(corner));
-    const int triangles = accessor(view(indices), 5123, 36, "SCALAR");
-    root["meshes"] = json::array(
-        {{{"primitives", json::array({{{"attributes", {{"POSITION", positions}}}, {"indices", triangles}}})}}});
+    for (const int corner : triangles) append(indices, static_cast<std::uint16_t>(corner));
+    const int list = accessor(view(indices), 5123, triangles.size(), "SCALAR");
+    root["meshes"].push_back(
+        {{"primitives", json::array({{{"attributes", {{"POSITION", positions}}}, {"indices", list}}})}});
+    return static_cast<int>(root["meshes"].size()) - 1;
   }
 
   /// A node; a root unless it is named among some node's children. Returns its number.

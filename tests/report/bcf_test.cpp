@@ -294,6 +294,12 @@ TEST_F(Bcf, IsNotReplacedWhereDecisionsWouldBeLost) {
   EXPECT_EQ(clash({"--decisions", "kept.bcf"}).code, 1);
   EXPECT_EQ(clash({"--decisions", "kept.bcf", "--bcf-version", "3.0"}).code, 1) << "it says the same";
   EXPECT_EQ(clash({}).code, 2);
+  // The same in all but the day, which somebody set: unless it is that of the run.
+  folder.write("no_day.json",
+               R"({"a | b":{"status":"In review","comment":"moved\nto axis B\nagreed & done","assignee":"Ann"}})");
+  EXPECT_EQ(clash({"--decisions", "no_day.json"}).code, 2);
+  EXPECT_EQ(clash({"--decisions", "no_day.json", "--due", "2024-06-15"}).code, 2);
+  EXPECT_EQ(clash({"--decisions", "no_day.json", "--due", "2024-06-14"}).code, 1);
   EXPECT_EQ(clash({"--force"}).code, 1);
   folder.write("out.bcf", "no archive");
   EXPECT_EQ(clash({}).code, 1);
