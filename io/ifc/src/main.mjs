@@ -8,7 +8,7 @@
 import { setFlagsFromString } from 'node:v8';
 import { FileProblem, readFile } from './file.mjs';
 import * as frames from './frames.mjs';
-import { kChords, Model, numberOf, referenceOf, textOf } from './model.mjs';
+import { kChords, Model, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 import { keepBodies, mendProfiles } from './mend.mjs';
 import { Properties } from './properties.mjs';
 import { shapeOf } from './shapes.mjs';
@@ -93,7 +93,7 @@ class Importer {
   #meshes = new Map();
   #written = 0;
   #keys = new Set();
-  // Geometries, and what web-ifc said when it made them, or what keeps it from making them rightly.
+  // Geometries, representations and products, and what web-ifc said when it made them, or what keeps it from making them rightly.
   #incomplete;
 
   constructor(model, withSets, incomplete) {
@@ -120,12 +120,15 @@ class Importer {
     }
   }
 
-  // What web-ifc said while the bodies were made, then or for an earlier product that shows them too.
-  #complaintAbout(bodies) {
+  // What is known of the product and its representations, or else what web-ifc said while the bodies were made, then or for an
+  // earlier product that shows them too.
+  #complaintAbout(product, shape, bodies) {
     const said = this.#model.takeSaid().find((line) => /error|warn/i.test(line));
     const plain = said && this.#plain(said);
     if (plain) for (const { geometry } of bodies) this.#incomplete.set(geometry, plain);
-    return plain ?? bodies.map(({ geometry }) => this.#incomplete.get(geometry)).find(Boolean);
+    const known = (lines) => lines.map((line) => this.#incomplete.get(line)).find(Boolean);
+    const representations = referencesOf(this.#model.attributes(shape)[2]);
+    return known([product, ...representations]) ?? plain ?? known(bodies.map(({ geometry }) => geometry));
   }
 
   // In the words of who wrote the file: web-ifc names a line that it does not draw by its number.
@@ -136,8 +139,7 @@ class Importer {
     if (words.startsWith('No basis found')) return kNoArea;
     const [, what] = /^un(?:expected|supported) (.*?) type\b/i.exec(words) ?? [];
     if (!what) return `web-ifc says '${words}'`;
-    if (what === 'token')
-      return 'a line of its geometry lacks what it refers to, leads back to itself, or is within too many others';
+    if (what === 'token') return 'a line of its geometry lacks what it refers to, or leads back to itself';
     const line = Number(/\d+$/.exec(words)?.[0]);
     const name = line > 0 ? this.#model.classOf(line) : '';
     this.#model.takeSaid();
@@ -173,7 +175,7 @@ class Importer {
     const bodies = await this.#bodiesOf(line, label);
     if (!bodies) return;
     const lost = [];
-    let complaint = this.#complaintAbout(bodies);
+    let complaint = this.#complaintAbout(line, referenceOf(attributes[6]), bodies);
     if (bodies.length === 0) {
       this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
       return;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Lines that web-ifc 0.0.78 draws wrongly are written anew before it draws them.
-import { FileProblem } from './file.mjs';
 import { kChords, kEnum, kReal, kReference, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 import { alongCentreLine, kParametrised, outlineOf } from './profiles.mjs';
 import { radiansInAngle } from './units.mjs';
@@ -26,9 +25,9 @@ const kUsersOfProfiles = [
 const kBooleans = ['IFCBOOLEANRESULT', 'IFCBOOLEANCLIPPINGRESULT'];
 // A curve may be made of others, and these of others again; more steps than these are a loop.
 const kDeepestCurve = 8;
-// web-ifc takes a second for so many, one within the other, and for more as their square.
+// web-ifc takes 2 s for 300, one within the other, and 14 s for 1,200.
 const kDeepestDifference = 2000;
-// They take some 600 MB.
+// Of one representation; they take some 600 MB.
 const kMostMapped = 100_000;
 // So that a quarter circle, rounded, is not one chord more.
 const kSlack = 1e-6;
@@ -137,10 +136,9 @@ function appendProfile(model, outlines) {
     : model.append('IFCARBITRARYPROFILEDEFWITHVOIDS', [area, null, outer, inner]);
 }
 
-// The profiles that stand for others, by these; and why those that are not as the file says are not.
-function replacements(model) {
+// The profiles that stand for others, by these; adds to `reasons` why those that are not as the file says are not.
+function replacements(model, reasons) {
   const made = new Map();
-  const reasons = new Map();
   const radians = radiansInAngle(model);
   for (const kind of kParametrised) {
     for (const line of model.ofClass(kind.name)) {
@@ -169,7 +167,7 @@ function replacements(model) {
       made.set(line, model.append('IFCDERIVEDPROFILEDEF', [type, name, parent, reference(flip), null]));
     }
   }
-  return { made, reasons };
+  return made;
 }
 
 // Solids and their differences, by what they are made of, that have a reason to be called incomplete.
@@ -217,51 +215,77 @@ function eachAfterItsParts(lines, partsOf, visit, loop) {
 }
 
 // A difference that is made of itself, or of too many one within the other, loses the operand that leads there: web-ifc would
-// take minutes or gigabytes.
-function breakLoops(model) {
+// take minutes or gigabytes. Adds to `reasons` those of too many.
+function breakLoops(model, reasons) {
   const differences = new Set(model.ofClass(...kBooleans));
   const operandsOf = (line) => model.attributes(line).map(referenceOf).filter((part) => differences.has(part));
   const cut = (line, operand) =>
     model.rewrite(line, model.attributes(line).map((value) => (referenceOf(value) === operand ? null : value)));
   const depthOf = (line, operands, depths) => {
     const depth = 1 + Math.max(0, ...operands.map((one) => depths.get(one) ?? 0));
-    if (depth > kDeepestDifference) for (const operand of operands) cut(line, operand);
+    if (depth > kDeepestDifference) {
+      for (const operand of operands) cut(line, operand);
+      reasons.set(line, `${depth} differences within each other; more than ${kDeepestDifference} are not drawn`);
+    }
     return depth;
   };
   eachAfterItsParts(differences, operandsOf, depthOf, cut);
 }
 
-// Mapped items may show mapped items, and these again: twice as many shapes a step. Errors: FileProblem, before web-ifc runs
-// out of memory.
-function countMapped(model) {
-  const itemsOf = new Map();
-  for (const map of model.ofClass('IFCREPRESENTATIONMAP')) {
-    const shown = referenceOf(model.attributes(map)[1]);
-    itemsOf.set(map, shown ? referencesOf(model.attributes(shown)[3]) : []);
-  }
+// Mapped items may show mapped items, and these again: twice as many shapes a step. Representations that show too many so lose
+// their items, before web-ifc runs out of memory. Adds to `reasons` the representations that are not drawn in full.
+function limitMapped(model, reasons) {
   const mapped = new Set(model.ofClass('IFCMAPPEDITEM'));
-  const mapsIn = (map) => {
-    const items = itemsOf.get(map).filter((item) => mapped.has(item));
-    return items.map((item) => referenceOf(model.attributes(item)[0])).filter((one) => itemsOf.has(one));
+  const shownBy = new Map();
+  for (const map of model.ofClass('IFCREPRESENTATIONMAP')) shownBy.set(map, referenceOf(model.attributes(map)[1]));
+  const itemsOf = (shown) => referencesOf(model.attributes(shown)[3]);
+  const shown = new Set([...shownBy.values()].filter(Boolean));
+  const mapping = new Set([...shown].filter((one) => itemsOf(one).some((item) => mapped.has(item))));
+  if (mapping.size === 0 && reasons.size === 0) return;
+  const partsOf = (one) => {
+    const items = itemsOf(one).filter((item) => mapped.has(item));
+    return items.map((item) => shownBy.get(referenceOf(model.attributes(item)[0]))).filter(Boolean);
   };
-  const count = (map, maps, counts) => {
-    const shapes = itemsOf.get(map).length - maps.length + maps.reduce((sum, one) => sum + (counts.get(one) ?? 0), 0);
-    if (maps.length > 0 && shapes > kMostMapped)
-      throw new FileProblem(
-        `its line #${map} shows more than ${kMostMapped} shapes by mapped items of mapped items; export them as parts of their own`,
-      );
-    return shapes;
+  const count = (one, parts, counts) => {
+    const items = itemsOf(one);
+    const cause = [...items, ...parts].find((line) => reasons.has(line));
+    if (cause) reasons.set(one, reasons.get(cause));
+    // What shows nothing counts too, as web-ifc visits it each time.
+    const sum = parts.reduce((total, part) => total + (counts.get(part) ?? 1), 0);
+    const shapes = Math.max(1, items.length - parts.length + sum);
+    if (shapes <= kMostMapped || !parts.some((part) => mapping.has(part))) return shapes;
+    model.rewrite(one, model.attributes(one).map((value, at) => (at === 3 ? [] : value)));
+    reasons.set(
+      one,
+      `its mapped items of mapped items show more than ${kMostMapped} shapes; export them as parts of their own`,
+    );
+    return 1;
   };
-  eachAfterItsParts(itemsOf.keys(), mapsIn, count, () => {});
+  const shapes = model.ofClass('IFCPRODUCTDEFINITIONSHAPE');
+  const ofProducts = shapes.flatMap((shape) => referencesOf(model.attributes(shape)[2]));
+  eachAfterItsParts([...shown, ...ofProducts], partsOf, count, () => {});
+}
+
+// Elements with openings that are not drawn in full.
+function spreadToHosts(model, reasons) {
+  if (reasons.size === 0) return;
+  for (const line of model.ofClass('IFCRELVOIDSELEMENT')) {
+    const [host, opening] = model.attributes(line).slice(4, 6).map(referenceOf);
+    const shape = opening && referenceOf(model.attributes(opening)[6]);
+    const cause = shape && referencesOf(model.attributes(shape)[2]).find((one) => reasons.has(one));
+    if (host && cause) reasons.set(host, `an opening of it is not drawn in full: ${reasons.get(cause)}`);
+  }
 }
 
 // Profiles that web-ifc draws wrongly or not at all become outlines of lines. Returns why shapes are incomplete, by the lines
-// of their solids.
+// of their solids, representations and products.
 export function mendProfiles(model) {
   writePlaces(model);
-  breakLoops(model);
-  countMapped(model);
-  const { made, reasons } = replacements(model);
+  const reasons = new Map();
+  breakLoops(model, reasons);
+  limitMapped(model, reasons);
+  spreadToHosts(model, reasons);
+  const made = replacements(model, reasons);
   spread(model, reasons);
   if (made.size > 0) {
     const standIn = (value) => {
