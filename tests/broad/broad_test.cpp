@@ -26,11 +26,11 @@ void showValue(const Place& p, std::ostream& os) {
 }
 
 /// Moves the object there, adds it, or removes it (`there` is empty).
-struct Step {
+struct Placement {
   std::uint32_t object;
   std::optional<Place> there;
 };
-void showValue(const Step& step, std::ostream& os) {
+void showValue(const Placement& step, std::ostream& os) {
   os << step.object << ": ";
   if (step.there) showValue(*step.there, os);
 }
@@ -50,11 +50,11 @@ struct Arbitrary<impinge::Place> {
   }
 };
 template <>
-struct Arbitrary<impinge::Step> {
-  static Gen<impinge::Step> arbitrary() {
-    return gen::build<impinge::Step>(
-        gen::set(&impinge::Step::object, gen::inRange<std::uint32_t>(0, 12)),
-        gen::set(&impinge::Step::there,
+struct Arbitrary<impinge::Placement> {
+  static Gen<impinge::Placement> arbitrary() {
+    return gen::build<impinge::Placement>(
+        gen::set(&impinge::Placement::object, gen::inRange<std::uint32_t>(0, 12)),
+        gen::set(&impinge::Placement::there,
                  gen::map(gen::maybe(gen::arbitrary<impinge::Place>()), [](const Maybe<impinge::Place>& place) {
                    return place ? std::optional(*place) : std::nullopt;
                  })));
@@ -99,14 +99,14 @@ broad::ObjectPairs pairs_of(paper::SweepAndPrune& borders, const SceneView& view
 
 /// Frame by frame, as is and in a copy made before, all against brute force.
 RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
-              (const std::vector<std::vector<Step>>& frames,
+              (const std::vector<std::vector<Placement>>& frames,
                const std::vector<std::pair<std::uint8_t, std::uint8_t>>& ignored_pairs)) {
   const scene::IgnoredPairs ignored = ignoring(ignored_pairs, 12);
   std::vector<PlacedObject> objects(12);
   broad::NearPairs near_pairs;
   paper::SweepAndPrune borders;
-  for (const std::vector<Step>& frame : frames) {
-    for (const Step& step : frame) objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
+  for (const std::vector<Placement>& frame : frames) {
+    for (const Placement& step : frame) objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
     const SceneView view{objects, &ignored};
     const broad::ObjectPairs expected = paper::all_pairs(view);
     broad::NearPairs copy = near_pairs;
@@ -120,12 +120,12 @@ RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
 }
 
 /// Without a place() for those that stay, and with several for one that moves more than once.
-RC_GTEST_PROP(NearPairs, NeedToHearOfChangesOnly, (const std::vector<std::vector<Step>>& frames)) {
+RC_GTEST_PROP(NearPairs, NeedToHearOfChangesOnly, (const std::vector<std::vector<Placement>>& frames)) {
   std::vector<PlacedObject> objects(12);
   broad::NearPairs near_pairs;
   near_pairs.reserve(objects.size());
-  for (const std::vector<Step>& frame : frames) {
-    for (const Step& step : frame) {
+  for (const std::vector<Placement>& frame : frames) {
+    for (const Placement& step : frame) {
       objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
       near_pairs.place(step.object, objects[step.object]);
     }
