@@ -39,9 +39,9 @@ class ContactHistory {
   /// What has changed since the last call, in order of objects; valid until the next call. `contacts` are all that
   /// `Scene::collide` finds now, or the first of each pair, of all kinds; `between`, for `pass`, all that
   /// `Scene::find_impacts` found since the last call, with the objects that the scene has now: it names them by index.
-  /// A pair with an impact at the start of the motion has not passed. Errors, after which all is as it was:
-  /// `unknown_id` (objects that the scene does not have), `bad_option` (contacts or impacts that were cut off at a
-  /// limit), `out_of_memory`.
+  /// No `pass` is told of a pair that has an impact at the start of the motion. After an error the history is as it
+  /// was. Errors: `unknown_id` (objects that the scene does not have), `bad_option` (contacts or impacts that were cut
+  /// off at a limit), `out_of_memory`.
   Result<std::span<const ContactEvent>> update(const Scene& scene, const Contacts& contacts,
                                                const SceneImpacts* between = nullptr);
 

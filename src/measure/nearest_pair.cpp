@@ -23,17 +23,10 @@ class PairSearch {
         limit_(within) {}
 
   std::optional<NearestPair> run(const std::stop_token& stop) {
-    std::vector<NodePair>& children = memory_.children;
-    dive(memory_.open);
-    PairQueue queue(memory_.stacks, memory_.open, limit_);
-    while (!is_done()) {
-      if (stop.stop_requested()) return std::nullopt;
-      std::optional<NodePair> next = queue.pop();
-      if (!next) break;
-      if (next->lower > limit_ || search_or_open(*next, children)) continue;
-      for (const NodePair& child : children) queue.push(child);
-    }
-    if (!found_) return std::nullopt;
+    const bool is_whole = search_pairs(
+        walk_, memory_, limit_, stop, [this](NodePair& pair) { return search_or_open(pair); },
+        [this] { return is_done(); });
+    if (!is_whole || !found_) return std::nullopt;
     best_.error = best_.distance == 0 ? 0 : std::max(best_.error, best_.distance - least_);
     return best_;
   }
@@ -45,32 +38,16 @@ class PairSearch {
 
   [[nodiscard]] bool is_done() const { return found_ && (best_.distance == 0 || best_.distance < enough_); }
 
-  /// Whether it was two leaves. If not, the nearest of its children comes last.
-  bool search_or_open(NodePair& pair, std::vector<NodePair>& children) {
+  /// Whether it was two leaves.
+  bool search_or_open(NodePair& pair) {
     walk_.reach(pair);
     if (pair.a.is_leaf() && pair.b.is_leaf()) {
       search_leaves(pair);
       return true;
     }
-    children.clear();
-    walk_.open(pair, limit_, children);
-    if (!children.empty())
-      std::iter_swap(children.end() - 1, std::min_element(children.begin(), children.end(),
-                                                          [](auto& p, auto& q) { return p.lower < q.lower; }));
+    memory_.children.clear();
+    walk_.open(pair, limit_, memory_.children);
     return false;
-  }
-
-  /// Descends straight to two leaves that are near, for a first upper bound of the distance.
-  void dive(std::vector<NodePair>& open) {
-    std::vector<NodePair>& children = memory_.children;
-    open.clear();
-    NodePair next = walk_.roots();
-    while (!search_or_open(next, children)) {
-      if (children.empty()) break;
-      next = children.back();
-      open.insert(open.end(), children.begin(), children.end() - 1);
-    }
-    std::erase_if(open, [&](const NodePair& pair) { return pair.lower > limit_; });
   }
 
   void search_leaves(const NodePair& pair) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "measure/pair_walk.hpp"
@@ -63,5 +64,38 @@ struct PairMemory {
     return pairs;
   }
 };
+
+/// Branch and bound over the pairs of two trees: straight down to two leaves, for a first limit, and then roughly the
+/// nearest first. `open(pair)` searches two leaves and says true, or replaces `memory.children` by the pairs below and
+/// says false; it may lower the limit, beyond which nothing is opened. Ends when `is_done()`; false if it was stopped.
+template <class Open, class IsDone>
+bool search_pairs(const PairWalk& walk, PairMemory& memory, const double& limit, const std::stop_token& stop,
+                  const Open& open, const IsDone& is_done) {
+  std::vector<NodePair>& children = memory.children;
+  // Of the children the nearest comes last.
+  const auto search_or_open = [&](NodePair& pair) {
+    if (open(pair)) return true;
+    if (!children.empty())
+      std::iter_swap(children.end() - 1, std::min_element(children.begin(), children.end(),
+                                                          [](auto& p, auto& q) { return p.lower < q.lower; }));
+    return false;
+  };
+  memory.open.clear();
+  NodePair down = walk.roots();
+  while (!search_or_open(down) && !children.empty()) {
+    down = children.back();
+    memory.open.insert(memory.open.end(), children.begin(), children.end() - 1);
+  }
+  std::erase_if(memory.open, [&](const NodePair& pair) { return pair.lower > limit; });
+  PairQueue queue(memory.stacks, memory.open, limit);
+  while (!is_done()) {
+    if (stop.stop_requested()) return false;
+    std::optional<NodePair> next = queue.pop();
+    if (!next) break;
+    if (next->lower > limit || search_or_open(*next)) continue;
+    for (const NodePair& child : children) queue.push(child);
+  }
+  return true;
+}
 
 }  // namespace impinge::measure

@@ -109,16 +109,10 @@ class TimeSearch {
     LimitingPair first = last;
     if (walk_.is_swapped()) std::swap(first.triangle_a, first.triangle_b);
     test(first.triangle_a, first.triangle_b);
-    std::vector<NodePair>& children = memory_.children;
-    dive(memory_.open);
-    PairQueue queue(memory_.stacks, memory_.open, limit_);
-    while (limit_ > 0) {
-      if (stop.stop_requested()) return {};
-      std::optional<NodePair> next = queue.pop();
-      if (!next) break;
-      if (next->lower > limit_ || search_or_open(*next, children)) continue;
-      for (const NodePair& child : children) queue.push(child);
-    }
+    const bool is_whole = search_pairs(
+        walk_, memory_, limit_, stop, [this](NodePair& pair) { return search_or_open(pair); },
+        [this] { return !(limit_ > 0); });
+    if (!is_whole) return {};
     SafeTime safe{limit_ * kDown, limiting_.has_value(), {}};
     if (!limiting_) return safe;
     if (walk_.is_swapped())
@@ -138,8 +132,9 @@ class TimeSearch {
     return way > 0 ? way / speed * kDown : 0;
   }
 
-  /// Whether it was two leaves. If not, the child with the shortest time comes last. A pair's `lower` is its time here.
-  bool search_or_open(NodePair& pair, std::vector<NodePair>& children) {
+  /// Whether it was two leaves. A pair's `lower` is its time here.
+  bool search_or_open(NodePair& pair) {
+    std::vector<NodePair>& children = memory_.children;
     walk_.reach(pair);
     const Ball a = a_.of(pair.a), b = b_.of(pair.b);
     const double speed = a.speed + b.speed;
@@ -151,23 +146,7 @@ class TimeSearch {
     }
     walk_.open(pair, reach_at(speed), children);
     for (NodePair& child : children) child.lower = time_over(child.lower, speed);
-    if (!children.empty())
-      std::iter_swap(children.end() - 1, std::min_element(children.begin(), children.end(),
-                                                          [](auto& p, auto& q) { return p.lower < q.lower; }));
     return false;
-  }
-
-  /// Descends straight to two leaves, for a first upper bound of the time.
-  void dive(std::vector<NodePair>& open) {
-    std::vector<NodePair>& children = memory_.children;
-    open.clear();
-    NodePair next = walk_.roots();
-    while (!search_or_open(next, children)) {
-      if (children.empty()) break;
-      next = children.back();
-      open.insert(open.end(), children.begin(), children.end() - 1);
-    }
-    std::erase_if(open, [&](const NodePair& pair) { return pair.lower > limit_; });
   }
 
   void search_leaves(const NodePair& pair, double speed) {

@@ -31,8 +31,9 @@ struct LimitingPair {
   std::uint32_t triangle_a = 0, triangle_b = 0;
 };
 
-/// By branch and bound over both trees: of each two nodes the time is their distance over the speeds of their fastest
-/// points, which costs few nodes where what is near the other body is slow. A search that was stopped says 0.
+/// How long two moving bodies surely do not meet, by branch and bound over both trees: two nodes do not meet for the
+/// time that their distance takes at the speeds of their fastest points. So few nodes are opened where the parts that
+/// are near the other body are slow. A search that was stopped answers with a time of 0.
 SafeTime safe_time(const MovingTree& a, const MovingTree& b, const Approach& approach, LimitingPair& last,
                    const SearchMeans& means);
 

@@ -273,8 +273,8 @@ TEST(Sweeps, BadInputIsAnError) {
   EXPECT_EQ(straight->time.lo, 1);
 }
 
-TEST(Sweeps, StopWithinATenthOfASecond) {
-  // A shaft in its bearing, apart by less than the facets' height and far more than the tolerance.
+TEST(Sweeps, StopSoonWhenAskedTo) {
+  // Knots of 240,000 triangles, of which one turns fifty times beside the other: more than ten seconds.
   const Mesh knot = mesh_of(scenes::torus_knot(2, 3, 4000, 30));
   std::stop_source source;
   const Sweep sweep{{}, turned(3), Sweep::Path::screw, 50};
@@ -288,10 +288,9 @@ TEST(Sweeps, StopWithinATenthOfASecond) {
       time_of_impact(knot, sweep, knot, {at(0, 0, 6.75), turned(1, {0, 0, 6.75})}, 1e-9, {.stop = source.get_token()});
   const auto ended = std::chrono::steady_clock::now();
   stopper.join();
-  if (!found) {
-    EXPECT_EQ(found.error().code, Code::cancelled);
-    EXPECT_LT(ended - asked, std::chrono::milliseconds(500));  // a loaded machine's
-  }
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, Code::cancelled);
+  EXPECT_LT(ended - asked, std::chrono::seconds(1));  // 0.1 on a machine of its own
 }
 
 }  // namespace
