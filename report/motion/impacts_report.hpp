@@ -48,9 +48,9 @@ struct ImpactSequence {
   bool truncated = false;
 };
 
-/// Reads the states one after the other, and keeps two of them, and the first, in memory. Errors: those of reading;
-/// `bad_file` (a state with other parts or triangles than the one before: the sentence names both files; or with
-/// another unit); `bad_option` (one part alone, which nothing but itself can meet, without `self`).
+/// Reads the states one after the other, and keeps two of them, and the first, in memory. Errors: those of reading and
+/// of `Scene::find_impacts`; `bad_file` (a state with other parts or triangles than the one before: the sentence names
+/// both files; or with another unit); `bad_option` (one part alone, which nothing but itself can meet, without `self`).
 Result<ImpactSequence> find_impact_sequence(const ImpactOptions& options);
 
 /// The JSON and the table of `impinge impacts` (docs/cli.md). Errors: `cancelled`. Write errors stay in the sink.
