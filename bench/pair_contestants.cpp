@@ -11,9 +11,6 @@
 #ifdef IMPINGE_BENCH_RAPID
 #include "bench/peers/rapid.hpp"
 #endif
-#ifdef IMPINGE_BENCH_PQP
-#include "bench/peers/pqp.hpp"
-#endif
 
 namespace impinge::bench {
 namespace {
@@ -46,7 +43,7 @@ Contestant impinge_contestant(const std::string& name, const Copies& copies, con
           }};
 }
 
-/// FCL's, RAPID's or PQP's model, against itself.
+/// FCL's or RAPID's model, against itself.
 template <class Tree>
 Contestant tree_contestant(const char* name, Tree& tree, const Poses& poses, bool first) {
   const std::size_t limit = first ? 1 : std::numeric_limits<std::size_t>::max();
@@ -128,9 +125,6 @@ std::vector<Contestant> pair_contestants(Copies& copies, const Poses& poses, con
 #ifdef IMPINGE_BENCH_RAPID
   contestants.push_back(new_tree_contestant<RapidMesh>("RAPID", copies, poses, question.first));
 #endif
-#ifdef IMPINGE_BENCH_PQP
-  contestants.push_back(new_tree_contestant<PqpMesh>("PQP", copies, poses, question.first));
-#endif
   return contestants;
 }
 
@@ -139,9 +133,6 @@ std::vector<Contestant> paper_contestants(Copies& copies, const Poses& poses) {
   static const TargetDevice device = choose_device("", allows_software);
   std::vector<Contestant> contestants = pair_contestants(copies, poses);
   contestants.push_back(new_tree_contestant<FclSameFlagsMesh>("FCL same flags", copies, poses, false));
-  Options without_grid = paper_way();
-  without_grid.partition = Partition::sweep;
-  contestants.push_back(impinge_contestant("impinge paper without grid", copies, poses, without_grid));
   if (device.option.empty()) return contestants;
   for (const char* const backend : {"raster", "gpu", "hybrid"}) {
     Options options{.threads = 1, .backend = backend, .device = device.option};

@@ -40,7 +40,7 @@ inline Pose relative(const Pose& a, const Pose& b) {
   return result;
 }
 
-/// A pose as RAPID and PQP take it, which do not promise to leave it as it is.
+/// A pose as RAPID takes it, which does not promise to leave it as it is.
 struct RowsAndPlace {
   explicit RowsAndPlace(const Pose& pose) {
     std::copy(pose.R.begin(), pose.R.end(), &rows[0][0]);

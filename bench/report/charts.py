@@ -8,7 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from data import by_library, digits, grouped, number, slope
+from data import digits, grouped, number
 from page_tables import PAPER_OWN, PAPER_RAPID
 from targets import TARGETS
 
@@ -23,11 +23,9 @@ STYLES = {
     "FCL same flags": ("#D55E00", "s", ":"),
     "FCL native": ("#E69F00", "s", "--"),
     "RAPID": ("#000000", "X", "-"),
-    "PQP": ("#999999", "P", "-"),
     "Embree query alone": ("#009E73", "^", "-"),
     "Embree with refit": ("#009E73", "v", "--"),
     "CGAL query alone": ("#CC79A7", "D", "-"),
-    "CGAL": ("#CC79A7", "D", "-"),
 }
 LABELS = {"impinge paper": "impinge, the paper's way", "impinge raster": "impinge, image space",
           "impinge gpu": "impinge on a GPU", "impinge hybrid": "impinge, CPU and GPU", "FCL": "FCL, OBB tree",
@@ -159,161 +157,7 @@ def speedups(tables, folder):
     save(figure, folder, "targets")
 
 
-def truth(tables, folder):
-    libraries = ["impinge", "CGAL query alone", "Embree query alone", "FCL"]
-    groups = [(family, by_library(rows)) for (family,), rows in grouped(tables.rows("touching"), "family")]
-    groups += [(name, by_library(rows)) for (name,), rows in grouped(tables.rows("assemblies"), "assembly")]
-    figure, axes = plt.subplots(figsize=(9, 0.5 * len(groups) + 1.4), constrained_layout=True)
-    width = 0.8 / len(libraries)
-    for i, library in enumerate(libraries):
-        places = [len(groups) - 1 - g + (0.4 - width * (i + 0.5)) for g in range(len(groups))]
-        rows = [libs[library] for _, libs in groups]
-        share = [100 * int(row["missed"]) / int(row["exact_pairs"]) for row in rows]
-        added = [100 * int(row["added"]) / int(row["exact_pairs"]) for row in rows]
-        color = STYLES[library][0]
-        axes.barh(places, [-s for s in share], width, color=color, label=LABELS.get(library, library))
-        axes.barh(places, added, width, color=color)
-        right = [place for place, s, a in zip(places, share, added) if s == a == 0]
-        axes.plot([0] * len(right), right, linestyle="none", marker="o", markersize=4, color=color)
-    axes.axvline(0, color="#333333", linewidth=1)
-    axes.set_yticks(range(len(groups)), [name for name, _ in reversed(groups)])
-    axes.grid(axis="y", visible=False)
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g} %"))
-    axes.set_xlabel("missed  ←   share of the true pairs   →  added   (a dot: none missed, none added)")
-    axes.set_ylim(-0.6, len(groups) - 0.4)
-    legend_below(figure, axes, 4)
-    save(figure, folder, "truth")
-
-
-def growth(tables, folder):
-    figure, both = plt.subplots(1, 2, figsize=(10, 4), sharey=True, constrained_layout=True)
-    titles = {"triangles": "about 100 pairs, finer and finer meshes",
-              "contacts": "100,000 triangles, deeper and deeper"}
-    for grows, axes in zip(titles, both):
-        for library in STYLES:
-            rows = tables.rows("growth", grows=grows, library=library)
-            points = [(number(row[grows]), number(row["ms"])) for row in rows]
-            if points:
-                fit = f"{slope(points):.2f}".replace("-", "−")
-                line(axes, library, points, label=f"{LABELS.get(library, library)}: slope {fit}")
-        logarithmic(axes)
-        axes.set_title(titles[grows])
-        axes.set_xlabel(f"{grows} of each body" if grows == "triangles" else "pairs of triangles that touch")
-        axes.legend(loc="upper left", fontsize=8.5)
-    low, high = both[0].get_ylim()
-    both[0].set_ylim(low, 8 * high)
-    both[0].set_ylabel("milliseconds a query")
-    save(figure, folder, "growth")
-
-
-def build(tables, folder):
-    names = {"impinge": "impinge", "FCL": "FCL", "FCL native": "FCL native", "Embree": "Embree query alone",
-             "Embree to be refitted": "Embree with refit", "CGAL": "CGAL query alone"}
-    figure, (time, memory) = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
-    for library, style in names.items():
-        rows = tables.rows("build", library=library)
-        if not rows:
-            continue
-        for axes, column in ((time, "ms"), (memory, "bytes_a_triangle")):
-            line(axes, style, [(number(row["triangles"]), number(row[column])) for row in rows], label=library)
-    logarithmic(time)
-    logarithmic(memory, y=False)
-    memory.set_ylim(bottom=0)
-    time.set_title("making a mesh and its whole tree, one thread")
-    time.set_ylabel("milliseconds")
-    memory.set_title("what it holds, own copies of the input included")
-    memory.set_ylabel("bytes a triangle")
-    for axes in (time, memory):
-        axes.set_xlabel("triangles")
-    legend_below(figure, time, 6)
-    save(figure, folder, "build")
-
-
-def cost(tables, folder):
-    groups = grouped(tables.rows("cost"), "backend")
-    figure, panels = plt.subplots(1, len(groups), figsize=(11, 5), constrained_layout=True)
-    kinds = {"torus knot": ("#0072B2", "o"), "armadillo": ("#D55E00", "s"), "glb": ("#009E73", "^"),
-             "ifc": ("#CC79A7", "D"), "boxes": ("#E69F00", "v")}
-    for ((backend,), rows), axes in zip(groups, panels):
-        points = [(number(row["measured ms"]), number(row["predicted ms"])) for row in rows]
-        reach = [0.5 * min(min(p) for p in points), 2 * max(max(p) for p in points)]
-        axes.plot(reach, reach, color="#999999", linewidth=1, label="predicted = measured")
-        axes.fill_between(reach, [x / 1.5 for x in reach], [1.5 * x for x in reach], color="#eeeeee",
-                          label="within a factor of 1.5")
-        for kind, (color, marker) in kinds.items():
-            of = [point for point, row in zip(points, rows) if kind in row["query"]]
-            name = {"glb": "engine", "ifc": "house", "boxes": "flush boxes"}.get(kind, kind)
-            axes.plot([x for x, _ in of], [y for _, y in of], linestyle="none", color=color, marker=marker, label=name)
-        logarithmic(axes)
-        axes.set_title(backend)
-        axes.set_xlabel("measured T, milliseconds")
-        axes.set_ylabel("predicted T, milliseconds")
-        axes.legend(loc="upper left", fontsize=8.5)
-    save(figure, folder, "cost")
-
-
-def bodies(tables, folder):
-    groups = grouped(tables.rows("bodies"), "bodies")
-    figure, panels = plt.subplots(1, len(groups), figsize=(10, 3), constrained_layout=True)
-    parts = [("place_ms", "placing the bodies", "#E69F00"), ("broad_ms", "broad phase", "#56B4E9"),
-             ("rest", "pairs of triangles", "#0072B2")]
-    for ((count,), rows), axes in zip(groups, panels):
-        for row in rows:
-            row["rest"] = number(row["frame_ms"]) - number(row["place_ms"]) - number(row["broad_ms"])
-        names = [row["library"] for row in reversed(rows)]
-        left = [0.0] * len(rows)
-        for column, label, color in parts:
-            values = [max(0.0, number(row[column])) for row in reversed(rows)]
-            axes.barh(names, values, left=left, color=color, label=label, height=0.6)
-            left = [a + b for a, b in zip(left, values)]
-        for name, total in zip(names, left):
-            axes.annotate(f"{digits(total)} ms", (total, name), xytext=(4, 0), textcoords="offset points", va="center",
-                          fontsize=9)
-        axes.set_xlim(right=1.2 * max(left))
-        axes.set_title(f"{int(count):,} moving bodies")
-        axes.set_xlabel("milliseconds a frame")
-        axes.grid(axis="y", visible=False)
-    legend_below(figure, panels[0], 3)
-    save(figure, folder, "bodies")
-
-
-def ablation(tables, folder):
-    figure, panels = plt.subplots(1, 3, figsize=(11, 3.8), constrained_layout=True)
-    styles = {"grid": ("#D55E00", "s"), "sweep": ("#0072B2", "o"), "all": ("#009E73", "^")}
-    queries = {"light_ms": "52,000 triangles, light", "deep_ms": "52,000 triangles, deep", "engine_ms": "the engine"}
-    for (backend, partition), rows in grouped(tables.rows("ablation"), "backend", "partition"):
-        color, marker = styles[partition]
-        for column, axes in zip(queries, panels):
-            axes.plot([number(row["leaf_size"]) for row in rows], [number(row[column]) for row in rows], color=color,
-                      marker=marker, linestyle="--" if backend == "paper" else "-", label=f"{backend}, {partition}")
-    for (column, title), axes in zip(queries.items(), panels):
-        logarithmic(axes)
-        axes.set_xscale("log", base=2)
-        axes.xaxis.set_major_formatter(FuncFormatter(short))
-        axes.set_title(title)
-        axes.set_xlabel("most triangles in a leaf")
-    panels[0].set_ylabel("milliseconds a query")
-    legend_below(figure, panels[1], 3)
-    save(figure, folder, "ablation")
-
-
-def one_shot(tables, folder):
-    figure, (time, memory) = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
-    for (library, threads), rows in grouped(tables.rows("one_shot"), "library", "threads"):
-        label = f"{LABELS.get(library, library)}, {threads} thread{'s' if threads != '1' else ''}"
-        style = "-" if threads == "2" or not library.startswith("impinge") else ":"
-        for axes, column in ((time, "seconds"), (memory, "peak_GB")):
-            line(axes, library, [(number(row["triangles_each"]), number(row[column])) for row in rows], label=label,
-                 linestyle=style)
-    for axes, label in ((time, "seconds, from raw vertices"), (memory, "peak memory of the process, GB")):
-        logarithmic(axes)
-        axes.set_xlabel("triangles of each mesh")
-        axes.set_ylabel(label)
-    legend_below(figure, time, 3)
-    save(figure, folder, "one_shot")
-
-
 def draw_all(tables, folder):
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (paper, pairs, speedups, truth, growth, build, cost, bodies, ablation, one_shot):
+    for draw in (paper, pairs, speedups):
         draw(tables, folder)

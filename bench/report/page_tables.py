@@ -5,21 +5,16 @@ from data import by_library, digits, grouped, markdown, number, slope
 from targets import target_table
 
 DEVICE_BACKENDS = ["impinge raster", "impinge gpu", "impinge hybrid"]
-LIBRARIES = ["impinge", "impinge paper", *DEVICE_BACKENDS, "FCL", "FCL same flags", "FCL native", "RAPID", "PQP",
+LIBRARIES = ["impinge", "impinge paper", *DEVICE_BACKENDS, "FCL", "FCL same flags", "FCL native", "RAPID",
              "Embree query alone", "Embree with refit", "CGAL query alone"]
-PEERS = LIBRARIES[1:]
 
 # The paper's Table 1, in milliseconds, on its own machine: an Intel Core 2 Quad Q8200 with a Radeon HD 5750.
 PAPER_RAPID = {"968": 4.1620, "3162": 7.6131, "5200": 11.0231, "7590": 14.4713, "9612": 18.3837}
 PAPER_OWN = {"968": 3.9716, "3162": 6.5753, "5200": 9.5957, "7590": 11.7126, "9612": 13.2147}
 
 
-def cell(row, column):
-    return row[column] if row else "-"
-
-
-def spread_cell(row):
-    return f"{row['ratio']} ({row['ratio_low']} to {row['ratio_high']})" if row else "-"
+def ratio_cell(row):
+    return f"{row['ms']} ({row['ratio']})" if row else "-"
 
 
 def disagreement_cell(rows):
@@ -27,27 +22,16 @@ def disagreement_cell(rows):
     return "0" if missed == added == 0 else f"−{missed} +{added}"
 
 
-def milliseconds(tables, name, *keys):
-    """A row a question, a column a library."""
+def contest(tables, name, *keys):
+    """A row a question, a column a library: milliseconds, and how many times impinge's that is."""
+    groups = [(values, by_library(rows)) for values, rows in grouped(tables.rows(name), *keys)]
+    present = [library for library in LIBRARIES if any(library in libraries for _, libraries in groups)]
     rows = []
-    for values, group in grouped(tables.rows(name), *keys):
-        libraries = by_library(group)
-        pairs = digits(number(group[0]["exact_pairs"]) / number(group[0]["questions"]))
-        rows.append([*values, pairs, *(cell(libraries.get(library), "ms") for library in LIBRARIES)])
-    present = [i for i in range(len(LIBRARIES)) if any(row[len(keys) + 1 + i] != "-" for row in rows)]
-    columns = [*keys, "pairs a query", *(LIBRARIES[i] for i in present)]
-    return markdown(columns, [row[: len(keys) + 1] + [row[len(keys) + 1 + i] for i in present] for row in rows])
-
-
-def ratios(tables, name, *keys):
-    """The same in times of impinge's, with the lowest and the highest repeat."""
-    rows = []
-    for values, group in grouped(tables.rows(name), *keys):
-        libraries = by_library(group)
-        rows.append([*values, *(spread_cell(libraries.get(library)) for library in PEERS)])
-    present = [i for i in range(len(PEERS)) if any(row[len(keys) + i] != "-" for row in rows)]
-    return markdown([*keys, *(PEERS[i] for i in present)],
-                    [row[: len(keys)] + [row[len(keys) + i] for i in present] for row in rows])
+    for values, libraries in groups:
+        ours = libraries["impinge"]
+        pairs = digits(number(ours["exact_pairs"]) / number(ours["questions"]))
+        rows.append([*values, pairs, ours["ms"], *(ratio_cell(libraries.get(library)) for library in present[1:])])
+    return markdown([*keys, "pairs a query", *present], rows)
 
 
 def paper(tables):
@@ -126,10 +110,8 @@ NAMED = {
     "truth": truth,
     "yes_or_no": yes_or_no,
     "slopes": slopes,
-    "pair_times": lambda tables: milliseconds(tables, "pairs", "shape", "mesh", "triangles", "case"),
-    "pair_ratios": lambda tables: ratios(tables, "pairs", "shape", "mesh", "triangles", "case"),
-    "touching_times": lambda tables: milliseconds(tables, "touching", "family"),
-    "touching_ratios": lambda tables: ratios(tables, "touching", "family"),
+    "pairs": lambda tables: contest(tables, "pairs", "shape", "mesh", "triangles", "case"),
+    "touching": lambda tables: contest(tables, "touching", "family"),
     "assembly_contest": lambda tables: plain(tables, "assemblies"),
 }
 
