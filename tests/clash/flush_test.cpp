@@ -202,18 +202,6 @@ TEST(Flush, LinesThatCrossAreAsTheyAreExactly) {
   }
 }
 
-TEST(Flush, TheAnswerDoesNotDependOnThreads) {
-  const Mesh a = test::mesh_of(box({0, 0, 0}, {1, 1, 1}, 20)), b = test::mesh_of(box({0.1, 0.2, 1}, {1.1, 1.2, 2}, 23));
-  const auto one = contact_regions(a, {}, b, {}, {.tolerance = 1e-6, .threads = 1}).value(),
-             some = contact_regions(a, {}, b, {}, {.tolerance = 1e-6, .threads = 3}).value();
-  ASSERT_EQ(one.size(), some.size());
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one[i].area, some[i].area);
-    EXPECT_EQ(one[i].centroid, some[i].centroid);
-    EXPECT_EQ(one[i].lines, some[i].lines);
-  }
-}
-
 /// Tolerances far below the size of triangles (1.25 to 3.3), near it, and above it. Walls beside each other, as far
 /// apart as the triangles are large, end where the boxes meet, and share nothing.
 TEST(Flush, ToleranceNearAndAboveTheSizeOfTriangles) {

@@ -12,7 +12,6 @@
 #include "scenes/damaged.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
-#include "scenes/solid_pairs.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 
@@ -160,23 +159,6 @@ TEST(Reach, LevelsChangeWhereTheSearchEndsAndNoVerdict) {
           << "at " << tolerance;
     }
   }
-}
-
-TEST(Reach, NamesPairsOfSolidsAsHandAndCountingDo) {
-  std::size_t known = 0;
-  for (const scenes::Family& family : scenes::solid_families()) {
-    if (family.name == "SelfPassing") continue;  // solids by other rules
-    for (const scenes::SolidPair& each : family.pairs) {
-      if (!each.known || !each.solids) continue;
-      SCOPED_TRACE(family.name + ", " + each.name);
-      const Pair pair(each.a, each.b);
-      const clash::Judgement found = pair.verdict(pair.reach(0.05), 1e-9);
-      EXPECT_EQ(name(found.verdict), name(each.known->verdict));
-      EXPECT_EQ(found.inner, each.known->inner);
-      ++known;
-    }
-  }
-  EXPECT_GT(known, 700U);
 }
 
 }  // namespace
