@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+
+/// The machine and the build that the other tables were made on.
 #include <CGAL/version.h>
 #include <sys/utsname.h>
 
@@ -32,7 +34,7 @@ std::string value_in(const char* file, const std::string& key, char separator) {
 
 }  // namespace
 
-Table describe_machine() {
+void bench_main(const Arguments& arguments) {
   utsname system{};
   if (uname(&system) != 0) fail("cannot ask for the system's name");
   std::string flags = IMPINGE_FLAGS;
@@ -62,7 +64,7 @@ Table describe_machine() {
   std::erase(device, ',');
   table.add({"device", device});
   table.add({"load average at the start", load.substr(0, load.find(' '))});
-  return table;
+  table.write(arguments.folder, "machine");
 }
 
 }  // namespace impinge::bench

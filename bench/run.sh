@@ -31,7 +31,7 @@ done
 new=$build/bench-new
 rm -rf "$new"
 mkdir -p "$new"
-for name in machine_table pairs paper unequal planner touching bodies assemblies build deforming growth one_shot threads cost distance micro; do
+for name in machine pairs paper unequal planner touching bodies assemblies build deforming growth one_shot threads cost distance micro; do
   start=$SECONDS
   printf 'bench_%-14s' "$name"
   "$build/bin/bench_$name" "${quick[@]}" "$new" >"$new/$name.log" ||

@@ -102,7 +102,4 @@ scenes::MeshData numbers_of(const Mesh& mesh);
 /// A file of Debian's libcgal-demo, as scripts/fetch_data.sh unpacks it.
 scenes::MeshData demo_mesh(const std::string& file);
 
-/// "what,value" rows about the machine and the build.
-Table describe_machine();
-
 }  // namespace impinge::bench
