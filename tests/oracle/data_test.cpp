@@ -62,23 +62,19 @@ TEST_P(RealMesh, AgainstItselfApartLightAndDeep) {
   PlacedScene scene;
   scene.meshes = {data_of(mesh)};
   scene.objects = {{.mesh = 0}, {.mesh = 0}};
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    for (const double depth : {-0.01, 0.0005, 0.03}) {
-      SCOPED_TRACE("depth " + std::to_string(depth));
-      const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
-      ASSERT_TRUE(poses) << poses.error().message;
-      scene.objects[0].pose = poses->a;
-      scene.objects[1].pose = poses->b;
-      EXPECT_EQ(expected::expect_exact(scene).empty(), depth < 0);
-    }
-    SCOPED_TRACE("deep");
-    const auto poses = scenes::centers_apart(random, mesh, mesh, 0.2);
-    scene.objects[0].pose = poses.a;
-    scene.objects[1].pose = poses.b;
-    EXPECT_FALSE(expected::expect_exact(scene).empty());
+  Random random(1);
+  for (const double depth : {-0.01, 0.0005, 0.03}) {
+    SCOPED_TRACE("depth " + std::to_string(depth));
+    const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
+    ASSERT_TRUE(poses) << poses.error().message;
+    scene.objects[0].pose = poses->a;
+    scene.objects[1].pose = poses->b;
+    EXPECT_EQ(expected::expect_exact(scene).empty(), depth < 0);
   }
+  const auto poses = scenes::centers_apart(random, mesh, mesh, 0.2);
+  scene.objects[0].pose = poses.a;
+  scene.objects[1].pose = poses.b;
+  EXPECT_FALSE(expected::expect_exact(scene).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(CgalDemo, RealMesh,
@@ -106,16 +102,13 @@ TEST(RealMesh, AgainstAnotherOfItsSize) {
   const auto scaled = lion->transformed({.m = {scale, 0, 0, 0, scale, 0, 0, 0, scale}});
   ASSERT_TRUE(scaled) << scaled.error().message;
   PlacedScene scene = scenes::pair_scene(data_of(*elephant), data_of(*scaled));
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const auto light = scenes::near_first_touch(random, *elephant, *scaled, 0.03);
-    ASSERT_TRUE(light) << light.error().message;
-    for (const auto& poses : {*light, scenes::centers_apart(random, *elephant, *scaled, 0.2)}) {
-      scene.objects[0].pose = poses.a;
-      scene.objects[1].pose = poses.b;
-      EXPECT_FALSE(expected::expect_exact(scene).empty());
-    }
+  Random random(1);
+  const auto light = scenes::near_first_touch(random, *elephant, *scaled, 0.03);
+  ASSERT_TRUE(light) << light.error().message;
+  for (const auto& poses : {*light, scenes::centers_apart(random, *elephant, *scaled, 0.2)}) {
+    scene.objects[0].pose = poses.a;
+    scene.objects[1].pose = poses.b;
+    EXPECT_FALSE(expected::expect_exact(scene).empty());
   }
 }
 
@@ -129,15 +122,12 @@ TEST(Knots, LightAndDeep) {
     const auto mesh = Mesh::create(scene.meshes[0].xyz, scene.meshes[0].triangles);
     ASSERT_TRUE(mesh);
     Random random(static_cast<std::uint64_t>(triangles));
-    for (int i = 0; i < 4; ++i) {
-      const auto light = scenes::near_first_touch(random, *mesh, *mesh, 0.03);
-      ASSERT_TRUE(light);
-      const auto deep = scenes::centers_apart(random, *mesh, *mesh, 0.2);
-      for (const auto& poses : {*light, deep}) {
-        scene.objects[0].pose = poses.a;
-        scene.objects[1].pose = poses.b;
-        EXPECT_FALSE(expected::expect_exact(scene).empty());
-      }
+    const auto light = scenes::near_first_touch(random, *mesh, *mesh, 0.03);
+    ASSERT_TRUE(light);
+    for (const auto& poses : {*light, scenes::centers_apart(random, *mesh, *mesh, 0.2)}) {
+      scene.objects[0].pose = poses.a;
+      scene.objects[1].pose = poses.b;
+      EXPECT_FALSE(expected::expect_exact(scene).empty());
     }
   }
 }
