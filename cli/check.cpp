@@ -38,7 +38,6 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
 
   std::optional<CalibrationCache> cache;
   if (arguments.backend == "hybrid") cache.emplace();
-  Progress progress;
   Options options;
   options.find = arguments.first ? Options::Find::first : Options::Find::all;
   options.limit = arguments.limit;
@@ -48,15 +47,12 @@ Result<Contacts> collide(const CheckArguments& arguments, const Assembly& assemb
   options.device_share = arguments.device_share;
   options.statistics = true;
   options.predict_cost = arguments.stats;
-  options.progress = &progress;
   options.stop = stop;
-  line.phase(
-      fmt::format("checking {}", counted(assembly.objects.size(), "object")), [&progress] { return work_of(progress); },
-      "pairs");
-  Result<Contacts> contacts = scene->collide(options);
-  line.end();  // its thread reads `progress`
-  if (stop.stop_requested()) return interrupted();
-  return contacts;
+  const std::string label = "checking " + counted(assembly.objects.size(), "object");
+  return with_progress(line, label, "pairs", stop, [&](Progress& progress) {
+    options.progress = &progress;
+    return scene->collide(options);
+  });
 }
 
 Result<Answer> find_answer(const CheckArguments& arguments, const std::stop_token& stop) {
@@ -115,24 +111,21 @@ std::string summary(const Answer& answer, const CheckArguments& arguments) {
                             duration(answer.check_seconds));
 }
 
-Result<void> print_answer(const Answer& answer, const CheckArguments& arguments, const std::stop_token& stop) {
-  Sink out(STDOUT_FILENO, "standard output");
-  const auto width = width_of(STDOUT_FILENO);
+void print_answer(const Answer& answer, const CheckArguments& arguments, Sink& out, std::optional<std::size_t> width,
+                  const std::stop_token& stop) {
   if (!answer.contacts.objects.empty()) {
     print(table_of_pairs(answer, arguments.first), out, width, stop);
     out.write("\n");
   }
   out.write(summary(answer, arguments));
   if (arguments.stats) print_statistics(answer.contacts.statistics, out);
-  if (stop.stop_requested()) return interrupted();
-  return out.flush();
 }
 
 }  // namespace
 
 Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop) {
   Documents documents(arguments.files, arguments.force);
-  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto ordered = documents.order({{kJson, arguments.json}}); !ordered) return ordered.error();
   Result<Answer> answer = find_answer(arguments, stop);
   if (!answer) return answer.error();
   mention_missing(answer->assembly);
@@ -140,14 +133,11 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     mention_warnings(answer->assembly);
     for (const std::string& warning : answer->contacts.warnings) complain(warning);
   }
-  const auto written = documents.write(kJson, [&](Sink& sink) {
+  documents.write(kJson, [&](Sink& sink) {
     return write_check_json(sink, answer->assembly, answer->contacts, arguments.triangles, !arguments.first, stop);
   });
-  if (!written) return written.error();
-  if (auto put = documents.put(); !put) return put.error();
-  if (!arguments.quiet && !documents.on_standard_output()) {
-    if (auto printed = print_answer(*answer, arguments, stop); !printed) return printed.error();
-  }
+  const auto print = [&](Sink& out, auto width) { print_answer(*answer, arguments, out, width, stop); };
+  if (auto printed = documents.put_and_print(arguments.quiet, stop, print); !printed) return printed.error();
   return !answer->contacts.objects.empty() || answer->contacts.truncated;
 }
 

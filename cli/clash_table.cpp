@@ -212,53 +212,44 @@ std::string note_text(Note note) {
   return kNothing;
 }
 
-namespace {
-
-constexpr std::size_t kMostLines = 10, kLeastName = 12;
-
-std::string cut(const std::string& label, std::optional<std::size_t> width) {
-  return width ? fit(label, std::max(*width / 3, kLeastName)) : label;
-}
-
-}  // namespace
-
-void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::optional<std::size_t> width) {
-  for (std::size_t i = 0; i < std::min(parts.size(), kMostLines); ++i)
-    sink.write(fmt::format("{} is incomplete: {}\n", cut(parts[i].label, width), printable(parts[i].sentence)));
-  if (parts.size() > kMostLines)
-    sink.write(fmt::format("({} more are incomplete; --json lists them.)\n", grouped(parts.size() - kMostLines)));
-}
-
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts,
-                    const std::optional<double>& unit_in_metres, Sink& sink, std::optional<std::size_t> width) {
+bool print_parts(std::span<const NamedPart> parts, const std::optional<double>& unit_in_metres, Sink& sink,
+                 std::optional<std::size_t> width) {
+  constexpr std::size_t kMostLines = 10, kLeastName = 12;
+  const auto label = [&](const NamedPart& part) {
+    const std::string text = printable(part.label);
+    return width ? fit(text, std::max(*width / 3, kLeastName)) : text;
+  };
+  const auto is = [](const NamedPart& part, PartClass kind) {
+    return part.part && part.part->facts.part_class == kind;
+  };
+  std::size_t incomplete = 0, others = 0;
+  for (const NamedPart& part : parts)
+    if (!part.incomplete.empty() && ++incomplete <= kMostLines)
+      sink.write(fmt::format("{} is incomplete: {}\n", label(part), printable(part.incomplete)));
+  if (incomplete > kMostLines)
+    sink.write(fmt::format("({} more are incomplete; --json lists them.)\n", grouped(incomplete - kMostLines)));
   const std::string unit = unit_in_metres ? unit_name(*unit_in_metres) : "";
-  std::size_t others = 0;
   for (const PartClass kind : {PartClass::surface, PartClass::cracked})
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].facts.part_class != kind || ++others > kMostLines) continue;
-      const std::string name = cut(labels[i], width);
-      sink.write(kind == PartClass::surface
-                     ? fmt::format("{} is a surface: {}\n", name, facts_text(parts[i], unit))
-                     : fmt::format("{} is cracked: {}\n", name, counted(parts[i].facts.open_edges, "open edge")));
-    }
+    for (const NamedPart& part : parts)
+      if (is(part, kind) && ++others <= kMostLines)
+        sink.write(
+            kind == PartClass::surface
+                ? fmt::format("{} is a surface: {}\n", label(part), facts_text(*part.part, unit))
+                : fmt::format("{} is cracked: {}\n", label(part), counted(part.part->facts.open_edges, "open edge")));
   if (others > kMostLines)
     sink.write(fmt::format("({} more are no solids; --json lists them.)\n", grouped(others - kMostLines)));
-  const auto is_surface = [](const Part& part) { return part.facts.part_class == PartClass::surface; };
-  if (std::ranges::any_of(parts, is_surface))
+  if (std::ranges::any_of(parts, [&](const NamedPart& part) { return is(part, PartClass::surface); }))
     sink.write("Surfaces have no inside: what lies wholly within one is not found.\n");
+  return incomplete + others > 0;
 }
 
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,
                   const std::stop_token& stop) {
   print_pairs(review, arguments, sink, width, stop);
-  std::vector<Incomplete> incomplete;
+  std::vector<NamedPart> parts;
   for (std::size_t i = 0; i < review.parts.size(); ++i)
-    if (const std::string& sentence = review.assembly.objects[i].incomplete; !sentence.empty())
-      incomplete.push_back({review.assembly.labels[i], sentence});
-  print_incomplete(incomplete, sink, width);
-  print_surfaces(review.assembly.labels, review.parts, review.assembly.unit_in_metres, sink, width);
-  const auto is_other = [](const Part& part) { return part.facts.part_class != PartClass::solid; };
-  if (!incomplete.empty() || std::ranges::any_of(review.parts, is_other)) sink.write("\n");
+    parts.push_back({review.assembly.labels[i], review.assembly.objects[i].incomplete, &review.parts[i]});
+  if (print_parts(parts, review.assembly.unit_in_metres, sink, width)) sink.write("\n");
   sink.write(summary(review, arguments));
 }
 

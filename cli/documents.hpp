@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,27 +24,38 @@ class Documents {
   /// of the document do are replaced only with `force`.
   Documents(const std::vector<std::string>& files, bool force) : files_(files), force_(force) {}
 
-  /// Where a document of this kind is to go; nothing without a place. Errors: `bad_file`; `bad_option` (one of the
-  /// files to read, or where another document goes).
-  Result<void> order(const DocumentKind& kind, const std::optional<std::string>& place);
+  struct Order {
+    const DocumentKind& kind;
+    const std::optional<std::string>& place;  ///< nothing: no such document is wanted
+  };
+  /// Where documents are to go. Errors: `bad_file`; `bad_option` (one of the files to read, or where another document
+  /// goes).
+  Result<void> order(std::initializer_list<Order> orders);
 
   /// Whether one of them takes the place of what the program prints.
   [[nodiscard]] bool on_standard_output() const;
 
-  /// Writes the document of this kind if it was ordered, by `fill(sink)`. Errors: as `Target::write`.
+  /// Writes the document of this kind if it was ordered, by `fill(sink)`. After the first error, which `put` tells,
+  /// nothing more is written.
   template <class Fill>
-  Result<void> write(const DocumentKind& kind, Fill&& fill) {
+  void write(const DocumentKind& kind, Fill&& fill) {
     for (Ordered& ordered : ordered_) {
-      if (ordered.kind != &kind) continue;
+      if (ordered.kind != &kind || !all_written_) continue;
       Result<Written> written = ordered.target.write(std::forward<Fill>(fill));
-      if (!written) return written.error();
-      ordered.written = *std::move(written);
+      if (written)
+        ordered.written = *std::move(written);
+      else
+        all_written_ = written.error();
     }
-    return {};
   }
 
-  /// Puts all of them in their places. Errors: `bad_file`.
+  /// Puts all of them in their places. Errors: as `Target::write`.
   Result<void> put();
+
+  /// Puts them in their places, and lets `print(sink, width)` write to standard output, unless that is not wanted or
+  /// has one of the documents. Errors: as `put`; `cancelled`.
+  Result<void> put_and_print(bool quiet, const std::stop_token& stop,
+                             const std::function<void(Sink&, std::optional<std::size_t> width)>& print);
 
  private:
   struct Ordered {
@@ -52,6 +67,7 @@ class Documents {
   const std::vector<std::string>& files_;
   bool force_;
   std::vector<Ordered> ordered_;
+  Result<void> all_written_;
 };
 
 }  // namespace impinge::cli

@@ -42,6 +42,19 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   return lines + line;
 }
 
+namespace {
+
+/// What each exit code means; an empty `some`: there is no 1.
+std::string exit_codes(std::string_view none, std::string_view some,
+                       std::string_view failed =
+                           "an error or an interruption; a sentence on standard error says what "
+                           "and\n     where") {
+  return fmt::format("\n\nExit codes:\n  0  {}\n{}  2  {}", none, some.empty() ? "" : fmt::format("  1  {}\n", some),
+                     failed);
+}
+
+}  // namespace
+
 const HelpPage kProgramHelp{
     R"(Finds every pair of triangles that touch between the objects of mesh files,
 exactly: no tolerance, nothing missed, nothing made up. Triangles that share a
@@ -61,14 +74,10 @@ Examples:
   impinge info engine.obj
       Look at a file before trusting it.
   impinge clash --help
-      All about a command, with examples.
-
-Exit codes:
-  0  nothing touches
-  1  something touches; with clash and motion, something that --fail-on names;
-     with impacts, something that meets on the way
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      All about a command, with examples.)" +
+        exit_codes("nothing touches",
+                   "something touches; with clash and motion, something that --fail-on names;\n     with impacts, "
+                   "something that meets on the way")};
 
 const HelpPage kCheckHelp{
     R"(Which objects touch, and in how many triangles
@@ -91,13 +100,8 @@ them for each pair of objects:
   impinge check bracket.stl plate.stl --scale plate.stl=25.4
       plate.stl is in inches, bracket.stl in millimetres.
   impinge check robot.ply cell.off --ignore 'rob*' cell
-      Leave out pairs that are meant to touch.
-
-Exit codes:
-  0  nothing touches
-  1  something touches
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      Leave out pairs that are meant to touch.)" +
+        exit_codes("nothing touches", "something touches")};
 
 const HelpPage kClashHelp{
     R"(What parts are to each other: penetrating, inside, touching, near
@@ -141,13 +145,8 @@ Examples:
   impinge clash bracket.stl plate.stl --bcf new.bcf --csv new.csv --unit mm
       The same for a BIM tool and a spreadsheet; these files are in millimetres.
   impinge clash engine.obj fixture.stl --tolerance 0.01 --regions --json r.json
-      What is 0.01 deep counts as touching; every region of contact as JSON.
-
-Exit codes:
-  0  nothing that --fail-on names
-  1  something that --fail-on names
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      What is 0.01 deep counts as touching; every region of contact as JSON.)" +
+        exit_codes("nothing that --fail-on names", "something that --fail-on names")};
 
 const HelpPage kMotionHelp{
     R"(When the parts of an animated file clash
@@ -166,13 +165,8 @@ otherwise it may be missed: --frames makes steps shorter.
   impinge motion robot.glb --frames 2000 --depth none
       In finer steps, and not how deep it goes, which is faster.
   impinge motion robot.glb --html motion.html
-      A page on which the motion can be played.
-
-Exit codes:
-  0  nothing that --fail-on names
-  1  something that --fail-on names
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      A page on which the motion can be played.)" +
+        exit_codes("nothing that --fail-on names", "something that --fail-on names")};
 
 const HelpPage kImpactsHelp{
     R"(What meets on the way from one state of meshes to the next, exactly
@@ -190,13 +184,8 @@ to 1 within it.
   impinge impacts 'frame_####.ply' --self --earliest
       When does it first, in frame_0001.ply, frame_0002.ply and so on?
   impinge impacts step0.obj step1.obj --json impacts.json
-      Every impact between the parts, as JSON.
-
-Exit codes:
-  0  nothing meets
-  1  something meets
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      Every impact between the parts, as JSON.)" +
+        exit_codes("nothing meets", "something meets")};
 
 const HelpPage kViewHelp{
     R"(A page to look at the assembly in 3D
@@ -209,12 +198,8 @@ clash FILE... --html FILE makes such a page with the clashes.
   impinge view engine.obj fixture.stl
       Writes engine.obj.html.
   impinge view robot.ply --html robot.html
-      Writes robot.html.
-
-Exit codes:
-  0  the page is written
-  2  an error or an interruption; a sentence on standard error says what and
-     where)"};
+      Writes robot.html.)" +
+        exit_codes("the page is written", "")};
 
 const HelpPage kInfoHelp{
     R"(What the files hold: objects, triangles, open surfaces, warnings
@@ -232,11 +217,8 @@ tell where a format lost precision or a reader turned axes or changed units.
   impinge info engine.obj fixture.stl
       What do these files hold?
   impinge info engine.obj --json -
-      The same as JSON on standard output.
-
-Exit codes:
-  0  all files were read
-  2  an error or an interruption; the other files are still listed)"};
+      The same as JSON on standard output.)" +
+        exit_codes("all files were read", "", "an error or an interruption; the other files are still listed")};
 
 const HelpPage kDevicesHelp{
     R"(The GPUs that --backend gpu and hybrid can use
@@ -257,10 +239,8 @@ the CPU.
   --backend hybrid  both share it, so that they end together; small questions
                     stay on the CPU
   --device N|NAME   which device, by its number in the list or part of its name
-  IMPINGE_DEVICE    a variable that says the same for every run
-
-Exit codes:
-  0  there is a device that can be used
-  2  there is none, or an error; a sentence on standard error says why)"};
+  IMPINGE_DEVICE    a variable that says the same for every run)" +
+        exit_codes("there is a device that can be used", "",
+                   "there is none, or an error; a sentence on standard error says why")};
 
 }  // namespace impinge::cli

@@ -22,17 +22,13 @@ namespace {
 
 Result<ImpactSequence> find(const ImpactsArguments& arguments, const std::stop_token& stop) {
   ProgressLine line(STDERR_FILENO, !arguments.quiet);
-  Progress progress;
   ImpactOptions options = arguments;
-  options.progress = &progress;
   options.stop = stop;
-  line.phase(
-      fmt::format("following {}", counted(arguments.files.size(), "state")), [&progress] { return work_of(progress); },
-      "steps");
-  Result<ImpactSequence> found = find_impact_sequence(options);
-  line.end();  // its thread reads `progress`
-  if (stop.stop_requested()) return interrupted();
-  return found;
+  const std::string label = "following " + counted(arguments.files.size(), "state");
+  return with_progress(line, label, "steps", stop, [&](Progress& progress) {
+    options.progress = &progress;
+    return find_impact_sequence(options);
+  });
 }
 
 /// The impacts of two parts in one step.
@@ -98,8 +94,8 @@ Result<bool> impacts(const ImpactsArguments& given, const std::stop_token& stop)
   if (!files) return files.error();
   arguments.files = *std::move(files);
   Documents documents(arguments.files, arguments.force);
-  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
-  if (auto ordered = documents.order(kImpactTable, arguments.csv); !ordered) return ordered.error();
+  if (auto ordered = documents.order({{kJson, arguments.json}, {kImpactTable, arguments.csv}}); !ordered)
+    return ordered.error();
   const Result<ImpactSequence> sequence = find(arguments, stop);
   if (!sequence) return sequence.error();
   mention_missing(sequence->assembly);
@@ -107,22 +103,17 @@ Result<bool> impacts(const ImpactsArguments& given, const std::stop_token& stop)
 
   ImpactOptions options = arguments;
   options.stop = stop;
-  const auto write_json = [&](Sink& sink) { return write_impacts_json(sink, *sequence, options); };
-  if (auto written = documents.write(kJson, write_json); !written) return written.error();
-  const auto write_csv = [&](Sink& sink) { return write_impacts_csv(sink, *sequence, options); };
-  if (auto written = documents.write(kImpactTable, write_csv); !written) return written.error();
-  if (auto put = documents.put(); !put) return put.error();
-  if (!arguments.quiet && !documents.on_standard_output()) {
-    Sink out(STDOUT_FILENO, "standard output");
+  documents.write(kJson, [&](Sink& sink) { return write_impacts_json(sink, *sequence, options); });
+  documents.write(kImpactTable, [&](Sink& sink) { return write_impacts_csv(sink, *sequence, options); });
+  const auto print_answer = [&](Sink& out, auto width) {
     const std::vector<Meeting> meetings = meetings_of(*sequence);
     if (!meetings.empty()) {
-      print(table_of(meetings, sequence->assembly), out, width_of(STDOUT_FILENO), stop);
+      print(table_of(meetings, sequence->assembly), out, width, stop);
       out.write("\n");
     }
     out.write(summary(*sequence, arguments));
-    if (stop.stop_requested()) return interrupted();
-    if (auto flushed = out.flush(); !flushed) return flushed.error();
-  }
+  };
+  if (auto printed = documents.put_and_print(arguments.quiet, stop, print_answer); !printed) return printed.error();
   return sequence->earliest.has_value();
 }
 

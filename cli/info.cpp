@@ -136,25 +136,17 @@ void print_file(const FileFacts& facts, Sink& out) {
   const auto width = width_of(STDOUT_FILENO);
   print(table_of(facts.objects, width.value_or(kRoomForVertices)), out, width);
 
-  std::vector<Incomplete> incomplete;
+  std::vector<NamedPart> parts;
   for (const ObjectFacts& object : facts.objects)
-    if (!object.incomplete.empty()) incomplete.push_back({printable(object.name), object.incomplete});
-  print_incomplete(incomplete, out, width);
-  std::vector<std::string> labels;
-  std::vector<Part> parts;
-  for (const ObjectFacts& object : facts.objects) {
-    if (!object.part) continue;
-    labels.push_back(printable(object.name));
-    parts.push_back(*object.part);
-  }
-  print_surfaces(labels, parts, facts.unit_in_metres, out, width);
+    parts.push_back({object.name, object.incomplete, object.part ? &*object.part : nullptr});
+  print_parts(parts, facts.unit_in_metres, out, width);
 }
 
 }  // namespace
 
 Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
   Documents documents(arguments.files, arguments.force);
-  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
+  if (auto ordered = documents.order({{kJson, arguments.json}}); !ordered) return ordered.error();
   const bool table = !documents.on_standard_output();
   Sink out(STDOUT_FILENO, "standard output");
   std::vector<FileFacts> files;
@@ -178,8 +170,7 @@ Result<bool> info(const InfoArguments& arguments, const std::stop_token& stop) {
   if (listed > 0 && width_of(STDOUT_FILENO).value_or(kRoomForVertices) < kRoomForVertices)
     out.write("\n(A wider terminal or --json shows more columns.)\n");
   if (auto flushed = out.flush(); !flushed) return flushed.error();
-  if (auto written = documents.write(kJson, [&](Sink& sink) { return write_info_json(sink, files); }); !written)
-    return written.error();
+  documents.write(kJson, [&](Sink& sink) { return write_info_json(sink, files); });
   if (auto put = documents.put(); !put) return put.error();
   return all_read;
 }

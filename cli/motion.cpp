@@ -65,17 +65,13 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
 
 Result<Timeline> run(const io::Model& model, const io::Animation& animation, const MotionArguments& arguments,
                      ProgressLine& line, const std::stop_token& stop) {
-  Progress progress;
   report::MotionOptions options = arguments;
-  options.progress = &progress;
   options.stop = stop;
-  line.phase(
-      fmt::format("moving {}", counted(model.objects.size(), "part")), [&progress] { return work_of(progress); },
-      "frames");
-  Result<Timeline> timeline = find_timeline(model, animation, options);
-  line.end();  // it looks at `progress`
-  if (stop.stop_requested()) return interrupted();
-  return timeline;
+  const std::string label = "moving " + counted(model.objects.size(), "part");
+  return with_progress(line, label, "frames", stop, [&](Progress& progress) {
+    options.progress = &progress;
+    return find_timeline(model, animation, options);
+  });
 }
 
 /// Says it on standard error. What is not of the whole motion says so even where everything else is quiet.
@@ -90,24 +86,13 @@ void mention(const LeftOut& left, bool quiet) {
   if (!quiet) say(left.harmless);
 }
 
-Result<void> write_motion_page(Sink& sink, const MotionReport& report, const std::string& page,
-                               const MotionArguments& arguments, const std::stop_token& stop) {
-  const Result<DrawnScene> scene = draw(report.assembly, arguments.page_triangles, stop);
-  if (!scene) return scene.error();
-  if (const auto warning = simplified(*scene); warning && !arguments.quiet) complain(*warning);
-  const auto blocks = [&](Sink& to) { return write_motion_block(to, report, *scene); };
-  return write_page(
-      sink, page, head_of(arguments.files, arguments), *scene,
-      [&](Sink& to) { return write_view_json(to, report.assembly); }, stop, blocks);
-}
-
 }  // namespace
 
 Result<bool> motion(const MotionArguments& given, const std::stop_token& stop) {
   MotionArguments arguments = given;
   Documents documents(arguments.files, arguments.force);
-  if (auto ordered = documents.order(kJson, arguments.json); !ordered) return ordered.error();
-  if (auto ordered = documents.order(kPage, arguments.html); !ordered) return ordered.error();
+  if (auto ordered = documents.order({{kJson, arguments.json}, {kPage, arguments.html}}); !ordered)
+    return ordered.error();
   const Result<std::string> page = arguments.html ? read_page_template() : std::string();
   if (!page) return page.error();
 
@@ -132,17 +117,14 @@ Result<bool> motion(const MotionArguments& given, const std::stop_token& stop) {
   mention(report.left_out, arguments.quiet);
   if (!arguments.quiet) mention_warnings(report.assembly);
 
-  const auto write_json = [&](Sink& sink) { return write_motion_json(sink, report, arguments); };
-  if (auto written = documents.write(kJson, write_json); !written) return written.error();
-  const auto write_html = [&](Sink& sink) { return write_motion_page(sink, report, *page, arguments, stop); };
-  if (auto written = documents.write(kPage, write_html); !written) return written.error();
-  if (auto put = documents.put(); !put) return put.error();
-  if (!arguments.quiet && !documents.on_standard_output()) {
-    Sink out(STDOUT_FILENO, "standard output");
-    print_motion(report, out, width_of(STDOUT_FILENO), stop);
-    if (stop.stop_requested()) return interrupted();
-    if (auto flushed = out.flush(); !flushed) return flushed.error();
-  }
+  documents.write(kJson, [&](Sink& sink) { return write_motion_json(sink, report, arguments); });
+  documents.write(kPage, [&](Sink& sink) {
+    return write_page_of(sink, *page, report.assembly, arguments, stop,
+                         {[&](Sink& to) { return write_view_json(to, report.assembly); },
+                          [&](Sink& to, const DrawnScene& scene) { return write_motion_block(to, report, scene); }});
+  });
+  const auto print = [&](Sink& out, auto width) { print_motion(report, out, width, stop); };
+  if (auto printed = documents.put_and_print(arguments.quiet, stop, print); !printed) return printed.error();
   return !report.timeline.spans.empty();
 }
 

@@ -46,10 +46,6 @@ Result<Assembly> read_assembly(const SceneOptions& options, ProgressLine& line, 
   });
 }
 
-Work work_of(const Progress& progress) {
-  return {static_cast<double>(progress.done.load()), static_cast<double>(progress.total.load())};
-}
-
 void mention_missing(const Assembly& assembly) {
   for (const std::string& sentence : assembly.missing) complain(sentence);
 }

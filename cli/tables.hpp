@@ -21,17 +21,17 @@
 /// What the commands print of their answers.
 namespace impinge::cli {
 
-/// A line for each of the first few parts that are no solids, surfaces first, how many more there are, and what
-/// surfaces hide. Labels are printable, and cut where the width of a line is known.
-void print_surfaces(std::span<const std::string> labels, std::span<const Part> parts,
-                    const std::optional<double>& unit_in_metres, Sink& sink, std::optional<std::size_t> width);
-
-/// A part whose shape the reader knows to be incomplete, and what is left out of it.
-struct Incomplete {
-  std::string label, sentence;
+/// A part below a table.
+struct NamedPart {
+  std::string_view label;
+  std::string_view incomplete;  ///< what of its shape the reader left out; empty: nothing
+  const Part* part;             ///< null: it is not known what it is
 };
-/// A line for each of the first few, and how many more there are, as above.
-void print_incomplete(std::span<const Incomplete> parts, Sink& sink, std::optional<std::size_t> width);
+/// A line for each of the first few parts that are incomplete, and of those that are no solids, surfaces first; how
+/// many more there are, and what surfaces hide. Labels are cut where the width of a line is known. False: there are
+/// none.
+bool print_parts(std::span<const NamedPart> parts, const std::optional<double>& unit_in_metres, Sink& sink,
+                 std::optional<std::size_t> width);
 
 /// The ranked table, the parts that are incomplete or no solids, and the summary.
 void print_review(const Review& review, const ClashArguments& arguments, Sink& sink, std::optional<std::size_t> width,

@@ -41,11 +41,29 @@ std::vector<std::filesystem::path> places_of_template(const std::string& program
   return places;
 }
 
-Result<void> write_scene(Sink& sink, const PageHead& head, const DrawnScene& scene, const std::stop_token& stop) {
+/// The names of the files, without their folders.
+std::string title_of(const std::vector<std::string>& files) {
+  std::string title;
+  for (const std::string& file : files)
+    title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
+  return title;
+}
+
+std::string simplified(const DrawnScene& scene) {
+  const std::string why =
+      scene.shown > scene.asked
+          ? fmt::format("with --page-triangles {} parts would lose their shape", grouped(scene.asked))
+          : fmt::format("it is simplified to some {}, which --page-triangles changes", grouped(scene.asked));
+  return fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
+                     grouped(scene.shown), counted(scene.triangles, "triangle"), why);
+}
+
+Result<void> write_scene(Sink& sink, const std::vector<std::string>& files, bool y_up, const DrawnScene& scene,
+                         const std::stop_token& stop) {
   JsonDocument document(sink, stop);
   document.member("version", 1);
-  document.member("title", head.title);
-  document.member("up", head.y_up ? "y" : "z");
+  document.member("title", title_of(files));
+  document.member("up", y_up ? "y" : "z");
   document.member("triangles", scene.triangles);
   document.member("shown", scene.shown);
   document.member("asked", scene.asked);
@@ -98,47 +116,33 @@ Result<std::string> read_page_template(const std::string& named) {
                   kName, looked)};
 }
 
-PageHead head_of(const std::vector<std::string>& files, const PageOptions& options) {
-  std::string title;
-  for (const std::string& file : files)
-    title += (title.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
-  return {title, is_y_up(files, options.y_up)};
-}
-
-std::optional<std::string> simplified(const DrawnScene& scene) {
-  if (scene.shown >= scene.triangles) return std::nullopt;
-  const std::string why =
-      scene.shown > scene.asked
-          ? fmt::format("with --page-triangles {} parts would lose their shape", grouped(scene.asked))
-          : fmt::format("it is simplified to some {}, which --page-triangles changes", grouped(scene.asked));
-  return fmt::format("the page draws {} of {}: {}; verdicts and figures are those of the full model",
-                     grouped(scene.shown), counted(scene.triangles, "triangle"), why);
-}
-
-Result<void> write_page(Sink& sink, const std::string& page_template, const PageHead& head, const DrawnScene& scene,
-                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
-                        const std::function<Result<void>(Sink&)>& write_motion) {
+Result<void> write_page(Sink& sink, const std::string& page_template, const Assembly& assembly,
+                        const PageOptions& options, const PageBlocks& blocks, const std::stop_token& stop) {
+  const Result<DrawnScene> scene = draw(assembly, options.page_triangles, stop);
+  if (!scene) return scene.error();
+  if (scene->shown < scene->triangles) blocks.warn(simplified(*scene));
   const std::size_t mark = page_template.find(kMark);
   sink.write(std::string_view(page_template).substr(0, mark));
-  sink.write("<script type=\"application/json\" id=\"report\">\n");
-  sink.in_page(true);
-  Result<void> written = write_report(sink);
-  sink.in_page(false);
-  if (!written) return written;
-  sink.write("</script>\n<script type=\"application/json\" id=\"scene\">\n");
-  sink.in_page(true);
-  written = write_scene(sink, head, scene, stop);
-  sink.in_page(false);
-  if (!written) return written;
-  sink.write("</script>\n<script type=\"text/plain\" id=\"geometry\">\n");
-  written = write_geometry(sink, scene, stop);
-  sink.write("\n</script>");
-  if (written && write_motion) {
-    sink.write("\n<script type=\"application/json\" id=\"motion\">\n");
+  Result<void> written;
+  const auto write_json = [&](std::string_view id, const auto& write) {
+    sink.write(fmt::format("<script type=\"application/json\" id=\"{}\">\n", id));
     sink.in_page(true);
-    written = write_motion(sink);
+    written = write();
     sink.in_page(false);
     sink.write("</script>");
+  };
+  write_json("report", [&] { return blocks.report(sink); });
+  if (!written) return written;
+  sink.write("\n");
+  write_json("scene",
+             [&] { return write_scene(sink, assembly.files, is_y_up(assembly.files, options.y_up), *scene, stop); });
+  if (!written) return written;
+  sink.write("\n<script type=\"text/plain\" id=\"geometry\">\n");
+  written = write_geometry(sink, *scene, stop);
+  sink.write("\n</script>");
+  if (written && blocks.motion) {
+    sink.write("\n");
+    write_json("motion", [&] { return blocks.motion(sink, *scene); });
   }
   sink.write(std::string_view(page_template).substr(mark + kMark.size()));
   return written;

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <stop_token>
 #include <string>
-#include <vector>
 
 #include "impinge/report.hpp"
 #include "report/drawn_scene.hpp"
@@ -18,21 +17,18 @@ namespace impinge::report {
 /// for.
 Result<std::string> read_page_template(const std::string& named = {});
 
-/// What a page needs to know beside what is drawn.
-struct PageHead {
-  std::string title;  ///< the names of the files, without their folders
-  bool y_up = false;  ///< or Z
+/// What a page holds beside the assembly.
+struct PageBlocks {
+  std::function<Result<void>(Sink&)> report;  ///< writes the report's JSON
+  /// Writes what the timeline plays; empty: there is none.
+  std::function<Result<void>(Sink&, const DrawnScene&)> motion{};
+  /// Is told a sentence where the page draws fewer triangles than there are, or more than were asked for.
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
-PageHead head_of(const std::vector<std::string>& files, const PageOptions& options);
-
-/// A sentence where the page draws fewer triangles than there are, or more than were asked for; else nothing.
-std::optional<std::string> simplified(const DrawnScene& scene);
 
 /// Writes a page that needs nothing else: the template, with the report and what is drawn in its middle
-/// (page/README.md describes them). `write_report` writes the report's JSON. Errors: those of `write_report`;
-/// `cancelled`. `write_motion`, if there is one, writes what the timeline plays.
-Result<void> write_page(Sink& sink, const std::string& page_template, const PageHead& head, const DrawnScene& scene,
-                        const std::function<Result<void>(Sink&)>& write_report, const std::stop_token& stop,
-                        const std::function<Result<void>(Sink&)>& write_motion = {});
+/// (page/README.md describes them). Errors: those of the blocks; `cancelled`.
+Result<void> write_page(Sink& sink, const std::string& page_template, const Assembly& assembly,
+                        const PageOptions& options, const PageBlocks& blocks, const std::stop_token& stop);
 
 }  // namespace impinge::report

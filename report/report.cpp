@@ -111,11 +111,9 @@ Result<void> write_page(const Report& report, const std::string& file) {
   const ReportOptions& options = review.options;
   const Result<std::string> page = read_page_template(options.page_program);
   if (!page) return page.error();
-  return write_file(file, kPage, [&](Sink& sink) -> Result<void> {
-    const Result<DrawnScene> scene = draw(review.assembly, options.page_triangles, options.stop);
-    if (!scene) return scene.error();
-    const auto write_block = [&](Sink& to) { return write_clash_json(to, review); };
-    return write_page(sink, *page, head_of(options.files, options), *scene, write_block, options.stop);
+  return write_file(file, kPage, [&](Sink& sink) {
+    const PageBlocks blocks{[&](Sink& to) { return write_clash_json(to, review); }};
+    return write_page(sink, *page, review.assembly, options, blocks, options.stop);
   });
 }
 

@@ -17,66 +17,33 @@ namespace {
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr std::string_view kReplacementBytes = "\xEF\xBF\xBD";
 
-struct Range {
-  char32_t first, last;
-};
-
-bool contains(const auto& ranges, char32_t code) {
-  const auto after = std::upper_bound(std::begin(ranges), std::end(ranges), code,
-                                      [](char32_t value, const Range& range) { return value < range.first; });
-  return after != std::begin(ranges) && code <= std::prev(after)->last;
+/// Whether a character is in one of the ranges whose bounds these are, in order: the first character of each, and the
+/// first one after it.
+bool is_within(const auto& bounds, char32_t code) {
+  return (std::upper_bound(std::begin(bounds), std::end(bounds), code) - std::begin(bounds)) % 2 == 1;
 }
 
 /// Controls (C0, DEL, C1), line and paragraph separators, direction marks, the byte order mark, language tags, and
 /// U+FFFE and U+FFFF, which are no characters and which XML 1.0 does not allow.
 bool steers_a_terminal(char32_t code) {
-  static constexpr std::array<Range, 11> kSteering{{{0x00, 0x1F},
-                                                    {0x7F, 0x9F},
-                                                    {0x061C, 0x061C},
-                                                    {0x200E, 0x200F},
-                                                    {0x2028, 0x202E},
-                                                    {0x2066, 0x2069},
-                                                    {0xFEFF, 0xFEFF},
-                                                    {0xFFF9, 0xFFFB},
-                                                    {0xFFFE, 0xFFFF},
-                                                    {0xE0000, 0xE007F},
-                                                    {0x110000, 0xFFFFFFFF}}};
-  return contains(kSteering, code);
+  static constexpr std::array<char32_t, 21> kSteering{0x00,   0x20,   0x7F,   0xA0,    0x061C,  0x061D,  0x200E,
+                                                      0x2010, 0x2028, 0x202F, 0x2066,  0x206A,  0xFEFF,  0xFF00,
+                                                      0xFFF9, 0xFFFC, 0xFFFE, 0x10000, 0xE0000, 0xE0080, 0x110000};
+  return is_within(kSteering, code);
 }
 
 /// Columns of one character. `wcwidth` depends on the locale, and the program never leaves "C".
 std::size_t character_columns(char32_t code) {
-  static constexpr std::array<Range, 16> kCombining{{{0x0300, 0x036F},
-                                                     {0x0483, 0x0489},
-                                                     {0x0591, 0x05BD},
-                                                     {0x064B, 0x065F},
-                                                     {0x0900, 0x0902},
-                                                     {0x093C, 0x093C},
-                                                     {0x0941, 0x0948},
-                                                     {0x094D, 0x094D},
-                                                     {0x0E31, 0x0E31},
-                                                     {0x0E34, 0x0E3A},
-                                                     {0x0E47, 0x0E4E},
-                                                     {0x1AB0, 0x1AFF},
-                                                     {0x200B, 0x200D},
-                                                     {0x20D0, 0x20FF},
-                                                     {0xFE00, 0xFE0F},
-                                                     {0xFE20, 0xFE2F}}};
-  static constexpr std::array<Range, 12> kWide{{{0x1100, 0x115F},
-                                                {0x2E80, 0x303E},
-                                                {0x3041, 0xA4CF},
-                                                {0xA960, 0xA97F},
-                                                {0xAC00, 0xD7A3},
-                                                {0xF900, 0xFAFF},
-                                                {0xFE30, 0xFE6F},
-                                                {0xFF00, 0xFF60},
-                                                {0xFFE0, 0xFFE6},
-                                                {0x1F300, 0x1F64F},
-                                                {0x1F900, 0x1F9FF},
-                                                {0x20000, 0x3FFFD}}};
+  static constexpr std::array<char32_t, 32> kCombining{0x0300, 0x0370, 0x0483, 0x048A, 0x0591, 0x05BE, 0x064B, 0x0660,
+                                                       0x0900, 0x0903, 0x093C, 0x093D, 0x0941, 0x0949, 0x094D, 0x094E,
+                                                       0x0E31, 0x0E32, 0x0E34, 0x0E3B, 0x0E47, 0x0E4F, 0x1AB0, 0x1B00,
+                                                       0x200B, 0x200E, 0x20D0, 0x2100, 0xFE00, 0xFE10, 0xFE20, 0xFE30};
+  static constexpr std::array<char32_t, 24> kWide{0x1100, 0x1160, 0x2E80,  0x303F,  0x3041,  0xA4D0,  0xA960,  0xA980,
+                                                  0xAC00, 0xD7A4, 0xF900,  0xFB00,  0xFE30,  0xFE70,  0xFF00,  0xFF61,
+                                                  0xFFE0, 0xFFE7, 0x1F300, 0x1F650, 0x1F900, 0x1FA00, 0x20000, 0x3FFFE};
   if (code < 0x300) return 1;
-  if (contains(kCombining, code)) return 0;
-  return contains(kWide, code) ? 2 : 1;
+  if (is_within(kCombining, code)) return 0;
+  return is_within(kWide, code) ? 2 : 1;
 }
 
 /// Whether the text begins like a byte that is spelled out.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -27,51 +26,37 @@ Error bad(std::string sentence) { return {Code::bad_file, std::move(sentence)}; 
 
 std::string in_quotes(std::string_view text) { return fmt::format("'{}'", fit(printable(text), 80)); }
 
-/// What stands before a comparison, and the properties that it asks for.
-const std::map<std::string_view, std::vector<std::string>>& known_keys() {
-  static const std::map<std::string_view, std::vector<std::string>> keys{
-      {"Name", {"Name"}},
-      {"Description", {"Description"}},
-      {"GlobalId", {"GlobalId"}},
-      {"ObjectType", {"ObjectType"}},
-      {"Tag", {"Tag"}},
-      {"PredefinedType", {"PredefinedType"}},
-      {"type", {"type"}},
-      {"material", {"material"}},
-      {"classification", {"classification"}},
-      {"group", {"group", "system"}},
-      {"location", {"space", "storey", "building", "facility", "site"}},
-      {"parent", {"host", "assembly", "space", "storey", "building", "facility", "site"}},
-      // IfcOpenShell has these by query: alone.
-      {"assembly", {"assembly"}},
-      {"host", {"host"}},
-      {"layer", {"layer"}},
-      {"system", {"system"}},
-      {"storey", {"storey"}},
-      {"building", {"building"}},
-      {"site", {"site"}}};
-  return keys;
+/// What may stand before a comparison. IfcOpenShell has assembly, host, layer, system, storey, building and site by
+/// query: alone.
+constexpr std::array<std::string_view, 19> kKeys{
+    "Description",    "GlobalId", "Name", "ObjectType", "PredefinedType", "Tag",      "assembly", "building",
+    "classification", "group",    "host", "layer",      "location",       "material", "parent",   "site",
+    "storey",         "system",   "type"};
+
+/// The properties that a key asks for.
+std::vector<std::string> properties_of(const std::string& key) {
+  if (key == "group") return {"group", "system"};
+  if (key == "location") return {"space", "storey", "building", "facility", "site"};
+  if (key == "parent") return {"host", "assembly", "space", "storey", "building", "facility", "site"};
+  return {key};
 }
 
-/// What a path behind "query:" that is neither an attribute nor of a property set asks for.
-const std::map<std::string_view, std::string_view>& known_queries() {
-  static const std::map<std::string_view, std::string_view> queries{{"class", "class"},
-                                                                    {"predefined_type", "PredefinedType"},
-                                                                    {"type.Name", "type"},
-                                                                    {"material.Name", "material"},
-                                                                    {"materials.Name", "material"},
-                                                                    {"mat.Name", "material"},
-                                                                    {"mats.Name", "material"},
-                                                                    {"classification.Name", "classification"},
-                                                                    {"classification.Identification", "classification"},
-                                                                    {"group.Name", "group"},
-                                                                    {"system.Name", "system"},
-                                                                    {"space.Name", "space"},
-                                                                    {"storey.Name", "storey"},
-                                                                    {"building.Name", "building"},
-                                                                    {"site.Name", "site"}};
-  return queries;
+/// The property that a path behind "query:" asks for which is neither an attribute nor of a property set; empty for
+/// other paths.
+std::string_view property_of_query(std::string_view path) {
+  constexpr std::string_view kName = ".Name";
+  constexpr std::array<std::string_view, 9> kNamed{"type",  "material", "classification", "group", "system",
+                                                   "space", "storey",   "building",       "site"};
+  if (path == "class") return "class";
+  if (path == "predefined_type") return "PredefinedType";
+  if (path == "classification.Identification") return "classification";
+  if (!path.ends_with(kName)) return {};
+  path.remove_suffix(kName.size());
+  if (path == "materials" || path == "mat" || path == "mats") return "material";
+  const auto named = std::ranges::find(kNamed, path);
+  return named == kNamed.end() ? std::string_view() : *named;
 }
+
 /// Words that lead from an element to another in IfcOpenShell's queries, and are no property sets.
 constexpr std::array<std::string_view, 27> kSteps{
     "type",     "types",  "occurrences", "material", "materials", "mat",      "mats", "item",   "i",
@@ -192,9 +177,8 @@ class Parser {
     if (is_query) {
       const std::string path = of_set ? first->text + "." + facet.property.text : first->text;
       if (skip(".")) return not_supported("query:" + path + "." + std::string(text_.substr(at_, 20)));
-      const auto query = known_queries().find(path);
-      if (query != known_queries().end()) {
-        facet.properties = {std::string(query->second)};
+      if (const std::string_view property = property_of_query(path); !property.empty()) {
+        facet.properties = {std::string(property)};
         facet.property_set = facet.property = {};
         of_set = false;
       } else if (of_set && !first->is_regex && std::ranges::find(kSteps, first->text) != kSteps.end()) {
@@ -215,10 +199,10 @@ class Parser {
     }
     if (text_[begin] == '!') return bad(fmt::format("'!' before {} stands before '='", in_quotes(first->text)));
     if (!of_set && facet.properties.empty()) {
-      const auto known = known_keys().find(first->text);
-      if (known == known_keys().end() || first->is_regex || (is_query && !is_attribute(first->text)))
+      const bool is_known = std::ranges::find(kKeys, first->text) != kKeys.end();
+      if (!is_known || first->is_regex || (is_query && !is_attribute(first->text)))
         return not_supported(std::string(is_query ? "query:" : "") + first->text);
-      facet.properties = known->second;
+      facet.properties = properties_of(first->text);
     }
     if (auto value = parse_value(facet); !value) return value.error();
     facet.written = written();
@@ -262,12 +246,10 @@ class Parser {
   }
 
   static Error not_supported(const std::string& key) {
-    std::vector<std::string_view> keys;
-    for (const auto& [name, _] : known_keys()) keys.push_back(name);
     return bad(
         fmt::format("impinge does not filter by {}; it does by {}, and by properties such as "
                     "Pset_WallCommon.FireRating",
-                    in_quotes(key), fmt::join(keys, ", ")));
+                    in_quotes(key), fmt::join(kKeys, ", ")));
   }
 
   std::string_view text_;

@@ -200,20 +200,16 @@ TEST(Check, FirstGivesOneTrueWitnessAndNoHash) {
 /// neighbours.
 TEST(Check, SelfTestsEachObjectAgainstItself) {
   const Folder folder;
-  Solid both = cube(0, 0, 0);
-  const Solid other = cube(2, 0, 0);
-  const auto offset = static_cast<int>(both.vertices.size());
+  const Solid one = cube(0, 0, 0), other = cube(2, 0, 0);
   std::vector<Contact> same;
-  for (std::size_t i = 0; i < both.triangles.size(); ++i)
+  for (std::size_t i = 0; i < one.triangles.size(); ++i)
     for (std::size_t j = 0; j < other.triangles.size(); ++j) {
       std::set<std::array<int, 3>> corners;
-      for (const int v : both.triangles[i]) corners.insert(both.vertices[static_cast<std::size_t>(v)]);
+      for (const int v : one.triangles[i]) corners.insert(one.vertices[static_cast<std::size_t>(v)]);
       for (const int v : other.triangles[j]) corners.insert(other.vertices[static_cast<std::size_t>(v)]);
-      if (corners.size() == 3) same.emplace_back(i, both.triangles.size() + j, "coplanar");
+      if (corners.size() == 3) same.emplace_back(i, one.triangles.size() + j, "coplanar");
     }
-  both.vertices.insert(both.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& [a, b, c] : other.triangles) both.triangles.push_back({a + offset, b + offset, c + offset});
-  folder.write("both.off", off(both));
+  folder.write("both.off", off(as_one({one, other})));
   EXPECT_EQ(impinge(folder, {"check", "both.off"}).code, 0);
   const Ended run = impinge(folder, {"check", "both.off", "--self", "--json", "-", "--triangles"});
   EXPECT_EQ(run.code, 1);

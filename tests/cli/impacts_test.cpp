@@ -24,39 +24,17 @@ namespace {
 
 using nlohmann::json;
 
-/// Several parts in one file.
-std::string obj_of(const std::vector<std::pair<std::string, Solid>>& parts) {
-  std::string text;
-  int before = 1;
-  for (const auto& [name, solid] : parts) {
-    text += "o " + name + "\n";
-    for (const auto& [x, y, z] : solid.vertices) text += fmt::format("v {} {} {}\n", x, y, z);
-    for (const auto& [a, b, c] : solid.triangles)
-      text += fmt::format("f {} {} {}\n", a + before, b + before, c + before);
-    before += static_cast<int>(solid.vertices.size());
-  }
-  return text;
-}
-
-/// As one part.
-Solid as_one(Solid one, const Solid& other) {
-  const auto before = static_cast<int>(one.vertices.size());
-  one.vertices.insert(one.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& [a, b, c] : other.triangles) one.triangles.push_back({a + before, b + before, c + before});
-  return one;
-}
-
 const Solid kPlate = box({-5, -4, -2}, {6, 7, 0});
 
 class Impacts : public testing::Test {
  protected:
   /// A cube whose lower face is at a height, above a plate whose upper one is at 0.
   void write(const std::string& name, int height) const {
-    folder.write(name + ".obj", obj_of({{"plate", kPlate}, {"cube", cube(0, 0, height)}}));
+    folder.write(name + ".obj", obj({{"plate", kPlate}, {"cube", cube(0, 0, height)}}));
   }
   /// The same as one part.
   void write_joined(const std::string& name, int height) const {
-    folder.write(name, ply(as_one(kPlate, cube(0, 0, height))));
+    folder.write(name, ply(as_one({kPlate, cube(0, 0, height)})));
   }
   [[nodiscard]] Ended run(const std::vector<std::string>& words) const {
     return impinge(folder, joined({"impacts"}, words));
@@ -162,7 +140,7 @@ TEST_F(Impacts, EveryPairOfFeaturesThatMeetsIsListedInJsonAndCsv) {
   // A corner of each is within the other's face, and diagonals are on one line.
   const Solid plate = box({-1, -1, -2}, {1, 1, 0});
   for (const auto& [name, height] : {std::pair{"from.obj", 3}, {"to.obj", 0}})
-    folder.write(name, obj_of({{"plate", plate}, {"cube", cube(0, 0, height)}}));
+    folder.write(name, obj({{"plate", plate}, {"cube", cube(0, 0, height)}}));
   const std::set<Found> expected = meeting_at_rest(plate, cube(0, 0, 0));
   ASSERT_GT(expected.size(), 10U);
   const json all = report({"from.obj", "to.obj", "--csv", "all.csv"});
@@ -243,7 +221,7 @@ TEST_F(Impacts, ASequenceSaysInWhichStep) {
 TEST_F(Impacts, SelfIsBesideThePairsOfParts) {
   // The cube falls through a sheet that is part of it, and stays above the plate.
   const auto state = [&](int height) {
-    return obj_of({{"plate", kPlate}, {"both", as_one(sheet({-1, -1}, {4, 4}, 6), cube(0, 0, height))}});
+    return obj({{"plate", kPlate}, {"both", as_one({sheet({-1, -1}, {4, 4}, 6), cube(0, 0, height)})}});
   };
   folder.write("from.obj", state(8)), folder.write("to.obj", state(4));
   EXPECT_EQ(run({"from.obj", "to.obj"}).code, 0);
@@ -261,11 +239,11 @@ TEST_F(Impacts, WrongStatesAreOneSentence) {
     std::string text = ply(cube(0, 0, 0));
     return text.replace(text.find("\n0 0 0\n"), 7, "\nnan 0 0\n");
   }());
-  folder.write("other.obj", obj_of({{"plate", kPlate}, {"cube", sheet({0, 0}, {2, 2}, 1)}}));
+  folder.write("other.obj", obj({{"plate", kPlate}, {"cube", sheet({0, 0}, {2, 2}, 1)}}));
   folder.write("turned.obj", [] {
     Solid solid = cube(0, 0, 3);
     std::swap(solid.triangles[4][0], solid.triangles[4][1]);
-    return obj_of({{"plate", kPlate}, {"cube", solid}});
+    return obj({{"plate", kPlate}, {"cube", solid}});
   }());
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{"from.obj"}, "from.obj is one state, and nothing moves in it"},

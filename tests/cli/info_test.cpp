@@ -89,11 +89,7 @@ TEST(Info, JsonHoldsTheSame) {
 TEST(Info, NamesWhereAPartCrossesItself) {
   const Folder folder;
   // Two boxes in one part; they cross around (5 5 5), and neither is open.
-  Solid both = box({0, 0, 0}, {6, 6, 6});
-  const Solid second = box({4, 4, 4}, {10, 10, 10});
-  for (const auto& [a, b, c] : second.triangles) both.triangles.push_back({a + 8, b + 8, c + 8});
-  both.vertices.insert(both.vertices.end(), second.vertices.begin(), second.vertices.end());
-  folder.write("both.off", off(both));
+  folder.write("both.off", off(as_one({box({0, 0, 0}, {6, 6, 6}), box({4, 4, 4}, {10, 10, 10})})));
   const Ended run = impinge(folder, {"info", "both.off", "--json", "out.json"});
   EXPECT_EQ(run.out.find("both is "), std::string::npos) << run.out;  // it has an inside
   const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);

@@ -5,33 +5,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+
+#include "tests/io/animated_gltf.hpp"
 
 namespace impinge::test {
-namespace {
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      three = three << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-    for (std::size_t j = 0; j < 4; ++j) text += i + j > bytes.size() ? '=' : kDigits[three >> (18 - 6 * j) & 63U];
-  }
-  return text;
-}
-
-template <class T>
-void append(std::string& bytes, T value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
-}
-
-}  // namespace
-
 Solid cube(int x, int y, int z) { return box({x, y, z}, {x + 2, y + 2, z + 2}); }
 
 Solid box(const std::array<int, 3>& lo, const std::array<int, 3>& hi) {
@@ -55,10 +32,27 @@ std::string off(const Solid& solid) {
   return text;
 }
 
-std::string obj(const Solid& solid) {
+Solid as_one(const std::vector<Solid>& solids) {
+  Solid all;
+  for (const Solid& solid : solids) {
+    const auto first = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), solid.vertices.begin(), solid.vertices.end());
+    for (const auto& [a, b, c] : solid.triangles) all.triangles.push_back({a + first, b + first, c + first});
+  }
+  return all;
+}
+
+std::string obj(const Solid& solid) { return obj({{"", solid}}); }
+
+std::string obj(const std::vector<std::pair<std::string, Solid>>& parts) {
   std::string text;
-  for (const auto& [x, y, z] : solid.vertices) text += fmt::format("v {} {} {}\n", x, y, z);
-  for (const auto& [a, b, c] : solid.triangles) text += fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
+  int first = 1;
+  for (const auto& [name, solid] : parts) {
+    if (!name.empty()) text += "o " + name + "\n";
+    for (const auto& [x, y, z] : solid.vertices) text += fmt::format("v {} {} {}\n", x, y, z);
+    for (const auto& [a, b, c] : solid.triangles) text += fmt::format("f {} {} {}\n", a + first, b + first, c + first);
+    first += static_cast<int>(solid.vertices.size());
+  }
   return text;
 }
 
@@ -86,29 +80,13 @@ std::string stl(const Solid& solid) {
 }
 
 std::string gltf(const std::vector<Node>& nodes) {
-  const Solid solid = cube(0, 0, 0);
-  std::string bytes;
-  for (const auto& triangle : solid.triangles)
-    for (const int v : triangle) append(bytes, static_cast<std::uint16_t>(v));
-  const std::size_t index_bytes = bytes.size();
-  for (const auto& vertex : solid.vertices)
-    for (const int c : vertex) append(bytes, static_cast<float>(c));
-
-  std::string list, all;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto& [x, y, z] = nodes[i].shift;
-    list +=
-        fmt::format(R"({}{{"name":"{}","mesh":0,"translation":[{},{},{}]}})", i > 0 ? "," : "", nodes[i].name, x, y, z);
-    all += fmt::format("{}{}", i > 0 ? "," : "", i);
-  }
-  return fmt::format(
-      R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],)"
-      R"("meshes":[{{"name":"cube","primitives":[{{"attributes":{{"POSITION":1}},"indices":0}}]}}],)"
-      R"("accessors":[{{"bufferView":0,"componentType":5123,"count":36,"type":"SCALAR"}},)"
-      R"({{"bufferView":1,"componentType":5126,"count":8,"type":"VEC3","min":[0,0,0],"max":[2,2,2]}}],)"
-      R"("bufferViews":[{{"buffer":0,"byteOffset":0,"byteLength":{}}},{{"buffer":0,"byteOffset":{},"byteLength":{}}}],)"
-      R"("buffers":[{{"byteLength":{},"uri":"data:application/octet-stream;base64,{}"}}]}})",
-      all, list, index_bytes, index_bytes, bytes.size() - index_bytes, bytes.size(), base64(bytes));
+  AnimatedGltf file;
+  std::vector<int> roots;
+  for (const auto& [name, shift] : nodes)
+    roots.push_back(
+        file.node({{"name", name}, {"mesh", 0}, {"translation", {shift[0] + 1, shift[1] + 1, shift[2] + 1}}}));
+  file.roots(roots);
+  return file.text();
 }
 
 std::string off_fan(int triangles, double turn) {

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 /// Small meshes with whole coordinates, as the texts of mesh files.
@@ -25,17 +25,22 @@ Solid box(const std::array<int, 3>& lo, const std::array<int, 3>& hi);
 /// Two triangles in the plane of height z: a rectangle with four open edges.
 Solid sheet(const std::array<int, 2>& lo, const std::array<int, 2>& hi, int z);
 
+/// Several, that need not be connected, as one.
+Solid as_one(const std::vector<Solid>& solids);
+
 std::string off(const Solid& solid);
 std::string obj(const Solid& solid);
+/// Several parts in one file; only the first may have an empty name, and then has none.
+std::string obj(const std::vector<std::pair<std::string, Solid>>& parts);
 std::string ply(const Solid& solid);
 std::string stl(const Solid& solid);
 
 /// Where a node of a glTF file shows the cube at the origin.
 struct Node {
-  std::string name;  ///< as it stands inside a JSON string: escapes are the caller's
+  std::string name;
   std::array<int, 3> shift;
 };
-/// A glTF file in one text: all nodes show one mesh, cube(0, 0, 0).
+/// A glTF file in one text: all nodes show one mesh.
 std::string gltf(const std::vector<Node>& nodes);
 
 /// So many triangles with one corner in common, at the origin, turned by `turn`: two of them touch in all pairs, and

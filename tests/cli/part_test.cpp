@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "program.hpp"
 #include "report/json_writer.hpp"
 #include "tables.hpp"
 
@@ -106,14 +105,9 @@ TEST(Part, TheListOfSurfacesAndCrackedPartsIsCut) {
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < parts.size(); ++i) labels.push_back("a_rather_long_name_" + std::to_string(i));
   const auto printed = [&](std::size_t count, std::optional<std::size_t> width) {
-    const int file = ::memfd_create("list", 0);
-    Sink sink(file, "memory");
-    print_surfaces(labels, std::span(parts).first(count), 0.001, sink, width);
-    EXPECT_TRUE(sink.flush().has_value());
-    std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
-    EXPECT_EQ(::pread(file, text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
-    ::close(file);
-    return text;
+    std::vector<NamedPart> named;
+    for (std::size_t i = 0; i < count; ++i) named.push_back({labels[i], "", &parts[i]});
+    return test::written([&](Sink& sink) { EXPECT_EQ(print_parts(named, 0.001, sink, width), count > 1); });
   };
   EXPECT_EQ(printed(1, {}), "");
   const std::string hidden = "Surfaces have no inside: what lies wholly within one is not found.\n";

@@ -94,6 +94,16 @@ Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, c
   return Running(folder, joined({IMPINGE_PROGRAM}, arguments), launch).wait();
 }
 
+std::string written(const std::function<void(report::Sink&)>& fill) {
+  const int file = ::memfd_create("written", MFD_CLOEXEC);
+  report::Sink sink(file, "memory");
+  fill(sink);
+  if (!sink.flush()) throw std::runtime_error("memory cannot be written");
+  std::string text = contents(file);
+  ::close(file);
+  return text;
+}
+
 std::string keys(const nlohmann::json& object) {
   std::string names;
   for (const auto& item : object.items()) names += (names.empty() ? "" : " ") + item.key();

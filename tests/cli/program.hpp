@@ -6,12 +6,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "report/sink.hpp"
 #include "tests/core/folder.hpp"
 
 /// Runs the built program as a shell would, with everything that it says caught.
@@ -43,6 +45,9 @@ Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, c
 
 /// Runs a line of shell in the folder, with the program on the PATH.
 Ended shell(const Folder& folder, const std::string& line);
+
+/// What `fill` writes.
+std::string written(const std::function<void(report::Sink&)>& fill);
 
 /// The keys of an object, sorted, with a space between them.
 std::string keys(const nlohmann::json& object);

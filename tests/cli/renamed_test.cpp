@@ -23,21 +23,10 @@ struct Block {
 };
 
 std::string blocks(const std::vector<Block>& all) {
-  std::string text;
-  int corners = 0;
-  for (const auto& [name, lo, size] : all) {
-    if (!name.empty()) text += "o " + name + "\n";
-    const Solid solid = box(lo, {lo[0] + size, lo[1] + size, lo[2] + size});
-    for (const auto& [x, y, z] : solid.vertices)
-      text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
-    for (const auto& triangle : solid.triangles) {
-      text += "f";
-      for (const int corner : triangle) text += " " + std::to_string(corners + corner + 1);
-      text += "\n";
-    }
-    corners += 8;
-  }
-  return text;
+  std::vector<std::pair<std::string, Solid>> parts;
+  for (const auto& [name, lo, size] : all)
+    parts.emplace_back(name, box(lo, {lo[0] + size, lo[1] + size, lo[2] + size}));
+  return obj(parts);
 }
 
 /// The names of two parts.

@@ -3,25 +3,14 @@
 #include "table.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <sstream>
-
-#include "report/text.hpp"
+#include "program.hpp"
 
 namespace impinge::cli {
 namespace {
 
 std::string printed(const Table& table, std::optional<std::size_t> width) {
-  const int file = ::memfd_create("table", 0);
-  Sink sink(file, "memory");
-  print(table, sink, width);
-  EXPECT_TRUE(sink.flush().has_value());
-  std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
-  EXPECT_EQ(::pread(file, text.data(), text.size(), 0), static_cast<ssize_t>(text.size()));
-  ::close(file);
-  return text;
+  return test::written([&](Sink& sink) { print(table, sink, width); });
 }
 
 Table two_names(const std::string& a, const std::string& b) {
@@ -60,11 +49,8 @@ TEST(Table, StopsWhenAsked) {
     return "1";
   };
   const Table table{1'000'000'000, {{"n", Column::Kind::number, one}}};
-  const int file = ::memfd_create("table", 0);
-  Sink sink(file, "memory");
-  print(table, sink, std::nullopt, stop.get_token());
+  test::written([&](Sink& sink) { print(table, sink, std::nullopt, stop.get_token()); });
   EXPECT_EQ(asked, 100U);
-  ::close(file);
 }
 
 }  // namespace

@@ -18,16 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-Solid as_one(const std::vector<Solid>& solids) {
-  Solid all;
-  for (const Solid& solid : solids) {
-    const int first = static_cast<int>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), solid.vertices.begin(), solid.vertices.end());
-    for (const auto& [a, b, c] : solid.triangles) all.triangles.push_back({a + first, b + first, c + first});
-  }
-  return all;
-}
-
 /// "pipe1 beam penetrating" of each pair, by test, with a '!' if it fails.
 std::map<std::string, std::set<std::string>> pairs_of(const json& report) {
   std::map<std::string, std::set<std::string>> pairs;

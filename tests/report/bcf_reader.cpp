@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <regex>
-#include <set>
+#include <sstream>
 
 namespace impinge::test {
 namespace {
@@ -25,6 +25,25 @@ struct Type {
   std::vector<Item> sequence, attributes;
 };
 
+/// Words such as "Title:words Index:int? Label:string* @Guid:Guid": elements in their order and attributes, each with
+/// its type, which is its name unless it is said; '?': at most one, '*': any number, '+': one or more.
+Type type_of(const std::string& text) {
+  Type type;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    Item item{"", "", 1, 1};
+    if (word.ends_with('?') || word.ends_with('*')) item.least = 0;
+    if (word.ends_with('*') || word.ends_with('+')) item.most = kAny;
+    word.resize(word.find_last_not_of("?*+") + 1);
+    const bool is_attribute = word.starts_with('@');
+    const std::size_t colon = word.find(':');
+    item.name = word.substr(is_attribute ? 1 : 0, colon - (is_attribute ? 1 : 0));
+    item.type = colon == std::string::npos ? item.name : word.substr(colon + 1);
+    (is_attribute ? type.attributes : type.sequence).push_back(item);
+  }
+  return type;
+}
+
 const std::map<std::string, std::string> kSimple{
     {"string", "[^]*"},
     {"words", "[^]*[^ \\t\\r\\n][^]*"},  // NonEmptyOrBlankString
@@ -39,134 +58,80 @@ const std::map<std::string, std::string> kSimple{
 
 using Types = std::map<std::string, Type>;
 
-const Types kTypes2{
-    // version.xsd
-    {"Version", {{{"DetailedVersion", "string", 0, 1}}, {{"VersionId", "string", 0, 1}}}},
-    // markup.xsd
-    {"Markup",
-     {{{"Header", "Header", 0, 1},
-       {"Topic", "Topic", 1, 1},
-       {"Comment", "Comment", 0, kAny},
-       {"Viewpoints", "ViewPoint", 0, kAny}},
-      {}}},
-    {"Header", {{{"File", "File", 1, kAny}}, {}}},
-    {"File",
-     {{{"Filename", "string", 0, 1}, {"Date", "dateTime", 0, 1}, {"Reference", "string", 0, 1}},
-      {{"IfcProject", "IfcGuid", 0, 1},
-       {"IfcSpatialStructureElement", "IfcGuid", 0, 1},
-       {"isExternal", "boolean", 0, 1}}}},
-    {"ViewPoint",
-     {{{"Viewpoint", "string", 0, 1}, {"Snapshot", "string", 0, 1}, {"Index", "int", 0, 1}}, {{"Guid", "Guid", 1, 1}}}},
-    {"Topic",
-     {{{"ReferenceLink", "string", 0, kAny},
-       {"Title", "string", 1, 1},
-       {"Priority", "string", 0, 1},
-       {"Index", "int", 0, 1},
-       {"Labels", "string", 0, kAny},
-       {"CreationDate", "dateTime", 1, 1},
-       {"CreationAuthor", "string", 1, 1},
-       {"ModifiedDate", "dateTime", 0, 1},
-       {"ModifiedAuthor", "string", 0, 1},
-       {"DueDate", "dateTime", 0, 1},
-       {"AssignedTo", "string", 0, 1},
-       {"Stage", "string", 0, 1},
-       {"Description", "string", 0, 1}},
-      {{"Guid", "Guid", 1, 1}, {"TopicType", "string", 0, 1}, {"TopicStatus", "string", 0, 1}}}},
-    {"Comment",
-     {{{"Date", "dateTime", 1, 1},
-       {"Author", "string", 1, 1},
-       {"Comment", "string", 1, 1},
-       {"Viewpoint", "CommentViewpoint", 0, 1},
-       {"ModifiedDate", "dateTime", 0, 1},
-       {"ModifiedAuthor", "string", 0, 1}},
-      {{"Guid", "Guid", 1, 1}}}},
-    {"CommentViewpoint", {{}, {{"Guid", "Guid", 1, 1}}}},
-    // visinfo.xsd
-    {"VisualizationInfo",
-     {{{"Components", "Components", 0, 1},
-       {"OrthogonalCamera", "OrthogonalCamera", 0, 1},
-       {"PerspectiveCamera", "PerspectiveCamera", 0, 1},
-       {"Lines", "Lines", 0, 1},
-       {"ClippingPlanes", "ClippingPlanes", 0, 1}},
-      {{"Guid", "Guid", 1, 1}}}},
-    {"PerspectiveCamera",
-     {{{"CameraViewPoint", "Point", 1, 1},
-       {"CameraDirection", "Point", 1, 1},
-       {"CameraUpVector", "Point", 1, 1},
-       {"FieldOfView", "double", 1, 1}},
-      {}}},
-    {"Point", {{{"X", "double", 1, 1}, {"Y", "double", 1, 1}, {"Z", "double", 1, 1}}, {}}},
-    {"Components",
-     {{{"ViewSetupHints", "ViewSetupHints", 0, 1},
-       {"Selection", "ComponentList", 0, 1},
-       {"Visibility", "Visibility", 1, 1},
-       {"Coloring", "Coloring", 0, 1}},
-      {}}},
-    {"ComponentList", {{{"Component", "Component", 1, kAny}}, {}}},
-    {"Visibility", {{{"Exceptions", "ComponentList", 0, 1}}, {{"DefaultVisibility", "boolean", 0, 1}}}},
-    {"Coloring", {{{"Color", "ColorElement", 1, kAny}}, {}}},
-    {"ColorElement", {{{"Component", "Component", 1, kAny}}, {{"Color", "Color", 0, 1}}}},
-    {"Component",
-     {{{"OriginatingSystem", "string", 0, 1}, {"AuthoringToolId", "string", 0, 1}}, {{"IfcGuid", "IfcGuid", 0, 1}}}},
-    {"Lines", {{{"Line", "Line", 1, kAny}}, {}}},
-    {"Line", {{{"StartPoint", "Point", 1, 1}, {"EndPoint", "Point", 1, 1}}, {}}}};
+Types types_2() {
+  Types types;
+  for (const auto& [name, text] : std::map<std::string, std::string>{
+           // version.xsd
+           {"Version", "DetailedVersion:string? @VersionId:string?"},
+           // markup.xsd
+           {"Markup", "Header? Topic Comment* Viewpoints:ViewPoint*"},
+           {"Header", "File+"},
+           {"File",
+            "Filename:string? Date:dateTime? Reference:string? @IfcProject:IfcGuid? "
+            "@IfcSpatialStructureElement:IfcGuid? @isExternal:boolean?"},
+           {"ViewPoint", "Viewpoint:string? Snapshot:string? Index:int? @Guid"},
+           {"Topic",
+            "ReferenceLink:string* Title:string Priority:string? Index:int? Labels:string* CreationDate:dateTime "
+            "CreationAuthor:string ModifiedDate:dateTime? ModifiedAuthor:string? DueDate:dateTime? AssignedTo:string? "
+            "Stage:string? Description:string? @Guid @TopicType:string? @TopicStatus:string?"},
+           {"Comment",
+            "Date:dateTime Author:string Comment:string Viewpoint:CommentViewpoint? ModifiedDate:dateTime? "
+            "ModifiedAuthor:string? @Guid"},
+           {"CommentViewpoint", "@Guid"},
+           // visinfo.xsd
+           {"VisualizationInfo", "Components? OrthogonalCamera? PerspectiveCamera? Lines? ClippingPlanes? @Guid"},
+           {"PerspectiveCamera", "CameraViewPoint:Point CameraDirection:Point CameraUpVector:Point FieldOfView:double"},
+           {"Point", "X:double Y:double Z:double"},
+           {"Components", "ViewSetupHints? Selection:ComponentList? Visibility Coloring?"},
+           {"ComponentList", "Component+"},
+           {"Visibility", "Exceptions:ComponentList? @DefaultVisibility:boolean?"},
+           {"Coloring", "Color:ColorElement+"},
+           {"ColorElement", "Component+ @Color?"},
+           {"Component", "OriginatingSystem:string? AuthoringToolId:string? @IfcGuid?"},
+           {"Lines", "Line+"},
+           {"Line", "StartPoint:Point EndPoint:Point"}})
+    types[name] = type_of(text);
+  return types;
+}
 
 /// What 3.0 has otherwise.
 Types types_3() {
-  Types types = kTypes2;
-  const auto list = [&](const std::string& name, const std::string& item, const std::string& type, int least = 0) {
-    types[name] = {{{item, type, least, kAny}}, {}};
-  };
-  types["Version"] = {{}, {{"VersionId", "string", 1, 1}}};
-  const std::vector<std::pair<std::string, std::string>> extensions{
-      {"TopicTypes", "TopicType"}, {"TopicStatuses", "TopicStatus"},
-      {"Priorities", "Priority"},  {"TopicLabels", "TopicLabel"},
-      {"Users", "User"},           {"SnippetTypes", "SnippetType"},
-      {"Stages", "Stage"}};
-  for (const auto& [name, item] : extensions) {
-    types["Extensions"].sequence.push_back({name, name, 1, 1});
-    list(name, item, "words");
-  }
-  types["Markup"] = {{{"Header", "Header", 0, 1}, {"Topic", "Topic", 1, 1}}, {}};
-  types["Header"] = {{{"Files", "Files", 0, 1}}, {}};
-  list("Files", "File", "File");
-  types["File"] = {{{"Filename", "words", 0, 1}, {"Date", "dateTime", 0, 1}, {"Reference", "words", 0, 1}},
-                   {{"IfcProject", "IfcGuid", 0, 1},
-                    {"IfcSpatialStructureElement", "IfcGuid", 0, 1},
-                    {"IsExternal", "boolean", 0, 1}}};
-  types["Topic"] = {{{"ReferenceLinks", "ReferenceLinks", 0, 1},
-                     {"Title", "words", 1, 1},
-                     {"Priority", "words", 0, 1},
-                     {"Index", "int", 0, 1},
-                     {"Labels", "Labels", 0, 1},
-                     {"CreationDate", "dateTime", 1, 1},
-                     {"CreationAuthor", "words", 1, 1},
-                     {"ModifiedDate", "dateTime", 0, 1},
-                     {"ModifiedAuthor", "words", 0, 1},
-                     {"DueDate", "dateTime", 0, 1},
-                     {"AssignedTo", "words", 0, 1},
-                     {"Stage", "words", 0, 1},
-                     {"Description", "words", 0, 1},
-                     {"Comments", "Comments", 0, 1},
-                     {"Viewpoints", "Viewpoints", 0, 1}},
-                    {{"Guid", "Guid", 1, 1},
-                     {"ServerAssignedId", "words", 0, 1},
-                     {"TopicType", "words", 1, 1},
-                     {"TopicStatus", "words", 1, 1}}};
-  list("Labels", "Label", "words");
-  list("Comments", "Comment", "Comment");
-  list("Viewpoints", "ViewPoint", "ViewPoint");
-  types["Comment"].sequence[1].type = "words";
-  types["Comment"].sequence[2] = {"Comment", "words", 0, 1};
-  types["VisualizationInfo"].sequence = {{"Components", "Components", 0, 1},
-                                         {"PerspectiveCamera", "PerspectiveCamera", 1, 1},
-                                         {"Lines", "Lines", 0, 1},
-                                         {"ClippingPlanes", "ClippingPlanes", 0, 1}};
-  types["PerspectiveCamera"].sequence.push_back({"AspectRatio", "double", 1, 1});
-  types["Components"].sequence.erase(types["Components"].sequence.begin());
-  types["ColorElement"] = {{{"Components", "ColorComponents", 1, 1}}, {{"Color", "Color", 1, 1}}};
-  list("ColorComponents", "Component", "Component", 1);
-  types["Component"].sequence[0].type = types["Component"].sequence[1].type = "words";
+  Types types = types_2();
+  for (const auto& [name, text] : std::map<std::string, std::string>{
+           {"Version", "@VersionId:string"},
+           {"Extensions", "TopicTypes TopicStatuses Priorities TopicLabels Users SnippetTypes Stages"},
+           {"TopicTypes", "TopicType:words*"},
+           {"TopicStatuses", "TopicStatus:words*"},
+           {"Priorities", "Priority:words*"},
+           {"TopicLabels", "TopicLabel:words*"},
+           {"Users", "User:words*"},
+           {"SnippetTypes", "SnippetType:words*"},
+           {"Stages", "Stage:words*"},
+           {"Markup", "Header? Topic"},
+           {"Header", "Files?"},
+           {"Files", "File*"},
+           {"File",
+            "Filename:words? Date:dateTime? Reference:words? @IfcProject:IfcGuid? "
+            "@IfcSpatialStructureElement:IfcGuid? @IsExternal:boolean?"},
+           {"Topic",
+            "ReferenceLinks? Title:words Priority:words? Index:int? Labels? CreationDate:dateTime "
+            "CreationAuthor:words ModifiedDate:dateTime? ModifiedAuthor:words? DueDate:dateTime? AssignedTo:words? "
+            "Stage:words? Description:words? Comments? Viewpoints? @Guid @ServerAssignedId:words? @TopicType:words "
+            "@TopicStatus:words"},
+           {"Labels", "Label:words*"},
+           {"Comments", "Comment*"},
+           {"Viewpoints", "ViewPoint*"},
+           {"Comment",
+            "Date:dateTime Author:words Comment:words? Viewpoint:CommentViewpoint? ModifiedDate:dateTime? "
+            "ModifiedAuthor:string? @Guid"},
+           {"VisualizationInfo", "Components? PerspectiveCamera Lines? ClippingPlanes? @Guid"},
+           {"PerspectiveCamera",
+            "CameraViewPoint:Point CameraDirection:Point CameraUpVector:Point FieldOfView:double AspectRatio:double"},
+           {"Components", "Selection:ComponentList? Visibility Coloring?"},
+           {"ColorElement", "Components:ColorComponents @Color"},
+           {"ColorComponents", "Component+"},
+           {"Component", "OriginatingSystem:words? AuthoringToolId:words? @IfcGuid?"}})
+    types[name] = type_of(text);
   return types;
 }
 
@@ -235,7 +200,7 @@ std::vector<Topic> read_bcf(const std::string& archive) {
     EXPECT_TRUE(files.emplace(member.name, member.bytes).second) << member.name << " is there twice";
     EXPECT_EQ(member.date, "1980-01-01 00:00");
   }
-  static const Types kTypes3 = types_3();
+  static const Types kTypes2 = types_2(), kTypes3 = types_3();
   const bool is_3 = files.at("bcf.version").find("VersionId=\"3.0\"") != std::string::npos;
   const Types& types = is_3 ? kTypes3 : kTypes2;
   const pugi::xml_document version = parse(files.at("bcf.version"), "Version", types);
