@@ -153,7 +153,7 @@ Result<void> check_replaced(const std::string& name, const Decisions& given, con
   if (!earlier) return earlier.error();
   std::unordered_map<std::string_view, const Decision*> shown;
   for (std::size_t i = 0; i < review.ids.size(); ++i) shown.emplace(review.ids[i], &review.standings[i].decision);
-  // The day of a topic may be that of `--due`, which nobody decided; a day that is only added loses nothing.
+  // A topic without a day of its own gets that of `--due`; a day that is only added loses nothing.
   const std::string due_of_all = review.options.due.substr(0, std::string_view("2024-06-14").size());
   const auto same = [&](const Decision& earlier_one, Decision other) {
     if (is_bcf(name) && (earlier_one.due.empty() || earlier_one.due == due_of_all)) other.due = earlier_one.due;

@@ -61,9 +61,7 @@ Decision decision_of(const pugi::xml_node& markup) {
     for (const pugi::xml_node& comment : parent.children("Comment"))
       if (const std::string text = text_in(comment, "Comment"); !text.empty())
         decision.comment += (decision.comment.empty() ? "" : "\n") + text;
-  // That of `--due` is in all topics, and decides nothing by itself.
-  if (const std::string due = text_in(topic, "DueDate").substr(0, 10); !is_empty(decision) && is_day(due))
-    decision.due = due;
+  if (const std::string due = text_in(topic, "DueDate").substr(0, 10); is_day(due)) decision.due = due;
   return decision;
 }
 

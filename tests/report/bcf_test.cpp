@@ -279,6 +279,31 @@ TEST_F(Bcf, DecisionsComeBackFromOtherTools) {
   }
 }
 
+TEST_F(Bcf, ADayAloneIsADecision) {
+  folder.write("day.json", R"({"a | b":{"due":"2024-06-01"}})");
+  for (const char* version : {"2.1", "3.0"}) {
+    EXPECT_EQ(clash({"--bcf-version", version, "--decisions", "day.json", "--force"}).code, 1);
+    EXPECT_EQ(clash({}).code, 2) << "the day would be lost";
+    const auto with_last = [&](const std::string& due, const std::string& json_name) {
+      folder.write("last.bcf", folder.read("out.bcf"));
+      return clash({"--decisions", "last.bcf", "--due", due, "--json", json_name, "--bcf-version", version}).code;
+    };
+    EXPECT_EQ(with_last("2024-06-14", "out.json"), 1);
+    EXPECT_EQ(clash({"--due", "2024-06-15"}).code, 2);
+    EXPECT_EQ(with_last("2024-06-15", "next.json"), 1);
+    for (const json& pair : json::parse(folder.read("out.json")).at("pairs")) {
+      EXPECT_EQ(pair.at("due"), pair.at("verdict") == "penetrating" ? json("2024-06-01") : json()) << version;
+      EXPECT_TRUE(pair.at("status").is_null());
+    }
+    // What `--due` set once stays.
+    for (const json& pair : json::parse(folder.read("next.json")).at("pairs"))
+      EXPECT_EQ(pair.at("due"), pair.at("verdict") == "penetrating" ? json("2024-06-01")
+                                : pair.at("fails")                  ? json("2024-06-14")
+                                                                    : json())
+          << version;
+  }
+}
+
 TEST_F(Bcf, IsNotReplacedWhereDecisionsWouldBeLost) {
   EXPECT_EQ(clash({}).code, 1);
   EXPECT_EQ(clash({}).code, 1) << "nobody decided anything";
