@@ -66,7 +66,7 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
 Result<Timeline> run(const io::Model& model, const io::Animation& animation, const MotionArguments& arguments,
                      ProgressLine& line, const std::stop_token& stop) {
   Progress progress;
-  report::MotionOptions options = arguments;
+  report::TimelineOptions options = arguments;
   options.progress = &progress;
   options.stop = stop;
   line.phase(
