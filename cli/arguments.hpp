@@ -44,7 +44,7 @@ struct ViewArguments : SceneOptions, PageOptions, OutputArguments {
   std::optional<std::string> html;
 };
 
-struct MotionArguments : report::MotionOptions, OutputArguments {
+struct MotionArguments : report::TimelineOptions, OutputArguments {
   std::optional<std::string> html;
 };
 

@@ -65,7 +65,7 @@ Result<const io::Animation*> choose(const io::Model& model, const MotionArgument
 
 Result<Timeline> run(const io::Model& model, const io::Animation& animation, const MotionArguments& arguments,
                      ProgressLine& line, const std::stop_token& stop) {
-  report::MotionOptions options = arguments;
+  report::TimelineOptions options = arguments;
   options.stop = stop;
   const std::string label = "moving " + counted(model.objects.size(), "part");
   return with_progress(line, label, "frames", stop, [&](Progress& progress) {

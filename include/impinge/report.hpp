@@ -96,7 +96,7 @@ struct ReportOptions : SceneOptions, PageOptions {
 };
 
 /// When the parts of an animated file are looked at, and what counts as a clash.
-struct MotionOptions : SceneOptions, PageOptions {
+struct TimelineOptions : SceneOptions, PageOptions {
   std::uint32_t frames = 120;                           ///< steps of equal length, at least 1
   std::optional<std::string> animation;                 ///< its name or number; nothing: the first
   std::optional<Length> tolerance;                      ///< as `ClashOptions::tolerance`
@@ -194,6 +194,7 @@ struct Moment {
 struct ClashSpan {
   std::array<std::uint32_t, 2> objects{};
   std::optional<Moment> from, to;             ///< nothing: from the first frame, to the last
+  std::optional<Point> point;                 ///< of contact at `from->hi`: the centroid of the largest region
   Verdict worst = Verdict::apart;             ///< of the frames
   int inner = -1;                             ///< then, as `Clash::inner`
   double worst_at = 0;                        ///< seconds: of the first such frame, by the rank of a table
@@ -215,6 +216,6 @@ struct Timeline {
 /// name); `bad_option` (a pair to ignore that is none, or a tolerance in a unit where the model's is not known); those
 /// of `find_clashes`.
 Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation,
-                               const MotionOptions& options = {});
+                               const TimelineOptions& options = {});
 
 }  // namespace impinge::report

@@ -18,7 +18,7 @@ import {
   verdictName,
 } from './clashes';
 import { byId, el, intervalOf, lengthOf, nameOf } from './dom';
-import { counted, nameText, plural, rounded, spanText } from './format';
+import { counted, nameText, plural, rounded, spanText, wholeSpanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
 
@@ -224,6 +224,6 @@ export function sentenceOf(clash: Clash, place: string): string {
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${[...new Set(toldDepth(clash))].map(rounded).join(' to ')}`);
   if (!Number.isNaN(clash.volume)) parts.push(`volume ${rounded(clash.volume)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
-  if (clash.pair?.span) parts.push(spanText(clash.pair.span));
+  if (clash.pair?.span) parts.push(wholeSpanText(clash.pair.span));
   return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;
 }

@@ -94,6 +94,7 @@ export class ClashView {
     const regions = clash.pair?.regions ?? [];
     const lines = (region >= 0 ? [regions[region]] : regions).flatMap((one) => one.lines);
     if (!lines.length && clash.pair?.nearest) lines.push(clash.pair.nearest);
+    if (clash.pair?.span?.point) lines.push([clash.pair.span.point]);
     const obstacles = partsOf(clash).map((id) => this.assembly.obstacle(id)).filter((obstacle) => obstacle !== null);
     const gap = radiusOf(this.partsBox(clash)) * 2e-3;
     const sight = findSight(obstacles, samplesOf(lines), present, gap);
@@ -115,6 +116,7 @@ export class ClashView {
   strokes(state: State): Stroke[] {
     const pair = state.clash?.pair;
     if (!pair) return state.clash?.resolved?.centroid ? [this.dot(state.clash.resolved.centroid, '--contact')] : [];
+    if (pair.span?.point) return [this.dot(pair.span.point, '--contact')];
     const strokes: Stroke[] = [];
     (pair.regions ?? []).forEach((region, i) => {
       if (state.region >= 0 && state.region !== i) return;
@@ -159,7 +161,8 @@ export class ClashView {
     for (const region of state.region >= 0 ? [regions[state.region]] : regions) grow(box, ...region.box);
     if (clash.pair?.nearest) grow(box, ...clash.pair.nearest);
     if (clash.resolved?.centroid) grow(box, clash.resolved.centroid);
-    if (clash.pair?.span) growCommon(box, this.assembly.boxes[clash.first], this.assembly.boxes[clash.second]);
+    if (clash.pair?.span?.point) grow(box, clash.pair.span.point);
+    else if (clash.pair?.span) growCommon(box, this.assembly.boxes[clash.first], this.assembly.boxes[clash.second]);
     const whole = this.partsBox(clash);
     const contact = radiusOf(box);
     if (isEmpty(box))

@@ -361,6 +361,7 @@ export function groupClashes(
 export function placeOf(clash: Clash): Vec3 | null {
   if (clash.resolved) return clash.resolved.centroid ?? null;
   const pair = clash.pair!;
+  if (pair.span?.point) return pair.span.point;
   if (pair.regions?.length) return pair.regions[0].centroid;
   if (pair.nearest) {
     const [p, q] = pair.nearest;

@@ -222,7 +222,9 @@ export class Details {
       bracket ? [go(time, title), ', within ', numberOf(bracket[1] - bracket[0]), ' s'] : [otherwise];
     return figures([
       ['From', known(span.from, span.start, 'Go to its start', 'the first frame')],
+      ['First contact', span.point ? point(span.point) : null],
       ['To', known(span.to, span.end, 'Go to its end', 'the last frame')],
+      ['Seen', span.isPassage ? ['between two frames only'] : null],
       ['Lasts', [numberOf(span.end - span.start), ' s']],
       ['Worst at', [go(span.worst_at, 'Go to the worst moment')]],
       ['Worst verdict', [clash.verdict]],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers and names as the page writes them.
+import type { PlacedSpan } from './motion';
 
 /** Four significant digits, all digits of a whole part below ten million. */
 export function rounded(value: number): string {
@@ -20,12 +21,16 @@ export function rounded(value: number): string {
 export const shown = (value: number): number => Number(rounded(value).replace(/−/g, '-'));
 
 /** From when to when, in words as few as a row has room for. */
-export function spanText(span: { start: number; end: number; isFromStart: boolean; isToEnd: boolean }): string {
+export function spanText(span: PlacedSpan): string {
   const [start, end] = [rounded(span.start), rounded(span.end)];
   if (span.isFromStart && span.isToEnd) return 'all the time';
   if (span.isFromStart) return `until ${end} s`;
   return span.isToEnd ? `from ${start} s on` : `${start} to ${end} s`;
 }
+
+/** The same where there is room, with whether a frame shows it. */
+export const wholeSpanText = (span: PlacedSpan): string =>
+  spanText(span) + (span.isPassage ? ', between two frames' : '');
 
 /** A count with thin spaces between thousands. */
 export function counted(value: number): string {

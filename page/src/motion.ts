@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The motion of parts: its data block, and where the parts are at any time of it. Nothing here touches the 3D view.
-import { blockJson, BlockError, hasBlock, type Interval, isIndex, kVerdicts, type Pair, type Verdict } from './data';
+import { blockJson, BlockError, hasBlock, type Interval, isIndex, kVerdicts, type Pair, type Vec3, type Verdict } from './data';
 import { mixPoses, type Pose } from './pose';
 
 /** From when to when two parts clash. */
@@ -13,6 +13,8 @@ export interface Span {
   from: Interval | null;
   /** The last time known to clash and the first known to be free; null: they clash to the last frame. */
   to: Interval | null;
+  /** A point of contact when the clash begins; null where it is not known. */
+  point?: Vec3 | null;
   worst: Verdict;
   /** With `inside`, the part that lies in the other at `worst_at`. */
   inner?: number | null;
@@ -28,6 +30,8 @@ export interface PlacedSpan extends Span {
   end: number;
   isFromStart: boolean;
   isToEnd: boolean;
+  /** It begins and ends between two frames, neither of which shows it. */
+  isPassage: boolean;
 }
 
 export interface Motion {
@@ -42,6 +46,7 @@ export interface Motion {
 
 const isInterval = (value: unknown): value is Interval =>
   Array.isArray(value) && value.length === 2 && value.every(Number.isFinite) && value[0] <= value[1];
+const isVec3 = (value: unknown) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 const isNone = (value: unknown) => value === null || value === undefined;
 
 function bad(why: string): BlockError {
@@ -83,6 +88,7 @@ function checkSpans({ spans }: Motion, parts: number): void {
       throw bad(`its span ${i} names no two parts, or no verdict`);
     }
     const areTimes = [span.from, span.to].every((one) => isNone(one) || isInterval(one));
+    if (!isNone(span.point) && !isVec3(span.point)) throw bad(`its span ${i} has a point that is none`);
     if (!areTimes || !Number.isFinite(span.worst_at)) throw bad(`its span ${i} has times that are none`);
     const { overlap_depth: depth } = span;
     if (!isNone(depth) && ![depth!.a_in_b, depth!.b_in_a].every((one) => isNone(one) || isInterval(one))) {
@@ -106,6 +112,7 @@ export function readMotion(parts: number): Motion | null {
 export function pairsOf({ spans, times }: Motion): Pair[] {
   const [first, last] = [times[0], times[times.length - 1]];
   const within = (time: number) => Math.min(last, Math.max(first, time));
+  const isPassage = ({ from, to }: Span) => from !== null && to !== null && times[frameAt(times, to[0])] < from[1];
   const pairs = spans.map((span): Pair & { span: PlacedSpan } => ({
     a: span.a,
     b: span.b,
@@ -126,6 +133,7 @@ export function pairsOf({ spans, times }: Motion): Pair[] {
       end: span.to ? within(span.to[0]) : last,
       isFromStart: !span.from,
       isToEnd: !span.to,
+      isPassage: isPassage(span),
     },
   }));
   return pairs.sort((x, y) => x.span.start - y.span.start);

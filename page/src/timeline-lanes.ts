@@ -5,7 +5,7 @@
 // Only the lanes in sight are in the document.
 import { type Clash, verbOf } from './clashes';
 import { button, el, nameOf, setPressed } from './dom';
-import { nameText, spanText } from './format';
+import { nameText, wholeSpanText } from './format';
 import { kTallest, pixelsOf } from './virtual-rows';
 
 export class Lanes {
@@ -98,7 +98,7 @@ export class Lanes {
     const span = clash.pair!.span!;
     const [from, to] = [this.shareOf(span.start), this.shareOf(span.end)];
     const [a, b] = clash.names.map((name) => nameText(name, 80));
-    const text = `${a} ${verbOf(clash)} ${b}, ${spanText(span)}`;
+    const text = `${a} ${verbOf(clash)} ${b}, ${wholeSpanText(span)}`;
     const element = button('', () => this.onChoose(clash), {
       class: `span verdict ${clash.verdict}`,
       'data-rank': String(clash.rank),
@@ -107,6 +107,7 @@ export class Lanes {
     });
     element.classList.toggle('from-start', span.isFromStart);
     element.classList.toggle('to-end', span.isToEnd);
+    element.classList.toggle('passage', span.isPassage);
     element.style.left = `${100 * from}%`;
     element.style.width = `${100 * (to - from)}%`;
     const worst = el('span', { class: 'worst', 'aria-hidden': 'true' });

@@ -9,6 +9,7 @@ import { counted, plural, rounded } from './format';
 import type { Shortcut } from './keys';
 import { frameAt, type Motion } from './motion';
 import type { Store } from './store';
+import { Impacts } from './timeline-impacts';
 import { Lanes } from './timeline-lanes';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -32,6 +33,7 @@ export class Timeline {
   private readonly playButton = button('', () => this.toggle(), { id: 'play' });
   private readonly repeat = el('input', { type: 'checkbox', id: 'repeat' });
   private readonly lanes: Lanes;
+  private readonly impacts: Impacts;
   private speed = 1;
   private isPlaying = false;
   private lastTick = 0;
@@ -46,14 +48,12 @@ export class Timeline {
     [this.first, this.last] = [motion.times[0], motion.times[motion.times.length - 1]];
     const host = byId('timeline');
     const tracks = el('div', { id: 'tracks' });
-    this.lanes = new Lanes(
-      tracks,
-      (time) => this.shareOf(time),
-      (clash) => store.select(clash),
-    );
-    tracks.append(
-      el('div', { class: 'tracks-body' }, el('div', { class: 'scale' }, this.slider), this.lanes.space, this.field),
-    );
+    const shareOf = (time: number) => this.shareOf(time);
+    const choose = (clash: Clash) => store.select(clash);
+    this.lanes = new Lanes(tracks, shareOf, choose);
+    this.impacts = new Impacts(shareOf, choose);
+    const scale = el('div', { class: 'scale' }, this.slider, this.impacts.row);
+    tracks.append(el('div', { class: 'tracks-body' }, scale, this.lanes.space, this.field));
     host.append(this.makeBar(), tracks);
     host.hidden = false;
     document.body.classList.add('has-motion');
@@ -64,14 +64,18 @@ export class Timeline {
     this.slider.addEventListener('keydown', (event) => this.key(event));
     store.listen((state, changed) => {
       if (changed.has('clash') && state.clash) this.pause();
-      if (changed.has('filter') || changed.has('sort')) this.lanes.show(this.visible());
-      if (changed.has('clash')) this.lanes.choose(state.clash);
+      if (changed.has('filter') || changed.has('sort')) this.show();
+      if (changed.has('clash')) for (const marks of [this.lanes, this.impacts]) marks.choose(state.clash);
       if (changed.has('time')) this.showTime();
       if (changed.has('time') || changed.has('clash')) this.tellPlace();
     });
-    this.lanes.show(this.visible());
+    this.show();
     this.showPlaying();
     this.showTime();
+  }
+
+  private show(): void {
+    for (const marks of [this.lanes, this.impacts]) marks.show(this.visible());
   }
 
   private makeBar(): HTMLElement {

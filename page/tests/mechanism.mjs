@@ -44,8 +44,8 @@ export function mechanism({ offset = [0, 0, 0], lanes = 0 } = {}) {
   }));
   const depth = (d) => ({ a_in_b: [d * 0.99, d], b_in_a: null });
   const spans = [
-    { a: 1, b: 2, from: [2.5, 2.50000003], to: [3.5, 3.50000003], worst: 'penetrating', worst_at: 3, overlap_depth: depth(0.75) },
-    { a: 0, b: 1, from: [1.25, 1.25000003], to: [1.75, 1.75000003], worst: 'penetrating', worst_at: 1.5, overlap_depth: depth(1.5) },
+    { a: 1, b: 2, from: [2.5, 2.50000003], point: [3.75, 3, 0], to: [3.5, 3.50000003], worst: 'penetrating', worst_at: 3, overlap_depth: depth(0.75) },
+    { a: 0, b: 1, from: [1.25, 1.25000003], point: null, to: [1.75, 1.75000003], worst: 'penetrating', worst_at: 1.5, overlap_depth: depth(1.5) },
     { a: 0, b: 3, from: null, to: [0.5, 0.6], worst: 'crossing', worst_at: 0, overlap_depth: null },
     { a: 0, b: 1, from: [3.25, 3.5], to: null, worst: 'inside', worst_at: 4, overlap_depth: depth(0.5) },
   ]; // prettier-ignore

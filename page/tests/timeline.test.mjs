@@ -15,6 +15,26 @@ const seek = (page, time) => page.evaluate((time) => window.impinge.store.set({ 
 const near = (x, y, what) => assert.ok(Math.abs(x - y) <= 1e-9 * Math.max(1, Math.abs(y)), `${what}: ${x}, not ${y}`);
 const { motion } = mechanism();
 const byTime = [2, 1, 0, 3].map((i) => motion.spans[i]);
+/** How many pixels of the view are red, and of the colour in which a point of contact is drawn. */
+async function coloured(page) {
+  await settled(page);
+  const { png } = await picture(page);
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
+    const counts = { reds: 0, dots: 0 };
+    for (let i = 0; i < bytes.length; i += 4) {
+      const [r, g, b] = bytes.subarray(i, i + 3);
+      if (r === 0xc4 && g === 0 && b === 0x5f) ++counts.dots;
+      else if (r > 80 && r > 2 * g) ++counts.reds;
+    }
+    return counts;
+  }, png.toString('base64'));
+}
 const bar = (page, rank) => page.locator(`#timeline .span[data-rank="${rank}"]`);
 
 describe('the timeline', () => {
@@ -223,6 +243,7 @@ describe('the timeline', () => {
       'To3.5 s, within 3e−8 s',
       'Lasts1 s',
       'Worst at3 s',
+      'First contact3.75, 3, 0',
     ])
       assert.ok(details.includes(text), `${text} in ${details}`);
     await page.locator('#details-body button', { hasText: '3 s' }).last().click();
@@ -236,6 +257,45 @@ describe('the timeline', () => {
     assert.ok((await page.textContent('#details-body')).includes(kMarkup));
     await page.waitForURL(/#clash=1$/);
     assert.match(await page.textContent('#live'), /^Clash 1 of 4: arm crosses .*until 0.5 s$/);
+  });
+
+  test('impacts are marks, of another shape where no frame shows them; keys go from one to the next', async () => {
+    const page = await shared.take();
+    const marks = await page.locator('.impact').evaluateAll((all) =>
+      all.map((one) => [one.getAttribute('aria-label'), one.classList.contains('passage'), parseFloat(one.style.left)]),
+    );
+    assert.deepEqual(
+      marks.map(([label]) => label),
+      [
+        '1.25 s: arm penetrates slider, between two frames only',
+        '2.5 s: slider penetrates wall',
+        '3.5 s: arm lies inside or around slider',
+      ],
+    );
+    assert.deepEqual(marks.map(([, isPassage]) => isPassage), [true, false, false], 'a frame is at 3 and at 4');
+    [1.25, 2.50000003, 3.5].forEach((t, i) => assert.ok(Math.abs(marks[i][2] - 25 * t) < 1e-4));
+    assert.deepEqual(await page.locator('.span').evaluateAll((all) => all.map((one) => one.matches('.passage'))), [false, true, false, false]); // prettier-ignore
+    assert.equal(await page.getAttribute('.impacts-field', 'role'), 'toolbar');
+    assert.equal(await page.locator('.impact[tabindex="0"]').count(), 1, 'one stop of the Tab key');
+    await page.focus('#time-slider');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await time(page), 0, 'arrow keys go to a mark, and not to a frame');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    assert.equal(await time(page), motion.spans[0].from[1]);
+    assert.equal(await page.textContent('#legend'), 'AsliderBwall');
+    assert.equal(await page.locator('.impact[aria-pressed=true]').getAttribute('aria-label'), marks[1][0]);
+    assert.ok((await coloured(page)).dots > 8, 'the point of contact is drawn');
+    await page.keyboard.press('Home');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    assert.equal(await time(page), motion.spans[1].from[1]);
+    assert.match(await page.textContent('#live'), /1.25 to 1.75 s, between two frames$/);
+    assert.match(await page.textContent('#details-body'), /Seenbetween two frames only/);
+    assert.equal((await coloured(page)).dots, 0, 'of this one no point is known');
+    await page.fill('#clash-search', 'wall');
+    assert.equal(await page.locator('.impact').count(), 1, 'they follow the filter');
   });
 
   test('a link opens its clash at its time', async () => {
@@ -264,32 +324,17 @@ describe('the timeline', () => {
     assert.equal(await page.textContent('.time-now'), '1 clash now');
     await seek(page, 2);
     assert.equal(await page.textContent('.time-now'), 'no clash now');
-    const redsOn = async (page) => {
-      await settled(page);
-      const { png } = await picture(page);
-      return page.evaluate(async (data) => {
-        const image = new Image();
-        image.src = `data:image/png;base64,${data}`;
-        await image.decode();
-        const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-        context.drawImage(image, 0, 0);
-        const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
-        let count = 0;
-        for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > 80 && bytes[i] > 2 * bytes[i + 1]) ++count;
-        return count;
-      }, png.toString('base64'));
-    };
-    assert.equal(await redsOn(page), 0);
+    assert.equal((await coloured(page)).reds, 0);
     await seek(page, 3);
-    assert.ok((await redsOn(page)) > 500);
+    assert.ok((await coloured(page)).reds > 500);
     // Where nothing clashes in the beginning, nothing is red before a time is chosen.
     const calm = mechanism();
     calm.motion.spans = calm.motion.spans.filter((span) => span.from);
     const other = await browser.open(compose(calm));
     assert.equal(await other.page.textContent('.time-now'), 'no clash now');
-    assert.equal(await redsOn(other.page), 0);
+    assert.equal((await coloured(other.page)).reds, 0);
     await seek(other.page, 3);
-    assert.ok((await redsOn(other.page)) > 500);
+    assert.ok((await coloured(other.page)).reds > 500);
     await other.close();
   });
 
@@ -319,6 +364,17 @@ describe('the timeline', () => {
     assert.ok(inner.y >= outer.y && inner.y + inner.height <= outer.y + outer.height, 'the chosen one is in sight');
     const head = await page.locator('.playhead').boundingBox();
     assert.ok(head.y + head.height >= outer.y + outer.height - 12, 'the head reaches down to it');
+    // Marks that would lie on each other are one, which clicks go through.
+    const mark = page.locator('.impact[aria-label*="again for the next one"]').first();
+    const impacts = Number((await mark.getAttribute('aria-label')).match(/: (\d+) impacts/)[1]);
+    assert.ok(impacts > 2 && (await page.locator('.impact').count()) < 200);
+    const ranks = [];
+    for (let i = 0; i <= impacts; ++i) {
+      await mark.click();
+      ranks.push(await page.evaluate(() => window.impinge.store.state.clash.rank));
+    }
+    assert.equal(new Set(ranks).size, impacts);
+    assert.equal(ranks[impacts], ranks[0]);
     await close();
   });
 

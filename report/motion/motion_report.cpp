@@ -22,6 +22,7 @@ void write_spans(JsonDocument& document, const std::vector<ClashSpan>& spans) {
                 {"b", span.objects[1]},
                 {"from", json_moment(span.from)},
                 {"to", json_moment(span.to)},
+                {"point", span.point ? json_point(*span.point) : Json()},
                 {"worst", name(span.worst)},
                 {"inner", span.inner < 0 ? Json() : Json(span.objects[span.inner])},
                 {"worst_at", span.worst_at},
@@ -47,7 +48,7 @@ void write_animation(JsonDocument& document, const MotionReport& report) {
 
 }  // namespace
 
-Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionOptions& options) {
+Result<void> write_motion_json(Sink& sink, const MotionReport& report, const TimelineOptions& options) {
   JsonDocument document(sink);
   document.member("version", 1);
   document.member("unit", json_unit(report.assembly.unit_in_metres));

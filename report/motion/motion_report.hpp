@@ -33,7 +33,7 @@ struct MotionReport {
 };
 
 /// The JSON of `motion` (docs/cli.md).
-Result<void> write_motion_json(Sink& sink, const MotionReport& report, const MotionOptions& options);
+Result<void> write_motion_json(Sink& sink, const MotionReport& report, const TimelineOptions& options);
 
 /// The part of a page that its timeline plays (page/README.md): the same spans, and where each part that moves is at
 /// each frame. Errors: as `Mover::at`.

@@ -61,10 +61,10 @@ class MovingScene {
   ClashMemory memory_;
 };
 
-/// The pairs that `MotionOptions::ignored` and products leave out, as a scene does.
+/// The pairs that `TimelineOptions::ignored` and products leave out, as a scene does.
 class LeftOutPairs {
  public:
-  static Result<LeftOutPairs> create(const Assembly& assembly, const MotionOptions& options) {
+  static Result<LeftOutPairs> create(const Assembly& assembly, const TimelineOptions& options) {
     LeftOutPairs pairs;
     pairs.products_ = products_of(assembly);
     for (const auto& words : options.ignored) {
@@ -97,7 +97,7 @@ class LeftOutPairs {
 class Search {
  public:
   /// `assembly` has the parts of the model, and is changed to have them where they stand.
-  Search(const Mover& mover, Assembly& assembly, const MotionOptions& options)
+  Search(const Mover& mover, Assembly& assembly, const TimelineOptions& options)
       : mover_(mover), assembly_(assembly), options_(options) {}
 
   Result<Timeline> run() {
@@ -124,10 +124,10 @@ class Search {
     return {span.objects, span.from ? span.from->lo : -1.0};
   }
 
-  [[nodiscard]] ClashOptions clash_options() const {
+  [[nodiscard]] ClashOptions clash_options(bool verdicts_alone = false) const {
     ClashOptions options;
     options.tolerance = value_of(options_.tolerance);
-    options.depth_precision = options_.depth_precision;
+    options.depth_precision = verdicts_alone ? std::numeric_limits<double>::infinity() : options_.depth_precision;
     options.threads = options_.threads;
     options.stop = options_.stop;
     return options;
@@ -199,9 +199,7 @@ class Search {
       if (is_new) span.objects = objects;
       note(span, clash, time);
       if (!is_new || is_first) continue;
-      const auto moment = moment_between(objects, timeline_.times.back(), time, false);
-      if (!moment) return moment.error();
-      span.from = *moment;
+      if (auto begun = begin(span, timeline_.times.back(), time); !begun) return begun;
     }
     return {};
   }
@@ -231,16 +229,15 @@ class Search {
     std::optional<MovingScene> pair;
     for (const double part : std::span(kJudgedParts).first(is_always_near ? 3 : kJudgedParts.size())) {
       const double within = last + (time - last) * (from + (to - from) * part);
-      Result<std::optional<Clash>> clash = clash_at(objects, within, pair, options_.depth_precision);
+      Result<std::optional<Clash>> clash = clash_at(objects, within, pair, clash_options());
       if (!clash) return clash.error();
       if (!*clash || !names(options_.fail_on, (*clash)->verdict)) continue;
-      const auto begin = moment_between(objects, last, within, false);
-      if (!begin) return begin.error();
+      ClashSpan span;
+      span.objects = objects;
+      if (auto begun = begin(span, last, within); !begun) return begun;
       const auto end = moment_between(objects, within, time, true);
       if (!end) return end.error();
-      ClashSpan span;
-      span.objects = objects, span.from = *begin, span.to = *end;
-      (*clash)->objects = objects;
+      span.to = *end;
       note(span, **clash, within);
       timeline_.spans.push_back(span);
       return {};
@@ -255,6 +252,21 @@ class Search {
       return;
     span.worst = clash.verdict, span.inner = clash.inner, span.worst_at = time, span.note = clash.note;
     span.fails_below = clash.fails_below, span.overlap_depth = clash.overlap_depth;
+  }
+
+  /// Fills in when and where the clash of a span begins, of whose parts it is known that they clash at `hi` and not at
+  /// `lo`.
+  Result<void> begin(ClashSpan& span, double lo, double hi) {
+    const auto moment = moment_between(span.objects, lo, hi, false);
+    if (!moment) return moment.error();
+    span.from = *moment;
+    ClashOptions options = clash_options(true);
+    options.regions = true;
+    std::optional<MovingScene> pair;
+    const auto clash = clash_at(span.objects, moment->hi, pair, options);
+    if (!clash) return clash.error();
+    if (*clash && !(*clash)->regions.empty()) span.point = (*clash)->regions.front().centroid;
+    return {};
   }
 
   /// Halves the time between `lo` and `hi`, of which the parts clash at the first or at the last.
@@ -274,14 +286,14 @@ class Search {
 
   /// The verdict on two parts at a time.
   Result<Verdict> judge_at(const Objects& objects, double time, std::optional<MovingScene>& pair) {
-    const auto clash = clash_at(objects, time, pair, std::numeric_limits<double>::infinity());
+    const auto clash = clash_at(objects, time, pair, clash_options(true));
     if (!clash) return clash.error();
     return *clash ? (*clash)->verdict : Verdict::apart;
   }
 
   /// Nothing where they are apart. `pair` is the two alone, where they were looked at last.
   Result<std::optional<Clash>> clash_at(const Objects& objects, double time, std::optional<MovingScene>& pair,
-                                        double depth_precision) {
+                                        const ClashOptions& options) {
     auto posed = mover_.at(time, objects);
     if (!posed) return posed.error();
     std::vector<Posed> both{std::move((*posed)[0]), std::move((*posed)[1])};
@@ -293,8 +305,6 @@ class Search {
         if (auto added = scene.add(part.mesh, part.pose); !added) return added.error();
       pair.emplace(std::move(scene), std::move(both));
     }
-    ClashOptions options = clash_options();
-    options.depth_precision = depth_precision;
     Result<Clashes> clashes = pair->clashes(options);
     if (!clashes) return clashes.error();
     if (clashes->pairs.empty()) return std::optional<Clash>();
@@ -303,7 +313,7 @@ class Search {
 
   const Mover& mover_;
   Assembly& assembly_;
-  const MotionOptions& options_;
+  const TimelineOptions& options_;
   Timeline timeline_;
   std::optional<MovingScene> scene_;
   std::optional<LeftOutPairs> left_out_;
@@ -314,9 +324,9 @@ class Search {
 
 }  // namespace
 
-Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation, const MotionOptions& options) {
+Result<Timeline> find_timeline(const io::Model& model, const io::Animation& animation, const TimelineOptions& options) {
   if (options.progress != nullptr) options.progress->done = 0, options.progress->total = options.frames + 1;
-  MotionOptions of_model = options;
+  TimelineOptions of_model = options;
   if (of_model.tolerance)
     if (auto brought = bring_to_unit(*of_model.tolerance, model.unit_in_metres, "the tolerance"); !brought)
       return brought.error();

@@ -38,6 +38,12 @@ void expect_moment(const json& found, const std::optional<double>& expected, dou
   EXPECT_NEAR(found.at(0), *expected, most);
 }
 
+/// The middle of what the two have in common when they meet: a plane at x.
+void expect_point(const json& found, const std::array<double, 3>& expected) {
+  ASSERT_EQ(found.size(), 3U) << found;
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-5) << k;
+}
+
 /// What is nearer than `most` seconds to the true time is right: outlines reach into each other by 0.1 a second and
 /// more where they begin to, single precision moves them by 1e-6, and a tolerance excuses itself.
 void expect_spans(const json& report, const std::vector<Overlap>& expected, double most) {
@@ -138,6 +144,7 @@ TEST_F(Motion, WhatPassesThroughWithinAStepIsFound) {
     const json& span = passing["spans"][0];
     expect_moment(span.at("from"), 2, 2e-5);
     expect_moment(span.at("to"), 6, 2e-5);
+    expect_point(span.at("point"), {-1, 0, 0});
     EXPECT_GE(span.at("worst_at"), 2);
     EXPECT_LE(span.at("worst_at"), 6);
   }
@@ -152,12 +159,13 @@ TEST_F(Motion, WhatPassesThroughFromNearToNearIsFound) {
   const int moving = file.node({{"name", "moving"}, {"mesh", 0}});
   file.roots({still, moving});
   file.animation("pass");
-  file.channel(moving, "translation", {0, 8}, {-2.001, 0, 0, 2.001, 0, 0});
+  file.channel(moving, "translation", {0, 8}, {-2.001, 0, -1, 2.001, 0, -1});
   folder.write("case.glb", file.glb());
   const json passing = report({"--frames", "1", "--tolerance", "0"});
   ASSERT_EQ(passing.at("spans").size(), 1U);
   expect_moment(passing["spans"][0].at("from"), 0.002, 2e-5);
   expect_moment(passing["spans"][0].at("to"), 7.998, 2e-5);
+  expect_point(passing["spans"][0].at("point"), {-1, 0, -0.5});  // upper half on lower half
 }
 
 /// A square tube along z, from -1 to 1 each way, whose walls are so thick.
@@ -195,6 +203,7 @@ TEST_F(Motion, WhatPassesThroughThinWallsWithinAStepIsFound) {
     EXPECT_EQ(span.at("worst"), "penetrating");
     expect_moment(span.at("from"), 0.045 / 0.05, 2e-5);
     expect_moment(span.at("to"), (0.055 + wall) / 0.05, 2e-5);  // of the first wall
+    expect_point(span.at("point"), {-0.05, 0, 0});
   }
 }
 
@@ -205,6 +214,7 @@ TEST_F(Motion, OptionsSayWhatIsAClash) {
   const json& span = passing["spans"][0];
   expect_moment(span.at("from"), 2, 1e-5);
   expect_moment(span.at("to"), 6, 1e-5);
+  expect_point(span.at("point"), {-1, 0, 0});
   // No tolerance excuses it while each reaches more than half of the way to the other's middle; at 3, 4 and 5 they do
   // reach it.
   EXPECT_TRUE(span.at("fails_below").is_null());
@@ -242,6 +252,7 @@ TEST_F(Motion, OneOfSeveralAnimationsIsChosen) {
   EXPECT_EQ(named.at("animation").at("name"), "2") << "a name goes before a number";
   EXPECT_TRUE(named.at("spans").at(0).at("from").is_null());
   EXPECT_TRUE(named.at("spans").at(0).at("to").is_null());
+  EXPECT_TRUE(named.at("spans").at(0).at("point").is_null());
   const Ended none = run({"--animation", "3"});
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("has no such animation, but 0 'pass', 1 'stay away', 2 '2'"), std::string::npos) << none.err;
