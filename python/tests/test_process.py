@@ -254,20 +254,27 @@ def run_checker(*arguments, **options):
 
 
 def test_the_stub_says_what_the_module_has(tmp_path):
-    run_checker("mypy.stubtest", "impinge._core", cwd=tmp_path)
+    # As a module of its own, with stand-ins for numpy's types, which take most of the time to read.
+    stub = Path(impinge._core.__file__).with_name("_core.pyi").read_text()
+    imports = "from numpy import float64, uint32\nfrom numpy.typing import NDArray\n"
+    assert stub.count(imports) == 1
+    stand_ins = "from typing import Generic, TypeVar\nT = TypeVar('T')\nclass NDArray(Generic[T]): ...\nclass float64: ...\nclass uint32: ...\n"
+    (tmp_path / "_core.pyi").write_text(stub.replace(imports, stand_ins))
+    (tmp_path / Path(impinge._core.__file__).name).symlink_to(impinge._core.__file__)
+    (tmp_path / "allowed").write_text("\n".join(f"_core.{name}" for name in ("T", "NDArray", "float64", "uint32")))
+    run_checker("mypy.stubtest", "_core", "--allowlist", "allowed", cwd=tmp_path)
 
 
 def test_the_types_hold(tmp_path):
-    run_checker("mypy", "--strict", "--cache-dir", "cache", "-p", "impinge", cwd=tmp_path)
     (tmp_path / "user.py").write_text(
         "import numpy as np\nimport impinge\n"
         "mesh = impinge.Mesh([[0, 0, 0]], np.zeros((0, 3), int))\n"
         "reveal_type(impinge.collide(mesh, (mesh.vertices, mesh.faces), None, np.eye(4)).kinds)\n"
         "impinge.touches(mesh)\n"
     )
-    arguments = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", "cache", "user.py"]
+    arguments = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", "cache", "-p", "impinge", "-m", "user"]
     said = subprocess.run(arguments, capture_output=True, text=True, cwd=tmp_path).stdout
-    assert "ndarray[Any, " in said and 'Missing positional argument "b"' in said and "Found 1 error in 1 file" in said, said
+    assert "ndarray[Any, " in said and 'Missing positional argument "b"' in said and "Found 1 error in 1 file (checked" in said, said
 
 
 def test_the_page_and_the_docstring_print_what_they_say(capsys):
