@@ -35,9 +35,9 @@ std::vector<std::filesystem::path> places_of_template(const std::string& program
   if (!folder.empty()) {
     places.push_back(folder / kName);
     places.push_back(folder.parent_path() / "share" / "impinge" / kName);
+    places.push_back(folder.parent_path().parent_path() / "page" / kName);  // this is build/PRESET/cli
   }
   places.emplace_back(IMPINGE_INSTALLED_PAGE);
-  places.emplace_back(IMPINGE_BUILT_PAGE);
   return places;
 }
 

@@ -16,11 +16,12 @@ namespace {
 
 constexpr const char* kScript = "import-ifc.cjs";
 
-/// The script beside this program, or else where ./dev builds it.
+/// The script beside this program, or else where ./dev builds it: this is build/PRESET/bin then.
 std::filesystem::path find_script() {
   std::error_code ignored;
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / kScript;
-  return std::filesystem::exists(beside, ignored) ? beside : std::filesystem::path(IMPINGE_BUILT_IFC) / kScript;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+  const bool beside = std::filesystem::exists(folder / kScript, ignored);
+  return beside ? folder / kScript : folder.parent_path().parent_path() / "ifc" / kScript;
 }
 
 }  // namespace

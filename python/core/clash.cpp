@@ -23,7 +23,7 @@ namespace {
 /// What one query after the other uses.
 struct SharedMemory {
   ClashMemory memory;
-  std::mutex mutex;
+  Exclusive mutex;
 };
 
 Array points_of(std::vector<Point> points) {
@@ -85,10 +85,11 @@ struct VerdictOptions {
 };
 
 py::tuple find_in_scene(SharedScene& shared, const VerdictOptions& options, SharedMemory* memory, const Stop* stop) {
+  if (memory != nullptr) memory->mutex.check("ClashMemory");
   Clashes found = unwrap(run(stop, shared.triangles, [&](std::stop_token token) {
-    std::unique_lock<std::mutex> lock;
+    std::unique_lock<Exclusive> lock;
     if (memory != nullptr) lock = std::unique_lock(memory->mutex);
-    return find_clashes(shared.scene, options.with(token), memory != nullptr ? &memory->memory : nullptr);
+    return find_clashes(*shared.scene, options.with(token), memory != nullptr ? &memory->memory : nullptr);
   }));
   py::list pairs, parts;
   for (Clash& clash : found.pairs) pairs.append(to_python(clash));
@@ -139,6 +140,7 @@ void bind_clashes(py::module_& module) {
                            "What one call of find_clashes found out, for the next one on the same scene.")
       .def(py::init<>())
       .def("known_pairs", [](SharedMemory& memory) {
+        memory.mutex.check("ClashMemory");
         const Unlocked released;
         const std::lock_guard lock(memory.mutex);
         return memory.memory.known_pairs();

@@ -121,7 +121,11 @@ py::tuple collide_pair(const Pair& p, const QueryOptions& options, const Stop* s
       run_pair(p, stop, [&](std::stop_token token) { return collide(p.a, p.at, p.b, p.bt, options.with(token)); }));
 }
 
+/// On several threads only where they are worth it.
 bool touches_pair(const Pair& p, int threads, const Stop* stop) {
+  const bool small = p.a.triangle_count() + p.b.triangle_count() < kMayTakeLong;
+  if (threads == 1 || (threads == 0 && small))
+    return run_pair(p, stop, [&](const std::stop_token& token) { return touches(p.a, p.at, p.b, p.bt, token); });
   return !run_pair(p, stop, [&](std::stop_token token) {
             return collide(p.a, p.at, p.b, p.bt, {.find = Options::Find::first, .threads = threads, .stop = token});
           }).kinds.empty();
@@ -151,6 +155,18 @@ py::object distance_of_pair(const Pair& p, const DistanceOptions& options, const
 bool pair_closer_than(const Pair& p, double limit, int threads, const Stop* stop) {
   return run_pair(p, stop, [&](std::stop_token token) {
     return closer_than(p.a, p.at, p.b, p.bt, limit, {.threads = threads, .stop = token});
+  });
+}
+
+/// What `make()` makes of a mesh whose whole tree it needs. It hears no stop: one is heard before the tree, and before
+/// the rest.
+template <class Make>
+auto with_tree(const Mesh& mesh, int threads, const Stop* stop, Make make) {
+  return run(stop, mesh.triangle_count(), [&](const std::stop_token& token) -> decltype(make()) {
+    if (token.stop_requested()) return kStopped;
+    if (auto made = mesh.build_tree(threads); !made) return made.error();
+    if (token.stop_requested()) return kStopped;
+    return make();
   });
 }
 
@@ -207,12 +223,9 @@ void bind_meshes(py::module_& module) {
              }());
            })
       .def("deformed",
-           [](const Mesh& mesh, py::handle vertices) {
+           [](const Mesh& mesh, py::handle vertices, const Stop* stop) {
              const View xyz(vertices);
-             return unwrap([&] {
-               const Unlocked released;
-               return mesh.deformed(xyz.as<double>());
-             }());
+             return unwrap(with_tree(mesh, 0, stop, [&] { return mesh.deformed(xyz.as<double>()); }));
            })
       .def("build_tree",
            [](const Mesh& mesh, int threads) {
@@ -232,10 +245,9 @@ void bind_meshes(py::module_& module) {
   bind_pair(module, "distance", &distance_of_pair);
   bind_pair(module, "closer_than", &pair_closer_than);
   py::class_<PointLocator>(module, "PointLocator")
-      .def(py::init([](const Mesh& mesh, py::handle pose, int threads) {
+      .def(py::init([](const Mesh& mesh, py::handle pose, int threads, const Stop* stop) {
         const Pose at = pose_of(pose, "pose");
-        return unwrap(run(nullptr, mesh.triangle_count(),
-                          [&](std::stop_token) { return PointLocator::create(mesh, at, threads); }));
+        return unwrap(with_tree(mesh, threads, stop, [&] { return PointLocator::create(mesh, at, threads); }));
       }))
       .def("locate", &locate_points);
   bind_pair(module, "overlap_depth", &depth_of_overlap);

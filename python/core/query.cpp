@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/core/query.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,6 +84,29 @@ Array matrix_of(const Pose& pose) {
 const char* bad_pose_of(const Pair& pair) {
   const auto nothing = Mesh::create(std::span<const double>{}, {});
   return nothing && collide(*nothing, pair.at, *nothing, {}) ? "pose_b" : "pose_a";
+}
+
+std::uint32_t process_number() {
+  static std::atomic<std::uint32_t> number = 1;
+  [[maybe_unused]] static const int counted = pthread_atfork(nullptr, nullptr, [] { ++number; });
+  return number;
+}
+
+void Exclusive::check(const char* what) const {
+  if (const std::uint32_t holder = holder_; holder != 0 && holder != process_number())
+    raise({Code::bad_option, std::string("this ") + what +
+                                 " was in use by another thread when the process was forked, and is half changed "
+                                 "here; make a new one in the child, or fork while no thread uses it"});
+}
+
+void Exclusive::lock() {
+  for (std::uint32_t holder = 0; !holder_.compare_exchange_strong(holder, process_number()); holder = 0)
+    holder_.wait(holder);
+}
+
+void Exclusive::unlock() {
+  holder_ = 0;
+  holder_.notify_one();
 }
 
 bool is_main_thread() {

@@ -4,8 +4,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -50,6 +52,24 @@ class Unlocked {
 
 /// Throws the package's exception for the error.
 [[noreturn]] void raise(const Error& error);
+
+inline const Error kStopped{Code::cancelled, "the query was stopped before it was complete"};
+
+/// Of this process: a child that is forked has another one than the processes that it comes of.
+std::uint32_t process_number();
+
+/// A mutex that knows the process whose thread holds it.
+class Exclusive {
+ public:
+  /// Throws the package's exception where it was held when this process was forked: who held it is not here to end what
+  /// it was changing. With the interpreter's lock; `what` names the object that it guards.
+  void check(const char* what) const;
+  void lock();
+  void unlock();
+
+ private:
+  std::atomic<std::uint32_t> holder_ = 0;  ///< 0: nobody
+};
 
 template <class T>
 T unwrap(Result<T> result) {

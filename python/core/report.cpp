@@ -21,13 +21,14 @@
 namespace impinge::python {
 namespace {
 
-/// A scene as it was when clashes were found in it, and how they were. Documents tell regions of contact, so the first
-/// one that is written judges anew, with them, and the next ones take that answer.
+/// A scene as it was when clashes were found in it, which it shares until that changes, and how they were. Documents
+/// tell regions of contact, so the first one that is written judges anew, with them, and the next ones take that
+/// answer.
 struct Judged {
-  Scene scene;
+  std::shared_ptr<const Scene> scene;
   report::ReportOptions options;
   std::optional<Clashes> with_regions{};
-  std::mutex mutex{};
+  Exclusive mutex{};
 };
 
 using Named = std::vector<std::tuple<std::uint32_t, std::string, Mesh>>;  ///< index in the scene, name, mesh
@@ -36,9 +37,9 @@ using Named = std::vector<std::tuple<std::uint32_t, std::string, Mesh>>;  ///< i
 Result<report::Assembly> assembly_of(const Judged& judged, const std::string& title, const Named& named) {
   std::vector<io::Model> models(1);
   for (const auto& [index, name, mesh] : named) {
-    const Result<ObjectId> id = judged.scene.id(index);
+    const Result<ObjectId> id = judged.scene->id(index);
     if (!id) return id.error();
-    const Result<Pose> pose = judged.scene.pose(*id);
+    const Result<Pose> pose = judged.scene->pose(*id);
     if (!pose) return pose.error();
     models[0].objects.push_back({.name = name, .path = name, .product = {}, .mesh = mesh, .pose = *pose});
   }
@@ -49,7 +50,7 @@ Result<report::Assembly> assembly_of(const Judged& judged, const std::string& ti
 Result<Clashes> clashes_of(Judged& judged, const Named& named, const std::stop_token& stop) {
   if (!judged.with_regions) {
     Result<Clashes> found = find_clashes(
-        judged.scene,
+        *judged.scene,
         {.tolerance = judged.options.tolerance ? std::optional(judged.options.tolerance->value) : std::nullopt,
          .clearance = judged.options.clearance.value,
          .depth_precision = judged.options.depth_precision,
@@ -89,6 +90,7 @@ Result<void> write(Judged& judged, const Named& named, const std::string& title,
 void write_report(Judged& judged, const Named& named, const std::string& title, std::optional<double> unit_in_metres,
                   std::optional<bool> y_up, const std::string& page_program, const std::string& date,
                   const std::string& format, const std::string& file, const Stop* stop) {
+  judged.mutex.check("Clashes");
   unwrap(run(stop, kMayTakeLong, [&](std::stop_token token) {
     const std::lock_guard lock(judged.mutex);
     judged.options.unit_in_metres = unit_in_metres;
@@ -110,7 +112,6 @@ void bind_reports(py::module_& module) {
             options.clearance = clearance;
             options.depth_precision = depth_precision;
             options.regions = true;
-            const Unlocked released;
             return std::unique_ptr<Judged>(new Judged{shared.scene, std::move(options)});
           }));
   module.def("write_report", &write_report);

@@ -41,9 +41,10 @@ from ._errors import (
     UnknownObjectError,
 )
 from ._files import Device, Model, Object, devices, read, set_num_threads
+from ._history import ContactEvent, ContactHistory
 from ._manifolds import ContactManifolds, Manifolds
 from ._mesh import HasVerticesFaces, Mesh, MeshLike
-from ._motion import Feature, Impacts, Moving, Step, collision_free_step, find_impacts
+from ._motion import Feature, Impacts, Moving, SceneImpacts, Step, collision_free_step, find_impacts
 from ._placed import penetration
 from ._pose import nearest_pose, pose_from_quaternion
 from ._predicates import edge_edge_impact, orient3d, triangles_meet, vertex_face_impact
@@ -69,6 +70,7 @@ from ._queries import (
 )
 from ._scene import Configurations, ObjectDistance, Scene
 from ._show import draw
+from ._sweeps import Sweep, TimeOfImpact, at_rest, pose_at, time_of_impact
 
 __all__ = [
     "Cancelled",
@@ -78,6 +80,8 @@ __all__ = [
     "Configurations",
     "ContactCounts",
     "ContactError",
+    "ContactEvent",
+    "ContactHistory",
     "ContactManifolds",
     "Contacts",
     "Device",
@@ -112,10 +116,14 @@ __all__ = [
     "RangeError",
     "Region",
     "Scene",
+    "SceneImpacts",
     "Step",
     "Stop",
+    "Sweep",
+    "TimeOfImpact",
     "UnknownObjectError",
     "Verdict",
+    "at_rest",
     "closer_than",
     "collide",
     "collide_poses",
@@ -135,10 +143,12 @@ __all__ = [
     "overlap_depth",
     "overlap_volume",
     "penetration",
+    "pose_at",
     "pose_from_quaternion",
     "read",
     "self_collide",
     "set_num_threads",
+    "time_of_impact",
     "touches",
     "touches_poses",
     "triangles_meet",

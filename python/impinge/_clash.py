@@ -296,7 +296,7 @@ def find_clashes(
     As `judge`.
     """
     options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, threads)
-    with scene._reading(threads):
+    with _core.Reading(scene._core, threads):
         pairs, parts = _core.find_clashes(scene._core, options, memory, stop)
         names = scene._name_of
         return Clashes(

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ._errors import Cancelled
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from . import _core
     from ._mesh import Mesh
 
     F8 = NDArray[np.float64]
@@ -83,7 +86,7 @@ def hull_of(mesh: Mesh) -> Hull | None:
     return Hull(vertices[used[np.argsort(first[used])]], normals, corners[:, 0], starts, along, beside)
 
 
-def penetration(a: Hull, b: Hull) -> Penetration:
+def penetration(a: Hull, b: Hull, stop: _core.Stop | None = None) -> Penetration:
     """Of two placed hulls. Directions are the face normals of both, and the cross products of edges whose arcs on the Gaussian sphere cross
     (Gregorius, "The Separating Axis Test between Convex Polyhedra", 2013). Of equally deep ones the lexicographically smallest."""
     rounding = _ROUNDING * (np.ptp(a.vertices, axis=0).max() + np.ptp(b.vertices, axis=0).max())
@@ -94,7 +97,8 @@ def penetration(a: Hull, b: Hull) -> Penetration:
     limit = max(min(depths_a.min(), depths_b.min()), 0.0) + 2 * rounding
     some_a = _shallow(a.starts - far_b[a.beside], of_a[a.beside], limit)
     some_b = _shallow(far_a[b.beside] - b.starts, of_b[b.beside], limit)
-    of_edges = _edge_directions(a.edges[some_a], of_a[a.beside[:, some_a]], b.edges[some_b], of_b[b.beside[:, some_b]])
+    edges_a, beside_a, edges_b, beside_b = a.edges[some_a], of_a[a.beside[:, some_a]], b.edges[some_b], of_b[b.beside[:, some_b]]
+    of_edges = _edge_directions(edges_a, beside_a, edges_b, beside_b, stop)
 
     directions = np.concatenate([of_a[depths_a <= limit], of_b[depths_b <= limit], of_edges])
     directions = np.unique(directions.round(12) + 0.0, axis=0)
@@ -127,13 +131,15 @@ def _shallow(far: F8, normals: F8, limit: float) -> NDArray[np.bool_]:
     return shallow
 
 
-def _edge_directions(edges_a: F8, beside_a: F8, edges_b: F8, beside_b: F8) -> F8:
+def _edge_directions(edges_a: F8, beside_a: F8, edges_b: F8, beside_b: F8, stop: _core.Stop | None) -> F8:
     """(N, 3): the normals of those faces of the Minkowski difference that two edges span, unit, away from a. beside: (2, E, 3) each, the
     difference's normals at the ends of the edges' arcs."""
     m0, m1 = beside_b
     of_b = np.cross(m0, m1)
     found = [np.empty((0, 3))]
     for part in np.array_split(np.arange(len(edges_a)), 1 + len(edges_a) * len(edges_b) // 2**20):
+        if stop is not None and stop.is_set():
+            raise Cancelled("the query was stopped before it was complete")
         p0, p1 = beside_a[:, part]
         of_a = np.cross(p0, p1)
         c0, c1 = of_a @ m0.T, of_a @ m1.T  # on which sides of a's arc the ends of b's are

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Hashable
 import numpy as np
 
 from . import _core
+from ._queries import rows_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,10 +69,9 @@ class ContactManifolds:
             Contacts that were cut off at a limit, or whose arrays were changed so that they do not fit together.
         OutOfMemoryError
         """
-        objects, pairs = (np.require(array, np.int32, ["C", "A"]) for array in (contacts.objects, contacts.pairs))
-        offsets = np.require(contacts.offsets, np.int64, ["C", "A"])
+        pairs = np.require(contacts.pairs, np.int32, ["C", "A"])
         with _core.Reading(scene._core):
-            found = self._core.update(scene._core, objects, offsets, pairs, contacts.truncated)
+            found = self._core.update(scene._core, *rows_of(contacts), pairs, contacts.truncated)
             of, ids, middles, normals, depths, sizes, points, point_depths = [np.asarray(array) for array in found]
             names = tuple((scene._name_of[a], scene._name_of[b]) for a, b in of.tolist())
         return Manifolds(of, names, ids, middles, normals, depths, sizes, points, point_depths)

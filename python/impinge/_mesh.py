@@ -109,7 +109,7 @@ class Mesh:
         """
         return self._wrap(self._core.transformed(_arrays.matrix(matrix, "matrix")), self._leaf_size)
 
-    def deformed(self, vertices: ArrayLike) -> Mesh:
+    def deformed(self, vertices: ArrayLike, *, stop: _core.Stop | None = None) -> Mesh:
         """The same faces with other vertices, (V, 3), as many as there are, in your unit of length.
 
         Answers are those of a new mesh of these numbers, but its tree is this one's, refitted, which is faster than making one.
@@ -118,6 +118,7 @@ class Mesh:
         ------
         MeshError
             Another shape or type, or a coordinate that is not finite.
+        Cancelled
 
         Examples
         --------
@@ -126,7 +127,8 @@ class Mesh:
         >>> mesh.deformed(mesh.vertices + [0, 0, 2]).bounds.tolist()
         [[0.0, 0.0, 2.0], [1.0, 1.0, 2.0]]
         """
-        return self._wrap(self._core.deformed(_arrays.vertices(vertices).astype(np.float64, copy=False)), self._leaf_size)
+        points = _arrays.vertices(vertices).astype(np.float64, copy=False)
+        return self._wrap(self._core.deformed(points, stop), self._leaf_size)
 
     def build_tree(self, threads: int = 0) -> Mesh:
         """Makes the whole tree now, on so many threads (0: all), and returns the mesh. Queries else make what they need of it."""
@@ -172,12 +174,15 @@ def _parts(mesh: Any) -> tuple[Any, Any]:
     return mesh.vertices, faces
 
 
+def as_mesh(mesh: MeshLike) -> Mesh:
+    """The mesh that something stands for."""
+    return mesh if isinstance(mesh, Mesh) else Mesh(mesh)
+
+
 def as_core(mesh: MeshLike, what: str) -> _core.Mesh:
-    """The library's mesh of what stands for one."""
-    if isinstance(mesh, Mesh):
-        return mesh._core
+    """The library's mesh of what stands for one; errors name it."""
     try:
-        return Mesh(mesh)._core
+        return as_mesh(mesh)._core
     except MeshError as problem:
         raise MeshError(f"{what}: {problem}") from None
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, Hashable, NamedTuple
 
 import numpy as np
 
@@ -48,7 +48,38 @@ class Impacts:
 
     def __repr__(self) -> str:
         first = "" if self.earliest is None else f", the first at {self.earliest.lo}"
-        return f"<impinge.Impacts: {len(self.features)}{first}{', truncated' if self.truncated else ''}>"
+        return f"<impinge.{type(self).__name__}: {len(self.features)}{first}{', truncated' if self.truncated else ''}>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SceneImpacts(Impacts):
+    """All impacts of a scene's objects, a row a pair of objects that meet, in the order of rows, feature and ids."""
+
+    objects: NDArray[np.int32]  #: (R, 2): indices, as in `Contacts`; in `ids` the first object's feature comes first
+    offsets: NDArray[np.int64]  #: (R + 1,): row r holds impacts offsets[r] to offsets[r + 1]
+    hash: int  #: 64 bits, of what is here
+    names: tuple[tuple[Hashable, Hashable], ...]  #: R: the objects of each row; twice the same of an object with itself
+
+    def rows(self) -> NDArray[np.int64]:
+        """(K,): the row of each impact."""
+        return np.repeat(np.arange(len(self.objects)), np.diff(self.offsets))
+
+
+def make_motion_options(earliest: bool, end: float, by_index: bool, limit: int | None, threads: int) -> _core.MotionOptions:
+    return _core.MotionOptions(earliest, end, by_index, _arrays.limit(limit), threads)
+
+
+def _fields(found: tuple[Any, ...]) -> tuple[Any, ...]:
+    """What `Impacts` is made of."""
+    *arrays, time, truncated = found
+    return *map(np.asarray, arrays), None if time is None else Interval(*time), truncated
+
+
+def make_scene_impacts(found: tuple[Any, ...], name_of: dict[int, Hashable]) -> SceneImpacts:
+    objects, offsets, hashed, impacts = found
+    rows = np.asarray(objects)
+    names = tuple((name_of[a], name_of[b]) for a, b in rows.tolist())
+    return SceneImpacts(*(*_fields(impacts), rows, np.asarray(offsets), hashed, names))
 
 
 def find_impacts(
@@ -88,10 +119,8 @@ def find_impacts(
     [('VERTEX_FACE', [0, 0]), ('VERTEX_FACE', [1, 0]), ('VERTEX_FACE', [2, 0])]
     """
     first, second = _moving(a, "a"), None if b is None else _moving(b, "b")
-    found = _core.find_impacts(first, second, earliest, end, by_index, _arrays.limit(limit), threads, stop)
-    *arrays, time, truncated = found
-    features, ids, times, points, normals = (np.asarray(array) for array in arrays)
-    return Impacts(features, ids, times, points, normals, None if time is None else Interval(*time), truncated)
+    options = make_motion_options(earliest, end, by_index, limit, threads)
+    return Impacts(*_fields(_core.find_impacts(first, second, options, stop)))
 
 
 class Step(NamedTuple):
@@ -124,7 +153,7 @@ def collision_free_step(
     MeshError, RangeError, OptionError, Cancelled, OutOfMemoryError
     """
     moving = [_moving(mesh, f"meshes[{k}]") for k, mesh in enumerate(meshes)]
-    time, ends = _core.collision_free_step(moving, end, by_index, threads, stop)
+    time, ends = _core.collision_free_step(moving, make_motion_options(False, end, by_index, None, threads), stop)
     return Step(time, [Mesh._wrap(core) for core in ends])
 
 

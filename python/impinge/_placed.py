@@ -12,7 +12,7 @@ import numpy as np
 from . import _convex, _core
 from ._clash import examine
 from ._errors import MeshError
-from ._mesh import Mesh, MeshLike
+from ._mesh import Mesh, MeshLike, as_mesh
 from ._queries import Location, locate, touches
 
 if TYPE_CHECKING:
@@ -102,7 +102,12 @@ class CollisionObject:
 
 
 def penetration(
-    a: MeshLike, b: MeshLike, pose_a: ArrayLike | None = None, pose_b: ArrayLike | None = None
+    a: MeshLike,
+    b: MeshLike,
+    pose_a: ArrayLike | None = None,
+    pose_b: ArrayLike | None = None,
+    *,
+    stop: _core.Stop | None = None,
 ) -> _convex.Penetration | None:
     """The shortest way out of two convex solids that share a point; None where they share none.
 
@@ -114,7 +119,7 @@ def penetration(
     ------
     MeshError
         One is not convex.
-    PoseError, RangeError
+    PoseError, RangeError, Cancelled
 
     Examples
     --------
@@ -125,14 +130,14 @@ def penetration(
     >>> found.depth, found.normal.tolist()
     (0.5, [-1.0, 0.0, 0.0])
     """
-    meet = touches(a, b, pose_a, pose_b)
+    meet = touches(a, b, pose_a, pose_b, stop=stop)
     one, other = place(a, pose_a), place(b, pose_b)
     hull, other_hull = one._placed_hull(), other._placed_hull()
     if hull is None or other_hull is None:
         raise MeshError(f"{'a' if hull is None else 'b'} is not convex; ask overlap_depth or judge")
     if not meet and not is_nested(one, other, "convex"):
         return None
-    found = _convex.penetration(hull, other_hull)
+    found = _convex.penetration(hull, other_hull, stop)
     return found._replace(depth=max(found.depth, 0.0))
 
 
@@ -162,4 +167,4 @@ def as_matrix(transform: ArrayLike | None) -> NDArray[np.float64]:
 
 def place(mesh: MeshLike, transform: ArrayLike | None) -> CollisionObject:
     convex = getattr(mesh, "is_convex", None)
-    return CollisionObject(mesh if isinstance(mesh, Mesh) else Mesh(mesh), convex, as_matrix(transform))
+    return CollisionObject(as_mesh(mesh), convex, as_matrix(transform))

@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _arrays, _core, _show
 from ._errors import ImpingeWarning, MeshError
-from ._mesh import Mesh, MeshLike, as_core, placed
+from ._mesh import MeshLike, as_core, as_mesh, placed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -131,6 +131,11 @@ def make_contacts(found: tuple[Any, ...], name_of: dict[int, Hashable] | None = 
     rows = np.asarray(objects)
     names = None if name_of is None else tuple((name_of[a], name_of.get(b)) for a, b in rows.tolist())
     return Contacts(rows, np.asarray(offsets), np.asarray(pairs), np.asarray(kinds), truncated, hashed, names)
+
+
+def rows_of(found: Any) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
+    """The objects and offsets of contacts or impacts, as the extension takes them: somebody may have changed them."""
+    return np.require(found.objects, np.int32, ["C", "A"]), np.require(found.offsets, np.int64, ["C", "A"])
 
 
 def make_nearest(found: tuple[Any, ...]) -> Nearest:
@@ -363,9 +368,11 @@ class PointLocator:
     As `collide`; MeshError also for a mesh that is not closed.
     """
 
-    def __init__(self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0) -> None:
-        self._mesh, self._pose = mesh if isinstance(mesh, Mesh) else Mesh(mesh), _arrays.pose(pose, "pose")
-        self._core = _core.PointLocator(self._mesh._core, self._pose, threads)
+    def __init__(
+        self, mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, stop: _core.Stop | None = None
+    ) -> None:
+        self._mesh, self._pose = as_mesh(mesh), _arrays.pose(pose, "pose")
+        self._core = _core.PointLocator(self._mesh._core, self._pose, threads, stop)
 
     def locate(self, points: ArrayLike, *, threads: int = 0, stop: _core.Stop | None = None) -> NDArray[np.uint8]:
         """Where points, (..., 3), lie, exactly: (...,) of `Location`.
@@ -401,7 +408,7 @@ def locate(
     >>> impinge.locate([0.1, 0.1, 0.1], tetrahedron) == impinge.Location.INSIDE
     True
     """
-    return PointLocator(mesh, pose, threads=threads).locate(points, threads=threads, stop=stop)
+    return PointLocator(mesh, pose, threads=threads, stop=stop).locate(points, threads=threads, stop=stop)
 
 
 def overlap_depth(

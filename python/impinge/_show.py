@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._errors import ImpingeError, OptionError
-from ._mesh import Mesh, MeshLike
+from ._mesh import Mesh, MeshLike, as_mesh
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -229,8 +229,7 @@ def draw(
         ax = importlib.import_module("matplotlib.pyplot").figure().add_subplot(projection="3d")
     corners = []
     for mesh, pose, what, colour in ((a, pose_a, "pose_a", "#3b8be0"), (b, pose_b, "pose_b", "#f09a1a")):
-        mesh = mesh if isinstance(mesh, Mesh) else Mesh(mesh)
-        matrix = _arrays.pose(pose, what)
+        mesh, matrix = as_mesh(mesh), _arrays.pose(pose, what)
         triangles = mesh.vertices[mesh.faces]
         if matrix is not None:
             triangles = triangles @ matrix[:3, :3].T + matrix[:3, 3]

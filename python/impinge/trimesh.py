@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Callable, Hashable, Iterable, Iterator, L
 
 import numpy as np
 
-from . import _convex
+from . import _convex, _core
 from ._clash import judge
 from ._errors import OptionError
 from ._mesh import MeshLike
@@ -202,9 +202,9 @@ class CollisionManager:
         found = np.zeros(len(matrices), np.bool_)
         together = [k for k, visitor in enumerate(visitors) if self._touching and visitor._mesh is visitor._base]
         if together:
-            scene = copy.copy(self._scene)
-            name = scene.add(visitors[together[0]]._base)
-            found[together] = scene.collide_configurations([name], np.array([visitors[k]._pose for k in together])[:, None])
+            with _core.Reading(self._scene._core, 0):
+                poses = np.array([visitors[k]._pose for k in together])
+                found[together] = np.asarray(self._scene._core.touches_with_at(visitors[0]._base._core, poses, None))
         surfaces_known = set(together)
         for k in np.flatnonzero(~found):
             if k in surfaces_known:

@@ -41,6 +41,13 @@ def test_what_cannot_be_read(tmp_path):
         impinge.read(bad, scale=-1)
 
 
+@pytest.mark.skipif("site-packages" not in impinge.__file__, reason="sanitized code knows its source for its messages")
+def test_the_package_holds_no_path_of_its_builder():
+    source = str(Path(__file__).parents[2]).encode() + b"/"
+    files = [file for file in Path(impinge.__file__).parent.iterdir() if file.is_file()]
+    assert len(files) > 10 and [file.name for file in files if source in file.read_bytes()] == []
+
+
 @pytest.mark.skipif(not ENGINE.exists(), reason="needs the package assimp-testmodels")
 def test_the_importer_comes_with_the_package():
     model = impinge.read(ENGINE)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Questions about two meshes, against rational numbers and formulas."""
 
+import copy
 import pickle
 from itertools import combinations, product
 
@@ -29,7 +30,7 @@ def mesh_of(soup):
     return np.array(soup, float).reshape(-1, 3), np.arange(3 * len(soup)).reshape(-1, 3)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(soups(st.integers(-2, 2)), soups(st.integers(-2, 2)))
 def test_collide_finds_what_rational_numbers_find(a, b):
     (va, fa), (vb, fb) = mesh_of(a), mesh_of(b)
@@ -42,8 +43,7 @@ def test_collide_finds_what_rational_numbers_find(a, b):
 
 @pytest.mark.parametrize("angle, x, y", [(0.3, 1, 0.2), (np.pi / 2, 1, 1), (np.pi / 4, 1, 1), (-2, 0.1, -0.9)])
 def test_poses_are_the_contracts_formula(angle, x, y):
-    pose = moved(x, y, 0.5)
-    pose[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    pose = turned(angle, x, y, 0.5)
     expected = contacts(CUBE.tolist(), CUBE_FACES, world(CUBE, pose), CUBE_FACES)
     assert as_list(impinge.collide(cube, cube, None, pose)) == expected
 
@@ -241,6 +241,23 @@ def test_impacts_are_those_of_rational_numbers(seed):
         assert (1 - 2**-10) * found.earliest.lo <= step.time <= found.earliest.hi
         assert np.allclose(step.ends[0].vertices, a.vertices + step.time * ways) and (step.ends[1].vertices == b.vertices).all()
         assert not impinge.find_impacts((a, step.ends[0]), (b, b)) and not impinge.touches(*step.ends)
+    scene = impinge.Scene()
+    for name, mesh in (("a", a), ("b", b)):
+        scene.add(mesh, name=name)
+    scene.self("a")
+    scene.step()
+    scene.set_vertices("a", a.vertices + ways)
+    both, own = scene.find_impacts(), impacts_of(a, a, ways, ways)
+    assert both.names == (("a", "a"),) * bool(own) + (("a", "b"),) and both.objects.tolist()[-1] == [0, 1] and both.offsets[-2] == len(own)
+    assert [row[:3] for row in as_impacts(both)] == [row[:3] for row in own + expected] and both.rows().tolist()[-1] == bool(own)
+    assert both.times[len(own) :].tolist() == found.times.tolist() and both.hash and not both.truncated
+    assert scene.find_impacts(limit=1).truncated and scene.find_impacts(earliest=True).earliest == both.earliest
+    scene.set_vertices("a", a.vertices)
+    scene.self("a", False)
+    scene.step()
+    scene.set_pose("b", moved(-2, 1, -1))  # as if a moved the other way
+    there = impacts_of(a, b, 0 * ways + [2, -1, 1], 0 * ways)
+    assert [row[:3] for row in as_impacts(scene.find_impacts())] == [row[:3] for row in there] and there
     for by_index in (False, True):  # all vertices are different
         own = impinge.find_impacts(a_moves, by_index=by_index)
         assert [row[:3] for row in as_impacts(own)] == [row[:3] for row in impacts_of(a, a, ways, ways)]
@@ -258,23 +275,72 @@ def test_a_step_ends_before_the_first_impact():
     assert impinge.collision_free_step((cube, cube.deformed(CUBE + 1)), end=0.5).time == 0.5
 
 
+def turned(angle, x=0, y=0, z=0):
+    """About the z axis."""
+    pose = moved(x, y, z)
+    pose[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    return pose
+
+
+def test_sweeps_are_where_formulas_say():
+    times = np.array([[0, 0.25], [0.5, 1]])
+    for turns, angle in ((0, 1.2), (2, 1.2 + 4 * np.pi), (-1, 1.2 - 2 * np.pi)):
+        sweep = impinge.Sweep(moved(0, 0, 1), turned(1.2, 0, 0, 5), turns=turns)
+        expected = [[turned(angle * t, 0, 0, 1 + 4 * t) for t in row] for row in times]
+        for again in (sweep, pickle.loads(pickle.dumps(sweep)), copy.copy(sweep)):
+            assert impinge.pose_at(again, times) == pytest.approx(np.array(expected), abs=1e-12)
+    assert impinge.pose_at(sweep, 0.5).shape == (4, 4) and impinge.pose_at(sweep, []).shape == (0, 4, 4)
+    assert impinge.pose_at(sweep, 1).tolist() == turned(1.2, 0, 0, 5).tolist()
+    assert impinge.pose_at(impinge.at_rest(moved(1, 2, 3)), 0.3).tolist() == moved(1, 2, 3).tolist()
+    # A turned pose on a straight path is no rotation on the way.
+    straight = impinge.Sweep(None, moved(4, 0, 0), path="straight")
+    assert impinge.pose_at(straight, 0.25).tolist() == moved(1, 0, 0).tolist()
+
+
+@pytest.mark.parametrize("start, end", [(4, -4), (1, -2), (3, 0), (5, 1), (0, 3)])
+def test_a_cube_falls_onto_another_when_its_height_is_zero(start, end):
+    time = None if min(start, end) > 0 else start / (start - end) if start else 0
+    for path in ("screw", "straight"):
+        fall = impinge.Sweep(moved(0.25, 0.5, 1 + start), moved(0.25, 0.5, 1 + end), path=path)
+        found = impinge.time_of_impact(cube, (CUBE, CUBE_FACES), fall, impinge.at_rest(), 1e-9)
+        if time is None:
+            assert found is None
+            continue
+        exact = path == "straight"
+        assert holds(found.time, time) and found.gap == 0 if exact else time - 1e-9 <= found.time.lo == found.time.hi <= time
+        assert found.gap <= 1e-9 and found.points[:, 2] == pytest.approx([1, 1])
+
+
+def test_a_turning_bar_hits_a_post_at_the_angle_of_its_corner():
+    bar, post = cube.transformed(np.diag([4, 0.25, 1, 1])), cube.transformed(np.diag([1, 0.5, 4, 1]))
+    bar, post = bar.deformed(bar.vertices - [0, 0.125, 0]), post.deformed(post.vertices + [-0.5, 3, -1])
+    hit = np.arctan2(3, 0.5) - np.arcsin(0.125 / np.hypot(3, 0.5))  # the bar's side, 1/8 from the axis, at the corner (1/2, 3)
+    sweep = impinge.Sweep(None, turned(1.5))
+    for threads in (0, 1):
+        time, gap, points = impinge.time_of_impact(bar, post, sweep, impinge.at_rest(), 1e-6, threads=threads)
+        assert hit / 1.5 - 1e-6 <= time.lo == time.hi <= hit / 1.5 + 1e-12 and 0 <= gap <= 1e-6
+        assert np.allclose(points[:, :2], [0.5, 3], atol=1e-5)
+    assert not impinge.touches_poses(bar, post, impinge.pose_at(sweep, np.linspace(0, time.lo, 20)[:-1]), None).any()
+    assert impinge.time_of_impact(bar, post, impinge.Sweep(None, turned(1.25)), impinge.at_rest(), 1e-6) is None
+
+
 def test_predicates_are_those_of_rational_numbers():
     rng = np.random.default_rng(1)
-    s, t = rng.integers(-2, 3, (2, 60, 3, 3)).astype(float)
+    s, t = rng.integers(-2, 3, (2, 30, 3, 3)).astype(float)
     met = impinge.triangles_meet(s, t)
     assert met.dtype == np.int8 and met.tolist() == [-1 if (how := kind(*pair)) is None else how for pair in zip(s, t)]
     assert impinge.triangles_meet(s[:4, None], t[:5]).tolist() == [[impinge.triangles_meet(x, y) for y in t[:5]] for x in s[:4]]
-    a, b, c, d = rng.integers(-2, 3, (4, 60, 3))
+    a, b, c, d = rng.integers(-2, 3, (4, 30, 3))
     signs = [np.sign(round(np.linalg.det([q - p, r - p, x - p]))) for p, q, r, x in zip(a, b, c, d)]  # of small integers
-    assert impinge.orient3d(a, b, c, d).tolist() == signs and impinge.orient3d(a[0], b[0], c[0], d).shape == (60,)
+    assert impinge.orient3d(a, b, c, d).tolist() == signs and impinge.orient3d(a[0], b[0], c[0], d).shape == (30,)
 
-    way = rng.integers(-4, 5, (60, 1, 3))
+    way = rng.integers(-4, 5, (30, 1, 3))
     for moving, still, found in (
         (s[:, :1], t, impinge.vertex_face_impact(s[:, 0], t, (s[:, :1] + way)[:, 0], t)),
         (s[:, :2], t[:, :2], impinge.edge_edge_impact(s[:, :2], t[:, :2], s[:, :2] + way, t[:, :2])),
     ):
         times = [impact(*row) for row in zip(moving, still, way[:, 0])]
-        assert found.shape == (60, 2) and np.isnan(found[:, 0]).tolist() == [time is None for time in times]
+        assert found.shape == (30, 2) and np.isnan(found[:, 0]).tolist() == [time is None for time in times]
         assert all(holds(interval, time) for interval, time in zip(found, times) if time is not None)
 
 

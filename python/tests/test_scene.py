@@ -210,6 +210,50 @@ def test_manifolds_of_boxes_that_overlap():
         manifolds.update(scene, before)
 
 
+def test_history_tells_how_a_cube_flies_past_others():
+    scene, history = impinge.Scene(), impinge.ContactHistory()
+    for name, x in (("flying", -3), ("a", 0), (("b", 2), 3), ("c", 6)):
+        scene.add(cube, moved(x, 0.5 * (name == "flying"), 0), name=name)
+
+    def events():
+        found = history.update(scene, scene.collide(first=True), scene.find_impacts())
+        scene.step()
+        return [(impinge.ContactEvent(kind).name, a, b) for kind, a, b in found]
+
+    for x, expected in (
+        (-2, []),
+        (-1, [("ENTER", "a")]),  # flush
+        (0, [("STAY", "a")]),
+        (4, [("LEAVE", "a"), ("ENTER", ("b", 2))]),
+        (4.5, [("LEAVE", ("b", 2))]),
+        (1.5, [("PASS", ("b", 2))]),
+        (9, [("PASS", ("b", 2)), ("PASS", "c")]),
+        (6, [("ENTER", "c")]),
+    ):
+        scene.set_pose("flying", moved(x, 0.5, 0))
+        assert events() == [(what, "flying", other) for what, other in expected]
+    scene.remove("c")
+    scene.add(cube, moved(6, 0, 0), name="d")  # at its index
+    assert events() == [("LEAVE", "flying", "c"), ("ENTER", "flying", "d")]
+    scene.remove("flying")
+    assert scene.add(cube, moved(6, 0, 0), name="flying") and events() == [("LEAVE", "flying", "d"), ("ENTER", "flying", "d")]
+
+    contacts, impacts = scene.collide(), scene.find_impacts()
+    cut = scene.collide(), scene.find_impacts()
+    cut[0].offsets[1], cut[1].offsets[1] = 7, 7
+    for wrong, sentence in (
+        ((scene.collide(limit=1),), "the contacts were cut off"),
+        ((contacts, scene.find_impacts(limit=1)), "the impacts were cut off"),
+        ((cut[0],), "arrays of the contacts do not fit together"),
+        ((contacts, cut[1]), "arrays of the impacts do not fit together"),
+    ):
+        with pytest.raises(impinge.OptionError, match=sentence):
+            history.update(scene, *wrong)
+    with pytest.raises(impinge.UnknownObjectError, match=r"contacts.objects\[0\] names object"):
+        history.update(impinge.Scene(), contacts)
+    assert history.update(scene, contacts, impacts)["kind"].tolist() == [impinge.ContactEvent.STAY]
+
+
 def test_scenes_pickle_and_copy():
     scene, places = cubes(10, 4, 3)
     scene.ignore(*touching(places)[0])
