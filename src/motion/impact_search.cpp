@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -81,10 +82,17 @@ class Search {
     bool truncated = false;
   };
 
+  /// The part of the trees' time that is still of interest: rounded up.
+  [[nodiscard]] float until() const {
+    const double end = end_.load(std::memory_order_relaxed);
+    if (end >= a_.tree.end) return 1;
+    return std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f));
+  }
+
   /// Calls `visit` with each pair of children that may meet.
   template <class Visit>
   void visit_children(const NodePair& pair, const Visit& visit) const {
-    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b]);
+    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b], until());
     for (; bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
       const std::size_t a = kWidth * pair.a + bit / kWidth, b = kWidth * pair.b + bit % kWidth;
@@ -129,7 +137,11 @@ class Search {
   void pair_leaves(std::size_t i, std::size_t j, Scratch& scratch, Found& found) {
     const LeafFeatures& a = scratch.features_of(a_.tree, a_.features, 0, i, nullptr);
     const LeafFeatures& b = scratch.features_of(b_.tree, b_.features, itself_ ? 0 : 1, j, &a);
-    add_pairs(a, b, !itself_ ? Leaves::of_two_meshes : i == j ? Leaves::the_same : Leaves::of_one_mesh, scratch.pairs);
+    add_pairs(a, b,
+              !itself_ ? Leaves::of_two_meshes
+              : i == j ? Leaves::the_same
+                       : Leaves::of_one_mesh,
+              until(), scratch.pairs);
     for (const Feature feature : {Feature::vertex_face, Feature::face_vertex, Feature::edge_edge})
       if (scratch.pairs.lists[static_cast<std::size_t>(feature)].count + FeaturePairs::kMost > FeaturePairs::kRoom)
         test(feature, scratch, found);

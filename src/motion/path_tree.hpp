@@ -63,6 +63,7 @@ struct PathTree {
   struct Point {
     float at[2][3];
   };
+  double end;
   float margin;
   std::vector<Point> points;
   std::shared_ptr<const SpatialOrder> order;
@@ -96,7 +97,7 @@ struct PathTree {
 
 template <int kCount>
 void PathBoxes<kCount>::clear(int i) {
-  for (int k = 0; k < kBounds; ++k) bounds[k][i] = k % 6 < 3 ? 3e38f : -3e38f;
+  for (int k = 0; k < kBounds; ++k) bounds[k][i] = k % 6 < 3 ? 4.0f : -4.0f;
 }
 
 }  // namespace impinge::motion
