@@ -18,11 +18,12 @@ namespace impinge::motion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A bit for each of the first `count` boxes that may meet box i of `one`: those that no axis separates at the start
-/// and at the end, in the same order. (The gap along an axis is a linear function of time, positive throughout if it is
-/// so at both ends. A difference has the sign of the exact one.)
+/// A bit for each of the first `count` boxes that may come within `reach` of box i of `one`: those with no axis along
+/// which they are farther apart at the start and at the end, in the same order. (The gap along an axis is a linear
+/// function of time, above `reach` throughout if it is so at both ends. A difference has the sign of the exact one.)
 template <int kOne, int kCount>
-HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes<kCount>& boxes, int count) {
+HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes<kCount>& boxes, int count,
+                              float reach) {
   const hn::CappedTag<float, kCount % 16 == 0 ? 16 : kWidth> d;
   std::uint32_t bits = 0;
   for (int lane = 0; lane < count; lane += static_cast<int>(hn::Lanes(d))) {
@@ -35,14 +36,14 @@ HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes
       return hn::Max(above, below);
     };
     const auto largest = hn::Max(hn::Max(gap(0), gap(1)), gap(2));
-    bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(largest, hn::Zero(d))) << lane;
+    bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(largest, hn::Set(d, reach))) << lane;
   }
   return bits & ((1u << count) - 1);
 }
 
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b) {
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float reach) {
   std::uint64_t bits = 0;
-  for (int i = 0; i < kWidth; ++i) bits |= std::uint64_t{near(a, i, b, kWidth)} << (kWidth * i);
+  for (int i = 0; i < kWidth; ++i) bits |= std::uint64_t{near(a, i, b, kWidth, reach)} << (kWidth * i);
   return bits;
 }
 
@@ -62,11 +63,11 @@ HWY_INLINE std::uint32_t sharing(const A& a, int i, const B& b) {
 
 /// Those of both groups; of one group with itself each pair once.
 template <class A, class B>
-HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint32_t near_b, Leaves leaves, bool itself,
-                        bool in_order, FeaturePairs::List& list) {
+HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint32_t near_b, Leaves leaves, float reach,
+                        bool itself, bool in_order, FeaturePairs::List& list) {
   for (; near_a != 0; near_a &= near_a - 1) {
     const int i = std::countr_zero(near_a);
-    std::uint32_t bits = near(a.boxes, i, b.boxes, b.count) & near_b;
+    std::uint32_t bits = near(a.boxes, i, b.boxes, b.count, reach) & near_b;
     if (itself) bits &= ~((2u << i) - 1);
     if (bits != 0 && leaves != Leaves::of_two_meshes) bits &= ~sharing(a, i, b);
     for (; bits != 0; bits &= bits - 1) {
@@ -77,18 +78,18 @@ HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint3
   }
 }
 
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, FeaturePairs& pairs) {
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float reach, FeaturePairs& pairs) {
   const auto list = [&](Feature feature)
                         HWY_ATTR -> FeaturePairs::List& { return pairs.lists[static_cast<std::size_t>(feature)]; };
   const bool same = leaves == Leaves::the_same;
   std::uint32_t faces_a = (1u << a.faces.count) - 1, faces_b = (1u << b.faces.count) - 1;
   if (!same) {
-    faces_b = near(a.box, 0, b.faces.boxes, b.faces.count);
-    std::uint32_t may_be = faces_b == 0 ? 0 : near(b.box, 0, a.faces.boxes, a.faces.count);
+    faces_b = near(a.box, 0, b.faces.boxes, b.faces.count, reach);
+    std::uint32_t may_be = faces_b == 0 ? 0 : near(b.box, 0, a.faces.boxes, a.faces.count, reach);
     std::uint32_t met = 0;
     for (faces_a = 0; may_be != 0; may_be &= may_be - 1) {
       const int i = std::countr_zero(may_be);
-      const std::uint32_t bits = near(a.faces.boxes, i, b.faces.boxes, b.faces.count) & faces_b;
+      const std::uint32_t bits = near(a.faces.boxes, i, b.faces.boxes, b.faces.count, reach) & faces_b;
       met |= bits, faces_a |= std::uint32_t{bits != 0} << i;
     }
     if (faces_a == 0) return;
@@ -99,11 +100,12 @@ void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, Feat
     for (; faces != 0; faces &= faces - 1) bits |= of[std::countr_zero(faces)];
     return bits;
   };
-  pair_up(a.vertices, all(faces_a, a.vertices_of), b.faces, faces_b, leaves, false, false, list(Feature::vertex_face));
+  pair_up(a.vertices, all(faces_a, a.vertices_of), b.faces, faces_b, leaves, reach, false, false,
+          list(Feature::vertex_face));
   if (!same)
-    pair_up(b.vertices, all(faces_b, b.vertices_of), a.faces, faces_a, leaves, false, false,
+    pair_up(b.vertices, all(faces_b, b.vertices_of), a.faces, faces_a, leaves, reach, false, false,
             list(leaves == Leaves::of_two_meshes ? Feature::face_vertex : Feature::vertex_face));
-  pair_up(a.edges, all(faces_a, a.edges_of), b.edges, all(faces_b, b.edges_of), leaves, same,
+  pair_up(a.edges, all(faces_a, a.edges_of), b.edges, all(faces_b, b.edges_of), leaves, reach, same,
           leaves != Leaves::of_two_meshes, list(Feature::edge_edge));
 }
 
@@ -116,11 +118,11 @@ namespace impinge::motion {
 HWY_EXPORT(may_meet);
 HWY_EXPORT(add_pairs);
 
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b) {
-  return HWY_DYNAMIC_DISPATCH(may_meet)(a, b);
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float reach) {
+  return HWY_DYNAMIC_DISPATCH(may_meet)(a, b, reach);
 }
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, FeaturePairs& pairs) {
-  HWY_DYNAMIC_DISPATCH(add_pairs)(a, b, leaves, pairs);
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float reach, FeaturePairs& pairs) {
+  HWY_DYNAMIC_DISPATCH(add_pairs)(a, b, leaves, reach, pairs);
 }
 
 void LeafFeatures::read(const PathTree& tree, const Features& features, std::size_t leaf) {
