@@ -27,20 +27,29 @@ enum class Feature : std::uint8_t {
   edge_edge,
 };
 
-/// A vertex and a face, or two edges, which share a point at some time. Closed sets: a face has its boundary, an edge
-/// its ends; a face or an edge that is degenerate, or becomes so on the way, is then the segment or point that it is.
+/// A vertex and a face, or two edges, which share a point at some time, or come within `MotionOptions::separation`.
+/// Closed sets: a face has its boundary, an edge its ends; a face or an edge that is degenerate, or becomes so on the
+/// way, is then the segment or point that it is.
 struct Impact {
   Feature feature;
   std::uint32_t a, b;  ///< a vertex or triangle by its index, an edge by its index in `Mesh::edges`
   Interval time;       ///< holds the first time at which they meet; its ends are equal or neighbouring doubles
-  Point point;         ///< where, up to rounding
+  Point point;         ///< where, up to rounding: the vertex, or a point of the first edge
   Point normal;        ///< there, of unit length, up to rounding: of the face, or at right angles to both edges; from b
-                       ///< to where a comes from. All zero where there is none
+                       ///< to where a comes from. Of what is apart by a separation, from the point of b that is nearest
+                       ///< to a. All zero where there is none
 };
 
 struct MotionOptions {
   bool earliest = false;  ///< find only the first impact, and of several with the same `time` the first in order
   double end = 1;         ///< of the time that is looked at, 0 to 1
+  /// In the meshes' unit. Above 0 features meet where they come within it: certified, and not exact as at 0. None that
+  /// does is missed, and none is found that stays farther apart than it and a tolerance: 2^-10 of it, and 2^-32 of the
+  /// largest difference between coordinates of vertices of the two features at either end. Before `Impact::time`, whose
+  /// ends are equal then, they are farther apart than the separation, and at that time by no more than the tolerance;
+  /// {0, 0} if they are within it at the start. Of a mesh with itself, features of triangles that have a vertex in
+  /// common are tested with 0.
+  double separation = 0;
   /// Of a mesh with itself: features that share a vertex always meet, and are not reported. Of vertices or edges that
   /// are the same by position, the lowest index stands for all.
   Adjacency adjacency = Adjacency::by_position;
@@ -52,7 +61,7 @@ struct MotionOptions {
 struct Impacts {
   std::vector<Impact> impacts;       ///< in order of feature, a, b
   std::optional<Interval> earliest;  ///< the first `time` of all, those beyond the limit too; {0, 0} if and only if
-                                     ///< such features touch at the start; an edge through a face is no impact
+                                     ///< such features meet at the start; an edge through a face is no impact
   bool truncated = false;            ///< more exist than the limit kept
 };
 
@@ -89,11 +98,12 @@ struct Step {
 
 /// How far meshes may go together without meeting each other or themselves. On the way to `ends`, where vertices were
 /// rounded to, there is no impact either: a second search says so. Where something would meet, `time` is at least
-/// (1 - 2^-10) of the first impact's `Impact::time.lo`, or if rounding would make things touch there, the first of some
+/// (1 - 2^-10) of the first impact's `Impact::time.lo`, or if rounding would make things meet there, the first of some
 /// smaller parts of which it does not; where what meets is nearer than rounding can tell, `ends` may be where they
 /// were. What stands still, its vertices the same at both ends, is not tested against itself and what else stands
-/// still. `MotionOptions::earliest` and `limit` say nothing here. Errors: as `find_impacts`; `in_contact` (something
-/// touches at the start), `out_of_range` (of the start, as `collide`).
+/// still. `MotionOptions::earliest` and `limit` say nothing here; with a `separation` all stays so far apart. Errors:
+/// as `find_impacts`; `in_contact` (something touches at the start, or is within the separation), `out_of_range` (of
+/// the start, as `collide`).
 Result<Step> collision_free_step(std::span<const Moving> meshes, const MotionOptions& options = {});
 
 }  // namespace impinge

@@ -63,7 +63,10 @@ class Together {
     const double until = options_.end;
     const SceneImpacts first = find(until);
     if (first.earliest && first.earliest->hi == 0)
-      return in_contact(first.objects[0], "vertices that are at one place there, and go different ways, count as two");
+      return in_contact(first.objects[0],
+                        options_.separation > 0
+                            ? "features are within the separation"
+                            : "vertices that are at one place there, and go different ways, count as two");
     if (!first.earliest && certify(until)) return end(until);
     const double latest = first.earliest ? first.earliest->lo : until;
     for (const double share : kShares)
@@ -77,8 +80,10 @@ class Together {
   SceneImpacts find(double until) {
     std::vector<motion::BoxPath> bounds;
     for (const MovingObject& object : objects_)
-      bounds.push_back(object.features != nullptr ? motion::path_of(object.vertices, object.features->corners)
-                                                  : motion::BoxPath{});
+      bounds.push_back(
+          object.features != nullptr
+              ? motion::grown(motion::path_of(object.vertices, object.features->corners), options_.separation)
+              : motion::BoxPath{});
     std::vector<broad::ObjectPair> pairs;
     for (std::uint32_t i = 0; i < objects_.size(); ++i)
       for (std::uint32_t j = i; j < objects_.size(); ++j)

@@ -63,7 +63,9 @@ class SceneMotion {
     return {};
   }
 
-  [[nodiscard]] motion::BoxPath bounds(std::uint32_t i) const { return {starts_[i].placed.box, scene_.objects[i].box}; }
+  [[nodiscard]] motion::BoxPath bounds(std::uint32_t i) const {
+    return motion::grown({starts_[i].placed.box, scene_.objects[i].box}, options_.separation);
+  }
 
   /// Those whose boxes over the whole motion overlap, and whose boxes at both ends do not say that they never meet.
   [[nodiscard]] broad::ObjectPairs find_pairs() const {

@@ -28,6 +28,19 @@ BoxPath path_of(const Vertices& vertices, std::span<const Corners> triangles) {
   return {box_of_corners(vertices.from, triangles), box_of_corners(vertices.to, triangles)};
 }
 
+BoxPath grown(const BoxPath& path, double separation) {
+  if (separation == 0) return path;
+  const double by = separation / 2;
+  const auto around = [by](const Box& box) {
+    const auto out = [](const Vec3& v, double way) {
+      return Vec3{std::nextafter(v.x, way), std::nextafter(v.y, way), std::nextafter(v.z, way)};
+    };
+    const Vec3 margin{by, by, by};
+    return Box{out(box.lo - margin, -kInfinity), out(box.hi + margin, kInfinity)};
+  };
+  return {around(path.from), around(path.to)};
+}
+
 bool stay_apart(const BoxPath& a, const BoxPath& b, double end) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto gap = [&](const Box& low, const Box& high) {

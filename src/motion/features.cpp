@@ -55,6 +55,39 @@ Features::Features(std::vector<Corners> triangles)
     }
 }
 
+Neighbours::Neighbours(const Features& features) : features_(features) {
+  std::uint32_t vertices = 0;
+  for (const Corners& c : features.corners) vertices = std::max({vertices, c[0] + 1, c[1] + 1, c[2] + 1});
+  offsets_.resize(std::size_t{vertices} + 1);
+  for (const Corners& corners : features.corners)
+    for (const std::uint32_t vertex : corners) ++offsets_[vertex + 1];
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  triangles_.resize(offsets_.back());
+  std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+  for (std::uint32_t i = 0; i < features.corners.size(); ++i)
+    for (const std::uint32_t vertex : features.corners[i]) triangles_[next[vertex]++] = i;
+}
+
+bool Neighbours::vertex_and_face(std::uint32_t vertex, std::uint32_t face) const {
+  return std::ranges::any_of(triangles_of(vertex), [&](std::uint32_t i) { return share_corner(i, face); });
+}
+
+bool Neighbours::edges(std::uint32_t one, std::uint32_t other) const {
+  const auto any_triangle = [&](std::uint32_t edge, const auto& is) {
+    const auto& [start, end] = features_.edges[edge];
+    return std::ranges::any_of(triangles_of(start), [&, end](std::uint32_t i) {
+      return std::ranges::find(features_.corners[i], end) != features_.corners[i].end() && is(i);
+    });
+  };
+  return any_triangle(
+      one, [&](std::uint32_t i) { return any_triangle(other, [&](std::uint32_t j) { return share_corner(i, j); }); });
+}
+
+bool Neighbours::share_corner(std::uint32_t one, std::uint32_t other) const {
+  const Corners& corners = features_.corners[one];
+  return std::ranges::find_first_of(corners, features_.corners[other]) != corners.end();
+}
+
 std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to,
                                             const std::stop_token& stop) {
   PointTable starts(from.size());

@@ -42,6 +42,23 @@ struct Features {
 std::optional<Features> join_equal_vertices(const Features& of, std::span<const Vec3> from, std::span<const Vec3> to,
                                             const std::stop_token& stop);
 
+/// Which features are of triangles that have a vertex in common: a triangle with the one, a triangle with the other.
+class Neighbours {
+ public:
+  explicit Neighbours(const Features& features);
+  [[nodiscard]] bool vertex_and_face(std::uint32_t vertex, std::uint32_t face) const;
+  [[nodiscard]] bool edges(std::uint32_t one, std::uint32_t other) const;
+
+ private:
+  [[nodiscard]] bool share_corner(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::uint32_t vertex) const {
+    return std::span(triangles_).subspan(offsets_[vertex], offsets_[vertex + 1] - offsets_[vertex]);
+  }
+  const Features& features_;
+  std::vector<std::size_t> offsets_;      ///< per vertex, and the end
+  std::vector<std::uint32_t> triangles_;  ///< of each vertex
+};
+
 /// Triangles in an order in which each eight of them that follow each other are close, and each eight of such eights,
 /// and so on, where the vertices were once.
 struct SpatialOrder {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/stopped.hpp"
+#include "motion/approach.hpp"
 #include "motion/filter.hpp"
 #include "motion/impact.hpp"
 #include "motion/leaf_features.hpp"
@@ -59,7 +60,9 @@ class Scratch {
 class Search {
  public:
   Search(const MovingMesh& a, const MovingMesh* b, const ImpactQuery& query)
-      : a_(a), b_(b != nullptr ? *b : a), itself_(b == nullptr), query_(query), end_(query.end) {}
+      : a_(a), b_(b != nullptr ? *b : a), itself_(b == nullptr), query_(query), end_(query.end) {
+    if (itself_ && query.separation > 0) neighbours_.emplace(a.features);
+  }
 
   Impacts run() {
     if (a_.features.corners.empty() || b_.features.corners.empty()) return {};
@@ -82,17 +85,17 @@ class Search {
     bool truncated = false;
   };
 
-  /// The part of the trees' time that is still of interest: rounded up.
-  [[nodiscard]] float until() const {
+  /// What is still of interest, of the trees' time rounded up.
+  [[nodiscard]] Sought sought() const {
     const double end = end_.load(std::memory_order_relaxed);
-    if (end >= a_.tree.end) return 1;
-    return std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f));
+    if (end >= a_.tree.end) return {query_.reach, 1};
+    return {query_.reach, std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f))};
   }
 
   /// Calls `visit` with each pair of children that may meet.
   template <class Visit>
   void visit_children(const NodePair& pair, const Visit& visit) const {
-    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b], until());
+    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b], sought());
     for (; bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
       const std::size_t a = kWidth * pair.a + bit / kWidth, b = kWidth * pair.b + bit % kWidth;
@@ -141,7 +144,7 @@ class Search {
               !itself_ ? Leaves::of_two_meshes
               : i == j ? Leaves::the_same
                        : Leaves::of_one_mesh,
-              until(), scratch.pairs);
+              sought(), scratch.pairs);
     for (const Feature feature : {Feature::vertex_face, Feature::face_vertex, Feature::edge_edge})
       if (scratch.pairs.lists[static_cast<std::size_t>(feature)].count + FeaturePairs::kMost > FeaturePairs::kRoom)
         test(feature, scratch, found);
@@ -161,9 +164,37 @@ class Search {
     return {vertices[pair[0]], faces[c[0]], faces[c[1]], faces[c[2]]};
   }
 
+  [[nodiscard]] bool are_neighbours(Feature feature, const std::array<std::uint32_t, 2>& pair) const {
+    if (!neighbours_) return false;
+    return feature == Feature::edge_edge ? neighbours_->edges(pair[0], pair[1])
+                                         : neighbours_->vertex_and_face(pair[0], pair[1]);
+  }
+
+  /// Of those that were listed, the ones that are to keep a distance. What is left in the list are the others.
+  void test_separation(Feature feature, FeaturePairs::List& list, Found& found) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < list.count; ++i) {
+      const auto pair = list.pairs[i];
+      if (are_neighbours(feature, pair)) {
+        list.pairs[left++] = pair;
+        continue;
+      }
+      const FourPoints from = points_of(feature, pair, false), to = points_of(feature, pair, true);
+      const double until = query_.earliest ? end_.load(std::memory_order_relaxed) : query_.end;
+      const auto near = feature == Feature::edge_edge ? edge_edge_approach(from, to, query_.separation, until)
+                                                      : vertex_face_approach(from, to, query_.separation, until);
+      if (!near) continue;
+      const bool swapped = feature == Feature::face_vertex;
+      add({feature, pair[swapped ? 1 : 0], pair[swapped ? 0 : 1], {}, {}, (swapped ? -1 : 1) * near->normal},
+          Interval{near->time, near->time}, found);
+    }
+    list.count = left;
+  }
+
   /// All of one kind that were listed.
   void test(Feature feature, Scratch& scratch, Found& found) {
     FeaturePairs::List& list = scratch.pairs.lists[static_cast<std::size_t>(feature)];
+    if (query_.separation > 0) test_separation(feature, list, found);
     const bool on_edges = feature == Feature::edge_edge;
     for (std::size_t first = 0; first < list.count; first += FourPointsBlock::kLanes) {
       throw_if_stopped(query_.stop);
@@ -248,6 +279,8 @@ class Search {
       const double nn = dot(normal, normal), uu = dot(u, u);
       double s = nn > 0 ? dot(cross(b - a, v), normal) / nn : uu > 0 ? dot(b + 0.5 * v - a, u) / uu : 0;
       s = s >= 0 ? std::min(s, 1.0) : 0;  // far from 1 it may be no number
+      if (const double vv = dot(v, v); query_.separation > 0 && uu > 0 && vv > 0)
+        s = std::clamp(dot(b + std::clamp(dot(a + s * u - b, v) / vv, 0.0, 1.0) * v - a, u) / uu, 0.0, 1.0);
       impact.point = a + s * u;
       way = at(a_.vertices, e[0], 0) - at(b_.vertices, f[0], 0);
     } else {
@@ -261,6 +294,7 @@ class Search {
       way = at(vertex_of.vertices, vertex, 0) - at(face_of.vertices, c[0], 0);
       if (swapped) way = -1 * way;
     }
+    if (impact.normal != Vec3{0, 0, 0}) return;  // known, since they are apart
     const double length = norm(normal);
     const double sign = dot(normal, way) < 0 ? -1 : 1;
     impact.normal = length > 0 && std::isfinite(length) ? (sign / length) * normal : Vec3{0, 0, 0};
@@ -269,6 +303,7 @@ class Search {
   const MovingMesh &a_, &b_;
   bool itself_;
   const ImpactQuery& query_;
+  std::optional<Neighbours> neighbours_;  ///< where a mesh is to keep a distance from itself
   std::vector<std::unique_ptr<Scratch>> scratches_;
   std::atomic<double> end_;  ///< of the time that is still of interest
   std::mutex mutex_;

@@ -20,6 +20,8 @@ struct MovingMesh {
 struct ImpactQuery {
   bool earliest;
   double end;  ///< no later than that of the trees
+  double separation;
+  float reach;  ///< boxes farther apart than this, in the trees' frame, are farther apart than the separation
   std::uint64_t limit;
   ForEach for_each;
   std::stop_token stop;

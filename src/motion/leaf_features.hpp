@@ -43,14 +43,19 @@ struct FeaturePairs {
   List lists[3];  ///< by `Feature`
 };
 
-/// Bit 8 i + j: whether box i of one node and box j of the other may meet until that part of the time, 1 for all.
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float until);
+/// What is looked for: what comes within `reach`, in the unit of the boxes, until that part of their time, 1 for all.
+struct Sought {
+  float reach = 0, until = 1;
+};
+
+/// Bit 8 i + j: whether box i of one node and box j of the other may come so near.
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, Sought sought);
 
 /// Whose leaves they are.
 enum class Leaves : std::uint8_t { of_two_meshes, of_one_mesh, the_same };
 
-/// Adds the pairs of features whose boxes may meet until that part of the time. Of one mesh, pairs with a common vertex
-/// are left out, and a face and a vertex count as a vertex and a face.
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float until, FeaturePairs& pairs);
+/// Adds the pairs of features whose boxes may come so near. Of one mesh, pairs with a common vertex are left out, and a
+/// face and a vertex count as a vertex and a face.
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, Sought sought, FeaturePairs& pairs);
 
 }  // namespace impinge::motion

@@ -25,12 +25,13 @@ Result<void> validate(const MotionOptions& options) {
                  "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
   if (!(options.end >= 0 && options.end <= 1))
     return Error{Code::bad_option, "the end of the time looked at is from 0 to 1, not " + std::to_string(options.end)};
+  if (!(options.separation >= 0 && options.separation < kInfinity))
+    return Error{Code::bad_option, "the separation is a length, 0 or more, not " + std::to_string(options.separation)};
   return {};
 }
 
 SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<const broad::ObjectPair> pairs,
                               const MotionOptions& options) {
-  motion::ImpactQuery query{options.earliest, options.end, options.limit, on_threads(options.threads), options.stop};
   // One frame and height for all, so that each can be walked with each.
   std::vector<motion::BoxPath> ways;
   std::size_t height = 1;
@@ -39,7 +40,15 @@ SceneImpacts impacts_of_pairs(std::span<const MovingObject> objects, std::span<c
       ways.push_back(motion::path_of(vertices, features->corners));
       height = std::max(height, motion::PathTree::height_for(features->corners.size()));
     }
-  const motion::PathTree::Plan plan{motion::frame_of(ways), options.end, height, query.for_each, options.stop};
+  const motion::FloatFrame frame = motion::frame_of(ways);
+  motion::ImpactQuery query{.earliest = options.earliest,
+                            .end = options.end,
+                            .separation = options.separation,
+                            .reach = motion::reach_of(options.separation, frame),
+                            .limit = options.limit,
+                            .for_each = on_threads(options.threads),
+                            .stop = options.stop};
+  const motion::PathTree::Plan plan{frame, options.end, height, query.for_each, options.stop};
   std::vector<std::optional<motion::PathTree>> trees(objects.size());
   const auto tree_of = [&](std::uint32_t i) -> const motion::PathTree& {
     if (!trees[i]) trees[i].emplace(objects[i].vertices, objects[i].features->corners, objects[i].cache, plan);

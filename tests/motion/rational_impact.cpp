@@ -207,7 +207,49 @@ Decision decision(Features features, const std::array<Vector, 4>& p) {
   return result;
 }
 
+using Place = std::array<mpq_class, 3>;
+
+Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+mpq_class product(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Place between(const Place& a, const Place& b, const mpq_class& t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
+mpq_class to_segment(const Place& p, const Place& a, const Place& b) {
+  const mpq_class length = product(minus(b, a), minus(b, a));
+  const mpq_class t = length == 0 ? mpq_class(0) : mpq_class(product(minus(p, a), minus(b, a)) / length);
+  const Place way = minus(between(a, b, std::max(mpq_class(0), std::min(mpq_class(1), t))), p);
+  return product(way, way);
+}
+
+/// Of r to the plane of u and v, where the nearest point s u + t v fulfils `is_inside(s, t)`.
+template <class Inside>
+void lower_to_plane(const Place& r, const Place& u, const Place& v, const Inside& is_inside, mpq_class& least) {
+  const mpq_class uu = product(u, u), uv = product(u, v), vv = product(v, v), det = uu * vv - uv * uv;
+  if (det == 0) return;
+  const mpq_class ru = product(r, u), rv = product(r, v), s = (ru * vv - rv * uv) / det, t = (rv * uu - ru * uv) / det;
+  if (is_inside(s, t)) least = std::min(least, mpq_class(product(r, r) - s * ru - t * rv));
+}
+
 }  // namespace
+
+mpq_class squared_distance(Features features, const Points& from, const Points& to, const mpq_class& time) {
+  std::array<Place, 4> p;
+  for (std::size_t i = 0; i < 4; ++i)
+    p[i] = between({from[i].x, from[i].y, from[i].z}, {to[i].x, to[i].y, to[i].z}, time);
+  if (features == Features::vertex_face) {
+    mpq_class least = to_segment(p[0], p[1], p[2]);
+    least = std::min({least, to_segment(p[0], p[2], p[3]), to_segment(p[0], p[3], p[1])});
+    const auto on_face = [](const mpq_class& s, const mpq_class& t) { return s >= 0 && t >= 0 && s + t <= 1; };
+    lower_to_plane(minus(p[0], p[1]), minus(p[2], p[1]), minus(p[3], p[1]), on_face, least);
+    return least;
+  }
+  mpq_class least = to_segment(p[0], p[2], p[3]);
+  least = std::min({least, to_segment(p[1], p[2], p[3]), to_segment(p[2], p[0], p[1]), to_segment(p[3], p[0], p[1])});
+  const auto on_both = [](const mpq_class& s, const mpq_class& t) { return s >= 0 && s <= 1 && t <= 0 && t >= -1; };
+  lower_to_plane(minus(p[2], p[0]), minus(p[1], p[0]), minus(p[3], p[2]), on_both, least);
+  return least;
+}
 
 std::optional<Time> first_impact(Features features, const Points& from, const Points& to) {
   std::array<Vector, 4> paths;

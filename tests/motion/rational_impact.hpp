@@ -24,4 +24,8 @@ enum class Features { vertex_face, edge_edge };
 
 std::optional<Time> first_impact(Features features, const Points& from, const Points& to);
 
+/// The distance's square at a time: the least of those of vertices and edges, of lines whose nearest points are on both
+/// edges, and of a vertex and a plane whose nearest point is on the face.
+mpq_class squared_distance(Features features, const Points& from, const Points& to, const mpq_class& time);
+
 }  // namespace impinge::oracle
