@@ -197,7 +197,7 @@ template <class OfferSome>
 Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::size_t count,
                                                     const MeasureOptions& options, const OfferSome& offer_some) {
   if (auto valid = validate(s, options.threads); !valid) return valid.error();
-  if (auto valid = s.check_domain(true); !valid) return valid.error();
+  if (auto valid = s.check_domain(); !valid) return valid.error();
   if (auto valid = validate_limits(options); !valid) return valid.error();
   std::vector<ObjectDistance> nearest;
   if (count == 0) return nearest;
@@ -329,7 +329,7 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
                                                                                   const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::vector<std::optional<ObjectDistance>>> {
     if (auto valid = validate_limits(options); !valid) return valid.error();
-    if (auto valid = state_->check_domain(true); !valid) return valid.error();
+    if (auto valid = state_->check_domain(); !valid) return valid.error();
     const auto batch = Batch::of(*state_, ids, poses, options);
     if (!batch) return batch.error();
     std::vector<std::optional<ObjectDistance>> found(batch->size());

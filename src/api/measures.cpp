@@ -35,7 +35,8 @@ Result<void> validate(const Measured& placed) {
     return Error{valid.error().code, placed.title() + ": " + valid.error().message};
   if (placed.mesh.triangle_count() == 0)
     return Error{Code::bad_mesh, placed.title() + " has no triangles, and no distance"};
-  if (!in_exact_domain(placed.pose, placed.mesh.state().data)) return out_of_domain(placed.title());
+  const MeshData& numbers = placed.mesh.state().data;
+  if (!in_exact_domain(placed.pose, numbers) && !in_range(placed.pose, numbers)) return out_of_domain(placed.title());
   return {};
 }
 

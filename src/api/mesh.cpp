@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "impinge/mesh.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -27,6 +29,12 @@ std::vector<Vec3> used_vertices(const MeshData& mesh) {
   return points;
 }
 
+/// 2^(-306 - min_bit), as far as there is such a double: a number's last place, at least that of a normal one, times
+/// 2^min_bit is then at least 2^-358.
+double least_entry(int min_bit) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(std::clamp(1023 - 306 - min_bit, 1, 2046)) << 52);
+}
+
 void measure_triangles(MeshData& mesh) {
   mesh.hash = mix(mesh.vertices.size(), mesh.triangles.size());
   for (const Vec3& v : mesh.vertices)
@@ -47,6 +55,7 @@ void measure_triangles(MeshData& mesh) {
       mesh.min_bit = std::min(mesh.min_bit, lowest_bit(x));
     }
   }
+  mesh.least_entry = least_entry(mesh.min_bit);
   mesh.sphere = scene::bounding_sphere(points);
 }
 

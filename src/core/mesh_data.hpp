@@ -11,13 +11,19 @@
 
 namespace impinge {
 
-/// A mesh's numbers, and what was read off them once. Bounds are over the vertices that triangles use.
-struct MeshData {
-  std::vector<Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+/// What placing a mesh reads, in 14 doubles side by side: bounds over the vertices that triangles use.
+struct MeshBounds {
   Box box{};
   Sphere sphere{};         ///< holds every used vertex for certain
   Vec3 max_abs{};          ///< largest |x|, |y|, |z|
+  double least_entry = 0;  ///< of a pose's R, beside 0: with less, world coordinates may be no multiples of 2^-358
+};
+static_assert(sizeof(MeshBounds) == 14 * sizeof(double) && sizeof(Pose) == 12 * sizeof(double));
+
+/// A mesh's numbers, and what was read off them once.
+struct MeshData : MeshBounds {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
   int min_exponent = 0;    ///< of the smallest non-zero |coordinate|: floor(log2)
   int min_bit = 0;         ///< of the lowest bit set in any coordinate: all are multiples of 2^min_bit
   std::uint64_t hash = 0;  ///< of vertices and triangles (docs/hash.md)

@@ -16,7 +16,7 @@ namespace {
 struct Local {
   Triangle a, b;
   Vec3 origin;
-  double unit;  ///< a power of two, or 0 where all corners are the same
+  double unit;  ///< a power of two, or 0 where all corners are the same but for denormal differences
 
   [[nodiscard]] Vec3 world(const Vec3& v) const { return origin + unit * v; }
 };
@@ -214,6 +214,15 @@ TriangleDistance finished(const Local& local, const Found& found) {
           local.world(found.b)};
 }
 
+/// Of corners that are the same but for differences below 2^-1022, which were not scaled: no two points are farther
+/// apart than twice the greatest.
+TriangleDistance same_point(const Local& local) {
+  double most = 0;
+  for (const Triangle* const t : {&local.a, &local.b})
+    for (const Vec3& corner : *t) most = std::max(most, max_component(abs(corner)));
+  return {0, 4 * most, 0, local.origin, local.origin};
+}
+
 /// Squared distance below which two points give no direction for a slab; the bound matters little then.
 constexpr double kClose = 0x1p-60;
 
@@ -244,7 +253,7 @@ Found nearest_features(const Local& local) {
 
 TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart, const Vec3& guess) {
   const Local local = localised(a, b);
-  if (local.unit == 0) return {0, 0, 0, a[0], b[0]};
+  if (local.unit == 0) return same_point(local);
   // Most triangles are far apart beside their size, and a slab across the line between them says so.
   const Vec3 across = (local.b[0] + local.b[1] + local.b[2]) - (local.a[0] + local.a[1] + local.a[2]);
   if (const auto far = apart_by(across, local, enough_apart, 0)) return *far;
@@ -256,7 +265,7 @@ TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double 
 
 TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, double enough_apart) {
   const Local local = localised({point, point, point}, triangle);
-  if (local.unit == 0) return {0, 0, 0, point, triangle[0]};
+  if (local.unit == 0) return same_point(local);
   if (const auto far = apart_by(local.b[0] + local.b[1] + local.b[2], local, enough_apart, 0)) return *far;
   Found found;
   const Edges edges = edges_of(local.b);

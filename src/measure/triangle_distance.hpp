@@ -16,7 +16,7 @@ struct TriangleDistance {
   Vec3 a, b;
 };
 
-/// The corners must be in the exact domain. Nearest points farther apart than `enough_apart` are not needed: then
+/// The corners must be `in_range`. Nearest points farther apart than `enough_apart` are not needed: then
 /// `distance` may be infinite, with `lower` above `enough_apart`. If the direction `guess` already separates the
 /// triangles, which is quick to test, `lower` may be 4 margins less.
 TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart,

@@ -128,8 +128,6 @@ DistantConfigurations::DistantConfigurations(const Movers& movers, const Measure
 
 Result<DistantConfigurations::Found> DistantConfigurations::find(std::span<const Pose> poses) {
   if (auto placed = placed_.place(poses); !placed) return placed.error();
-  for (std::uint32_t mover = 0; mover < movers_.size(); ++mover)
-    if (placed_[mover].is_fine) return out_of_domain("object " + std::to_string(movers_.object(mover)));
   const Scene::State& scene = movers_.scene();
   for (const auto& [mover, object] : pairs_)
     search_.offer(movers_.object(mover), placed_[mover], object, scene.objects[object]);

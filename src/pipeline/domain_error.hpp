@@ -14,7 +14,7 @@ inline Error out_of_domain(const std::string& name) {
       Code::out_of_range,
       name +
           " has coordinates where this answer would not be exact: not below 2^300, or too near to 0 (not multiples of "
-          "2^-358, or for contacts none of 2^-300 or more); scale the scene, or move it"};
+          "2^-358, or for contacts and distances none of 2^-300 or more); scale the scene, or move it"};
 }
 
 }  // namespace impinge

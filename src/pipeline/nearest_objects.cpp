@@ -20,7 +20,8 @@ void NearestObjectsSearch::offer(std::uint32_t a, const scene::PlacedObject& of_
   widest_ = std::max(widest_, wide);
   // No two points of both boxes are farther apart, and the distance that will be found is off by less than the rest.
   const double most = norm(max(of_a.box.hi - of_b.box.lo, of_b.box.hi - of_a.box.lo));
-  bound(most + 0x1p-40 * (most + wide));
+  // The last covers squares that underflow.
+  bound(most + 0x1p-40 * (most + wide) + 0x1p-500);
   gaps_.push_back({gap, a, b});
 }
 

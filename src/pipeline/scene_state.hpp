@@ -73,12 +73,11 @@ struct Scene::State {
     free_slots.push_back(static_cast<std::uint32_t>(n - 1));
   }
 
-  /// Whether answers about all objects are exact: of contacts, or of distances too.
-  [[nodiscard]] Result<void> check_domain(bool has_distances = false) const {
+  /// Whether contacts and distances of all objects are exact.
+  [[nodiscard]] Result<void> check_domain() const {
     if (fine == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (objects[i].is_fine && (has_distances || !objects[i].in_domain))
-        return out_of_domain("object " + std::to_string(i));
+      if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
     return {};
   }
   /// Puts an object, or nothing, where another one or nothing was.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/placed_block.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "core/pose.hpp"
@@ -18,18 +16,53 @@ HWY_BEFORE_NAMESPACE();
 namespace impinge::scene::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Four numbers side by side of each of as many structures as there are lanes: `out[k]` holds their k-th ones. Whole
+/// vectors are loaded and turned in registers, since numbers that were written one by one into a vector's place could
+/// not be loaded together without a wait.
+template <class Part, class Lanes, class Structure>
+HWY_INLINE void read_four(Lanes d, const Structure* const* from, std::size_t first, hn::Vec<Lanes>* out) {
+  const auto load = [&](std::size_t lane, std::size_t at) HWY_ATTR {
+    return hn::LoadU(d, reinterpret_cast<const double*>(static_cast<const Part*>(from[lane])) + first + at);
+  };
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t at = 0; at < 4; ++at) out[at] = load(0, at);
+#else
+  if constexpr (hn::MaxLanes(Lanes()) == 2) {
+    for (std::size_t at = 0; at < 4; at += 2) {
+      const auto a = load(0, at), b = load(1, at);
+      out[at] = hn::InterleaveLower(d, a, b), out[at + 1] = hn::InterleaveUpper(d, a, b);
+    }
+  } else {
+    const auto a = load(0, 0), b = load(1, 0), c = load(2, 0), e = load(3, 0);
+    const auto even = hn::InterleaveLower(d, a, b), odd = hn::InterleaveUpper(d, a, b);
+    const auto next_even = hn::InterleaveLower(d, c, e), next_odd = hn::InterleaveUpper(d, c, e);
+    out[0] = hn::ConcatLowerLower(d, next_even, even), out[1] = hn::ConcatLowerLower(d, next_odd, odd);
+    out[2] = hn::ConcatUpperUpper(d, next_even, even), out[3] = hn::ConcatUpperUpper(d, next_odd, odd);
+  }
+#endif
+}
+
 // No product is fused with a sum: the numbers are the same on every machine, and a pose is valid on all or on none.
 template <class Lanes>
-HWY_INLINE void compute_by(Lanes d, PlacedLanes& s, std::size_t size) {
+HWY_INLINE void compute_by(Lanes d, const MeshData* const* meshes, const Pose* const* poses, std::size_t size,
+                           PlacedLanes& s) {
   using V = hn::Vec<Lanes>;
   const auto number = [&](double x) HWY_ATTR { return hn::Set(d, x); };
   const V zero = hn::Zero(d), infinite = number(kInfinity);
   for (std::size_t lane = 0; lane < size; lane += hn::Lanes(d)) {
-    const auto load = [&](const PlacedLanes::Row& row) HWY_ATTR { return hn::Load(d, row + lane); };
     const auto store = [&](V v, PlacedLanes::Row& row) HWY_ATTR { hn::Store(v, d, row + lane); };
-    V R[9], t[3], max_abs[3];
-    for (int i = 0; i < 9; ++i) R[i] = load(s.R[i]);
-    for (int i = 0; i < 3; ++i) t[i] = load(s.t[i]), max_abs[i] = load(s.max_abs[i]);
+    V pose[12], mesh[14];
+    for (const std::size_t k : {0, 4, 8}) read_four<Pose>(d, poses + lane, k, pose + k);
+    if (meshes != nullptr) {
+      for (const std::size_t k : {0, 4, 8, 10}) read_four<MeshBounds>(d, meshes + lane, k, mesh + k);
+      for (int k = 0; k < 14; ++k) store(mesh[k], s.mesh[k]);
+    } else {
+      for (int k = 0; k < 14; ++k) mesh[k] = hn::Load(d, s.mesh[k] + lane);
+    }
+    const V *const R = pose, *const t = pose + 9;
+    const V *const box_lo = mesh, *const box_hi = mesh + 3, *const center = mesh + 6, *const max_abs = mesh + 10;
+    const V &mesh_radius = mesh[9], &least_entry = mesh[13];
     const auto sum = [](V x, V y, V z) HWY_ATTR { return hn::Add(hn::Add(x, y), z); };
 
     // Contract 1.2. What is no number is not within a bound.
@@ -55,9 +88,11 @@ HWY_INLINE void compute_by(Lanes d, PlacedLanes& s, std::size_t size) {
     V most_x = hn::Max(max_abs[0], hn::Max(max_abs[1], max_abs[2]));
     auto clear = hn::Lt(hn::Mul(number(4), most_x), number(0x1p298));
     const auto is_coarse = [&](V x, V least) HWY_ATTR { return hn::Or(hn::Ge(hn::Abs(x), least), hn::Eq(x, zero)); };
-    const V least_entry = load(s.least_entry);
-    for (const V& r : R) clear = hn::And(clear, is_coarse(r, least_entry));
-    for (const V& x : t) clear = hn::And(clear, is_coarse(x, number(0x1p-306))), most_t = hn::Max(most_t, hn::Abs(x));
+    for (int i = 0; i < 9; ++i) clear = hn::And(clear, is_coarse(R[i], least_entry));
+    for (int i = 0; i < 3; ++i) {
+      clear = hn::And(clear, is_coarse(t[i], number(0x1p-306)));
+      most_t = hn::Max(most_t, hn::Abs(t[i]));
+    }
     clear = hn::And(clear, hn::Lt(most_t, number(0x1p298)));
 
     // At least `rounding_radius` in every axis, as no |r| is above 1.001; it covers the world vertices' rounding and,
@@ -65,16 +100,16 @@ HWY_INLINE void compute_by(Lanes d, PlacedLanes& s, std::size_t size) {
     const V size_of_terms = hn::Add(hn::Mul(number(1.001), sum(max_abs[0], max_abs[1], max_abs[2])), most_t);
     const V rounding = hn::Add(hn::Mul(number(0x1p-49), size_of_terms), number(0x1p-1000));
     // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², sqrt(1 + x) <= 1 + x/2, and of a valid pose the defect is known.
-    const V radius = hn::Add(hn::Mul(number(1 + 1.6 * kMostDefect), load(s.radius)), hn::Mul(number(3), rounding));
+    const V radius = hn::Add(hn::Mul(number(1 + 1.6 * kMostDefect), mesh_radius), hn::Mul(number(3), rounding));
     store(radius, s.world_radius);
-    V middle[3], half[3], center[3];
+    V middle[3], half[3];
     for (int k = 0; k < 3; ++k) {
-      const V lo = hn::Mul(number(0.5), load(s.lo[k])), hi = hn::Mul(number(0.5), load(s.hi[k]));
-      middle[k] = hn::Add(lo, hi), half[k] = hn::Sub(hi, lo), center[k] = load(s.center[k]);
+      const V lo = hn::Mul(number(0.5), box_lo[k]), hi = hn::Mul(number(0.5), box_hi[k]);
+      middle[k] = hn::Add(lo, hi), half[k] = hn::Sub(hi, lo);
     }
     for (int i = 0; i < 3; ++i) {
       const V &x = R[3 * i], &y = R[3 * i + 1], &z = R[3 * i + 2];
-      const auto posed = [&](const V(&v)[3]) HWY_ATTR {
+      const auto posed = [&](const V* v) HWY_ATTR {
         return hn::Add(sum(hn::Mul(x, v[0]), hn::Mul(y, v[1]), hn::Mul(z, v[2])), t[i]);
       };
       const V c = posed(center), m = posed(middle);
@@ -90,9 +125,10 @@ HWY_INLINE void compute_by(Lanes d, PlacedLanes& s, std::size_t size) {
   }
 }
 
-/// Two meshes take two lanes.
-void compute(PlacedLanes& s, std::size_t size) {
-  size <= 2 ? compute_by(hn::CappedTag<double, 2>(), s, size) : compute_by(hn::CappedTag<double, 4>(), s, size);
+/// Two meshes take two lanes. Without `meshes`, their lanes are there.
+void compute(const MeshData* const* meshes, const Pose* const* poses, std::size_t size, PlacedLanes& s) {
+  size <= 2 ? compute_by(hn::CappedTag<double, 2>(), meshes, poses, size, s)
+            : compute_by(hn::CappedTag<double, 4>(), meshes, poses, size, s);
 }
 
 }  // namespace impinge::scene::HWY_NAMESPACE
@@ -105,39 +141,16 @@ HWY_EXPORT(compute);
 
 namespace {
 
-/// 2^(-306 - min_bit), as far as there is such a double: a number's last place, at least that of a normal one, times
-/// 2^min_bit is then at least 2^-358.
-double least_entry(int min_bit) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(std::clamp(1023 - 306 - min_bit, 1, 2046)) << 52);
-}
-
-void set(PlacedLanes::Row (&rows)[3], std::size_t lane, const Vec3& v) {
-  rows[0][lane] = v.x, rows[1][lane] = v.y, rows[2][lane] = v.z;
-}
-
 Vec3 get(const PlacedLanes::Row (&rows)[3], std::size_t lane) { return {rows[0][lane], rows[1][lane], rows[2][lane]}; }
 
 }  // namespace
 
-void PlacedBlock::set_mesh(std::size_t i, const MeshData& mesh) {
-  meshes_[i] = &mesh;
-  set(lanes_.center, i, mesh.sphere.center), set(lanes_.max_abs, i, mesh.max_abs);
-  set(lanes_.lo, i, mesh.box.lo), set(lanes_.hi, i, mesh.box.hi);
-  lanes_.radius[i] = mesh.sphere.radius;
-  lanes_.least_entry[i] = least_entry(mesh.min_bit);
-}
-
-void PlacedBlock::set_pose(std::size_t i, const Pose& pose) {
-  poses_[i] = &pose;
-  for (std::size_t k = 0; k < 9; ++k) lanes_.R[k][i] = pose.R[k];
-  for (std::size_t k = 0; k < 3; ++k) lanes_.t[k][i] = pose.t[k];
-}
-
 void PlacedBlock::compute() {
   const std::size_t vector = size_ <= 2 ? 2 : 4;
   // What fills the last vector is as good as any.
-  for (std::size_t i = size_; i % vector != 0; ++i) set_mesh(i, *meshes_[0]), set_pose(i, *poses_[0]);
-  HWY_DYNAMIC_DISPATCH(compute)(lanes_, size_);
+  for (std::size_t i = size_; i % vector != 0; ++i) meshes_[i] = meshes_[0], poses_[i] = poses_[0];
+  HWY_DYNAMIC_DISPATCH(compute)(has_lanes_ ? nullptr : meshes_, poses_, size_, lanes_);
+  has_lanes_ = true;
 }
 
 bool PlacedBlock::are_clearly_apart() const {

@@ -14,9 +14,7 @@ struct alignas(64) PlacedLanes {
   static constexpr std::size_t kMost = 8;
   using Row = double[kMost];
 
-  Row R[9], t[3];
-  Row center[3], radius, lo[3], hi[3], max_abs[3];  ///< of the mesh
-  Row least_entry;  ///< of R, beside 0: with less, world coordinates may be no multiples of 2^-358
+  Row mesh[14];  ///< the MeshBounds, number by number
   // What is found.
   Row world_center[3], world_radius, world_lo[3], world_hi[3];
   std::uint64_t is_valid[kMost], is_clear[kMost];  ///< the pose; whether a glance shows the exact domain
@@ -30,11 +28,12 @@ class PlacedBlock {
   void clear() { size_ = 0; }
   /// The mesh and its pose stay as they are until all is written.
   void add(const MeshData& mesh, const Pose& pose) {
-    set_mesh(size_, mesh), set_pose(size_, pose);
+    meshes_[size_] = &mesh, poses_[size_] = &pose;
     ++size_;
+    has_lanes_ = false;
   }
   /// Gives member `i` another pose.
-  void set_pose(std::size_t i, const Pose& pose);
+  void set_pose(std::size_t i, const Pose& pose) { poses_[i] = &pose; }
   void compute();
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool is_valid(std::size_t i) const { return lanes_.is_valid[i] != 0; }
@@ -44,9 +43,8 @@ class PlacedBlock {
   void write(std::size_t i, PlacedObject& object) const;
 
  private:
-  void set_mesh(std::size_t i, const MeshData& mesh);
-
   std::size_t size_ = 0;
+  bool has_lanes_ = false;  ///< of the meshes
   const MeshData* meshes_[kMost];
   const Pose* poses_[kMost];
   PlacedLanes lanes_;

@@ -166,6 +166,33 @@ TEST(Distance, OfTheFarthestAndTheSmallest) {
   EXPECT_NEAR(found.distance, 1, 1e-12);
 }
 
+/// A position that is smoothed towards 0 gets there by way of every double.
+TEST(Distance, OfPositionsFinerThanTheExactDomain) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  const Mesh corner = test::mesh_of({{0, 0, 0, -1, 0, 0, -1, 1, 0, -1, 0, 1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}});
+  const Mesh point = test::mesh_of({{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 2}});
+  for (const double fine : {0x1p-306, 0x1p-359, 0x1.8p-700, 0x1p-1022, 0x1.8p-1030, 5e-324}) {
+    for (const Pose& at : {moved(fine, 0.5, 0.5), moved(-fine, 0.5, 0.5), moved(2, fine, -fine)}) {
+      // The cube's coordinates, 0 and 1, swallow `fine` or become it.
+      const double gap = at.t[0] == 2 ? 1 : std::max(0.0, at.t[0] - 1);
+      expect_distance(gap, ask(cube, {}, cube, at));
+      EXPECT_EQ(ask(cube, {}, cube, at).distance == 0, gap == 0);
+    }
+    for (const Mesh* const mesh : {&corner, &point}) {
+      EXPECT_EQ(ask(*mesh, {}, cube, moved(0, -0.5, -0.5)).distance, 0);
+      const Nearest found = ask(*mesh, {}, cube, moved(fine, -0.5, -0.5));
+      EXPECT_GT(found.distance, 0);
+      EXPECT_NEAR(found.distance, fine, found.error);
+      EXPECT_LE(found.error, 1e-12);
+      EXPECT_FALSE(*closer_than(*mesh, {}, cube, moved(1 + fine, -0.5, -0.5), 0.5));
+    }
+    const Nearest between = ask(point, {}, point, moved(fine, 0, 0));
+    EXPECT_GT(between.distance, 0);
+    EXPECT_NEAR(between.distance, fine, between.error);
+    EXPECT_LE(between.error, 4 * fine);
+  }
+}
+
 TEST(Distance, ObeysTheCallersModeAndLeavesIt) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968));
   const Nearest plain = ask(knot, {}, knot, moved(7, 0, 0));

@@ -443,6 +443,23 @@ TEST(Scene, MeasuresItsLeastDistance) {
     }
   }
   EXPECT_FALSE(Scene().distance()->has_value());
+  // Cubes at positions finer than the exact domain, and points, whose squared distance underflows.
+  const Mesh cube = test::mesh_of(scenes::cube()), point = test::mesh_of({{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 2}});
+  for (const double fine : {0x1p-600, 5e-324}) {
+    Scene scene, points;
+    const ObjectId mover = scene.add(cube, {.t{fine, 0, 0}}).value();
+    EXPECT_TRUE(scene.add(cube, {.t{3, fine, 0}}));
+    EXPECT_EQ(scene.distance()->value().nearest.distance, 2);
+    const std::array poses{Pose{.t{fine, 0, 0}}, Pose{.t{2, fine, 0}}};
+    const auto found = scene.distance_configurations(std::array{mover}, poses).value();
+    EXPECT_EQ(found[0]->nearest.distance, 2);
+    EXPECT_EQ(found[1]->nearest.distance, 0);
+    for (const double x : {0.0, fine, 3.0}) EXPECT_TRUE(points.add(point, {.t{x, 0, 0}}));
+    const ObjectDistance least = points.distance()->value();
+    EXPECT_EQ(least.objects, (std::array<std::uint32_t, 2>{0, 1}));
+    EXPECT_GT(least.nearest.distance, 0);
+    EXPECT_NEAR(least.nearest.distance, fine, least.nearest.error);
+  }
 }
 
 /// Cubes along the axes, whose distances are those of intervals: some touch, some are equally near.
