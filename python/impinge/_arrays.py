@@ -20,7 +20,7 @@ _F8 = np.dtype(np.float64)
 def _array(values: Any, what: str, error: type[ImpingeError]) -> NDArray[Any]:
     try:
         array = np.asarray(values)
-    except (ValueError, TypeError, OverflowError) as problem:
+    except (ValueError, TypeError, OverflowError, RuntimeError) as problem:  # the last one is of tensors that require gradients
         raise error(f"{what} cannot be an array: {problem}") from None
     if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise error(f"{what} has masked entries; leave them out")

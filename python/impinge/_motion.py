@@ -143,7 +143,7 @@ def collision_free_step(
     >>> floor = impinge.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
     >>> tip = impinge.Mesh([[1, 1, 3], [1, 2, 4], [2, 1, 4]], [[0, 1, 2]])
     >>> time, ends = impinge.collision_free_step((tip, tip.deformed(tip.vertices - [0, 0, 4])), (floor, floor))
-    >>> 0.749 < time < 0.75, ends[0].bounds[0, 2] > 0
+    >>> 0.749 < time < 0.75, float(ends[0].bounds[0, 2]) > 0
     (True, True)
 
     Raises

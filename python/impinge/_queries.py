@@ -405,8 +405,8 @@ def locate(
     --------
     >>> import impinge
     >>> tetrahedron = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
-    >>> impinge.locate([0.1, 0.1, 0.1], tetrahedron) == impinge.Location.INSIDE
-    True
+    >>> impinge.Location(impinge.locate([0.1, 0.1, 0.1], tetrahedron)).name
+    'INSIDE'
     """
     return PointLocator(mesh, pose, threads=threads, stop=stop).locate(points, threads=threads, stop=stop)
 

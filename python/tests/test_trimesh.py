@@ -3,6 +3,7 @@
 """The drop-in for trimesh's collision managers, against formulas for boxes, and convex solids that are moved apart."""
 
 import copy
+import functools
 import pickle
 import sys
 import types
@@ -117,6 +118,9 @@ def test_distances():
     n.add_object("z", cube, moved(0, 3, 0))
     n.add_object("y", cube, moved(5, 3, 0))
     assert m.min_distance_other(n, return_names=True) == (2, ("cube0", "y"))
+    n.add_object("cube0", cube, moved(7, 0, 0))  # of the other's name
+    distance, names, data = m.min_distance_other(n, return_names=True, return_data=True)
+    assert (distance, names) == (1, ("cube0", "cube0")) and data.names == {"cube0"} and data.point("cube0")[0] in (5.5, 6.5)
     m.set_transform("a", moved(2.5, 0, 0))
     assert m.min_distance_internal(return_names=True) == (-0.5, ("a", "b"))
     assert m.min_distance_internal(name="cube0") == 1.5
@@ -280,7 +284,7 @@ def test_transforms_that_are_no_rotations():
     m.set_transform("cube0", np.eye(4))
     assert m.in_collision_single(cube) and not m.in_collision_single(cube, moved(7.5, 0, 0))
     step = turned(np.random.default_rng(1)).astype(np.float32)
-    drifted = np.linalg.multi_dot([step] * 200)
+    drifted = functools.reduce(np.matmul, [step] * 200)
     assert np.abs(drifted[:3, :3].T @ drifted[:3, :3] - np.eye(3)).max() > 1e-6
     m.set_transform("cube0", drifted)
     assert m.in_collision_single(cube) and m._objs["cube0"]["obj"]._mesh is cube
@@ -340,12 +344,41 @@ def test_what_lies_inside_follows_every_change():
         assert m.in_collision_single(small, moved(*probe), return_names=True) == (bool(inside), inside)
 
 
+class Tracked(np.ndarray):
+    """As trimesh's arrays are."""
+
+
+def scene_of(nodes, geometry):
+    """What is asked of a trimesh.Scene: nodes are (transform, name of a geometry), geometries (vertices, faces)."""
+    graph = type("Graph", (), {"nodes_geometry": list(nodes), "__getitem__": lambda self, node: nodes[node]})()
+    meshes = {
+        name: types.SimpleNamespace(vertices=v.view(Tracked), faces=f.astype(np.int64).view(Tracked), is_convex=np.bool_(True))
+        for name, (v, f) in geometry.items()
+    }
+    return types.SimpleNamespace(graph=graph, geometry=meshes)
+
+
+def test_a_scene_of_spheres_of_all_sizes():
+    ball, rng = globe(2), np.random.default_rng(3)
+    radii, places = rng.uniform(0.1, 1, 200), rng.uniform(0, 12, (200, 3))
+    spheres = {str(k): (r * ball.vertices + place, ball.faces) for k, (r, place) in enumerate(zip(radii, places))}
+    m, _ = drop_in.scene_to_collision(scene_of({name: (np.eye(4), name) for name in spheres}, spheres))
+    hit, names = m.in_collision_internal(return_names=True)
+    gaps = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    corners = ball.vertices[ball.faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    inner = (np.einsum("ij,ij->i", corners[:, 0], normals) / np.linalg.norm(normals, axis=1)).min()  # a ball inside of it
+
+    def closer(than):
+        return {tuple(sorted((str(a), str(b)))) for a, b in zip(*np.nonzero(np.triu(gaps < than, 1)))}
+
+    outer = radii[:, None] + radii[None]
+    assert type(hit) is bool and len(names) > 20 and closer(inner * outer) <= names <= closer(outer)
+
+
 def test_scenes_of_trimesh_and_install(monkeypatch):
     places = {"left": (moved(0, 0, 0), "box"), "right": (moved(0.5, 0, 0), "box")}
-    graph = type("Graph", (), {"nodes_geometry": list(places), "__getitem__": lambda self, node: places[node]})()
-    like_trimeshs = types.SimpleNamespace(vertices=UNIT, faces=CUBE_FACES, is_convex=True)
-    scene = types.SimpleNamespace(graph=graph, geometry={"box": like_trimeshs})
-    m, objects = drop_in.scene_to_collision(scene)
+    m, objects = drop_in.scene_to_collision(scene_of(places, {"box": (UNIT, CUBE_FACES)}))
     assert m.in_collision_internal(return_names=True)[1] == {("left", "right")} and objects["right"].getTranslation()[0] == 0.5
     assert m.min_distance_internal() == -0.5
 
