@@ -6,8 +6,10 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
+import { compose } from './compose.mjs';
 
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const kSoftware = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'];
@@ -54,6 +56,13 @@ export async function startBrowser({ webgl = true } = {}) {
     return { page, close };
   }
 
+  /** Opens a page, of a text or of data blocks, that is checked and closed where the test ends. */
+  async function visit(t, content, options) {
+    const { page, close } = await open(typeof content === 'string' ? content : compose(content), options);
+    t.after(() => close());
+    return page;
+  }
+
   /** Opens a page for several tests: `take` gives it back the choices and the stand of the camera that it began with. */
   async function share(html, options) {
     const { page, close } = await open(html, options);
@@ -78,6 +87,7 @@ export async function startBrowser({ webgl = true } = {}) {
 
   return {
     open,
+    visit,
     share,
     stop: async () => {
       try {
@@ -88,6 +98,17 @@ export async function startBrowser({ webgl = true } = {}) {
       }
     },
   };
+}
+
+/** A browser for the tests of a suite. They share the page of this text, if there is one. */
+export function suiteBrowser(html) {
+  const browser = {};
+  before(async () => {
+    Object.assign(browser, await startBrowser());
+    if (html !== undefined) Object.assign(browser, await browser.share(html));
+  });
+  after(() => browser.stop());
+  return browser;
 }
 
 /** What the rows of a list say, by scrolling through all of it: for each the texts of what matches the selector. */

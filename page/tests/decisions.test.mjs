@@ -8,9 +8,9 @@ import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { listed, startBrowser } from './browser.mjs';
+import { listed, suiteBrowser } from './browser.mjs';
 import { compose } from './compose.mjs';
 import { review, reviewPage } from './fixture.mjs';
 
@@ -26,9 +26,7 @@ const off = ([x, y, z]) => {
 };
 
 describe('decisions', () => {
-  let browser;
-  before(async () => (browser = await startBrowser()));
-  after(() => browser.stop());
+  const browser = suiteBrowser();
 
   const choose = (page, rank) => page.locator('#clash-list .row', { has: page.locator('.names') }).nth(rank - 1).click();
   const decide = async (page, { status, assignee, due, comment }) => {
@@ -106,8 +104,8 @@ describe('decisions', () => {
     }
   });
 
-  test('are kept until the page is opened again, and of this report alone', async () => {
-    const { page, close } = await browser.open(reviewPage());
+  test('are kept until the page is opened again, and of this report alone', async (t) => {
+    const page = await browser.visit(t, reviewPage());
     await choose(page, 2);
     await decide(page, { status: 'active', comment: kComment });
     await page.reload();
@@ -139,11 +137,10 @@ describe('decisions', () => {
     await choose(page, 2);
     await decide(page, { status: 'active' });
     assert.equal((await listed(page, '.tags')).filter((tags) => /active/.test(tags)).length, 1);
-    await close();
   });
 
-  test('are made for all of a group, or of a list that is filtered', async () => {
-    const { page, close } = await browser.open(reviewPage());
+  test('are made for all of a group, or of a list that is filtered', async (t) => {
+    const page = await browser.visit(t, reviewPage());
     page.on('dialog', (dialog) => dialog.accept());
     const { report } = review();
     const count = (key, value) =>
@@ -170,11 +167,10 @@ describe('decisions', () => {
     assert.equal(await count('status', 'active'), members.length - wasActive, 'a status that is not said is kept');
     await page.click('#clear-filters');
     assert.ok(await page.isHidden('#decide-all'), 'not for all there are');
-    await close();
   });
 
-  test('show what people wrote as they wrote it', async () => {
-    const { page, close } = await browser.open(reviewPage());
+  test('show what people wrote as they wrote it', async (t) => {
+    const page = await browser.visit(t, reviewPage());
     const rank = await page.evaluate(() => window.impinge.clashes.find(({ pair }) => pair?.comment).rank);
     await choose(page, rank);
     const text = 'seen by <b>two</b>\nnot by\u202e three\nor four';
@@ -182,6 +178,5 @@ describe('decisions', () => {
     await page.focus('#decided-comment');
     await page.keyboard.type('j?');
     assert.equal(await page.inputValue('#decided-comment'), `${text}j?`, 'keys in a field are text');
-    await close();
   });
 });

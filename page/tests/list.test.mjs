@@ -3,9 +3,8 @@
 //
 // The list of clashes: order, filters, figures. Expected orders are worked out here from the report.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { listed, settled, startBrowser } from './browser.mjs';
-import { compose } from './compose.mjs';
+import { before, describe, test } from 'node:test';
+import { listed, settled, suiteBrowser } from './browser.mjs';
 import { review, reviewPage } from './fixture.mjs';
 
 const kOrder = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'apart'];
@@ -36,13 +35,9 @@ const isWorse = ({ was, verdict }) => was !== null && kOrder.indexOf(verdict) < 
 const nameOf = (id) => report.objects[id].name;
 
 describe('the list of clashes', () => {
-  let browser;
+  const browser = suiteBrowser(reviewPage());
   let page;
-  before(async () => {
-    browser = await startBrowser();
-    ({ page } = await browser.share(reviewPage()));
-  });
-  after(() => browser.stop());
+  before(() => ({ page } = browser));
   const clear = async () => {
     if (await page.locator('#clear-filters').isVisible()) await page.click('#clear-filters');
   };
@@ -79,7 +74,7 @@ describe('the list of clashes', () => {
     assert.equal(await behind('#clash-list .in-unit-3'), '"\u00a0mm³"');
   });
 
-  test('says what fails: the words of the call, or the modes of the tests', async () => {
+  test('says what fails: the words of the call, or the modes of the tests', async (t) => {
     const tests = [{ name: 'bolts against plates', mode: 'contact' }];
     for (const [more, failOn, told] of [
       [{}, ['penetration', 'inside'], 'fails on penetration, inside'],
@@ -88,10 +83,9 @@ describe('the list of clashes', () => {
       [{ tests }, ['new'], 'fails by the mode of each test, only what is new'],
     ]) {
       const settings = { ...report.settings, fail_on: failOn };
-      const { page, close } = await browser.open(compose({ report: { ...report, ...more, settings } }));
+      const page = await browser.visit(t, { report: { ...report, ...more, settings } });
       const facts = await page.locator('#facts > span').allTextContents();
       assert.deepEqual(facts.filter((fact) => fact.startsWith('fails')), [told]); // prettier-ignore
-      await close();
     }
   });
 
@@ -147,7 +141,7 @@ describe('the list of clashes', () => {
     await clear();
   });
 
-  test('is filtered by figures as they are shown, and as they are', async () => {
+  test('is filtered by figures as they are shown, and as they are', async (t) => {
     const { report } = review({ triage: false });
     const [first, second, third] = report.pairs.filter((pair) => pair.verdict === 'apart');
     [first.distance, second.distance, third.distance] = [0.0100002, 0.0099998, 0.01001];
@@ -156,7 +150,7 @@ describe('the list of clashes', () => {
     // What lies free in another is as far as the clearance from its boundary, or farther.
     const free = report.pairs.find((pair) => pair.verdict === 'inside');
     free.touching = free.coplanar = free.crossing = 0;
-    const { page, close } = await browser.open(compose({ report }));
+    const page = await browser.visit(t, { report });
     const pairs = (field, value) => async () => {
       await page.fill(field, value);
       const ranks = await listed(page);
@@ -186,7 +180,6 @@ describe('the list of clashes', () => {
       assert.deepEqual((await pairs('#depth-from', value)()).sort(), namesOf(found), value);
     await page.fill('#depth-from', '0.9');
     assert.deepEqual(await listed(page, '.main'), ['depth 0 to 1'], 'of a wide interval both ends');
-    await close();
   });
 
   describe('over the tolerance', () => {
@@ -199,13 +192,13 @@ describe('the list of clashes', () => {
       fails_below: failsBelow,
       ...more,
     });
-    const pageOf = (pairs, settings = {}) =>
-      browser.open(compose({ report: { ...report, pairs, resolved: [], settings: { ...report.settings, ...settings } } }));
+    const pageOf = (t, pairs, settings = {}) =>
+      browser.visit(t, { report: { ...report, pairs, resolved: [], settings: { ...report.settings, ...settings } } });
     const words = (page) => page.textContent('.tolerance-words');
     const failing = [0.01, 0.02, 0.3, 4, null].map((t) => pairOf('penetrating', t, { tolerance: 0.001 }));
 
-    test('leaves those that would still fail', async () => {
-      const { page, close } = await pageOf([...failing, pairOf('touching', 0.0005, { tolerance: 0.002 })]);
+    test('leaves those that would still fail', async (t) => {
+      const page = await pageOf(t, [...failing, pairOf('touching', 0.0005, { tolerance: 0.002 })]);
       assert.equal(await words(page), 'now: 5 pairs fail');
       const slider = page.locator('#tolerance-slider');
       assert.equal(await slider.inputValue(), String(Math.round(20 * Math.log10(0.002))));
@@ -227,19 +220,17 @@ describe('the list of clashes', () => {
       assert.equal(await words(page), 'at 0.0022\u00a0mm: 5 pairs fail');
       await page.click('#clear-filters');
       assert.equal(await words(page), 'now: 5 pairs fail');
-      await close();
     });
 
-    test('goes below one that was chosen', async () => {
+    test('goes below one that was chosen', async (t) => {
       const excused = [pairOf('touching', 0.05), pairOf('touching', 0)];
-      const { page, close } = await pageOf([...failing.slice(2), ...excused], { tolerance: 0.1 });
+      const page = await pageOf(t, [...failing.slice(2), ...excused], { tolerance: 0.1 });
       assert.equal(await words(page), 'now: 3 pairs fail');
       await page.locator('#tolerance-slider').press('Home');
       assert.match(await words(page), /^at 0.04\d?\u00a0mm: 4 pairs fail$/);
-      await close();
     });
 
-    test('is there where some tolerance excuses something', async () => {
+    test('is there where some tolerance excuses something', async (t) => {
       for (const [what, isThere, pairs, settings] of [
         ['one pair', false, failing.slice(0, 1)],
         ['two', true, failing.slice(0, 2)],
@@ -250,9 +241,8 @@ describe('the list of clashes', () => {
         ['but not of what is new', false, [pairOf('touching', 0.05), failing[4]], { tolerance: 0.1, fail_on: ['new'] }],
         ['no tolerance', true, failing, { tolerance: 0 }],
       ]) {
-        const { page, close } = await pageOf(pairs, settings);
+        const page = await pageOf(t, pairs, settings);
         assert.equal(await page.isVisible('#tolerance'), isThere, what);
-        await close();
       }
     });
   });
@@ -396,7 +386,7 @@ describe('the list of clashes', () => {
     await page.selectOption('#group', 'none');
   });
 
-  test('is grouped in clusters by single linkage', async () => {
+  test('is grouped in clusters by single linkage', async (t) => {
     const seed = 20250601;
     let state = seed;
     const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
@@ -407,7 +397,7 @@ describe('the list of clashes', () => {
     const pairs = Array.from({ length: 40 }, (_, i) => ({ ...blank, a: 0, b: i + 1, regions: at([0.4 * i, 0, 400]) }));
     for (let i = 0; i < 300; ++i)
       pairs.push({ ...blank, a: 1, b: 41, regions: i % 50 ? at([20 * random(), 10 * random(), 10 * random()]) : [] });
-    const { page, close } = await browser.open(compose({ report: { ...report, objects, pairs, resolved: [] } }));
+    const page = await browser.visit(t, { report: { ...report, objects, pairs, resolved: [] } });
     await page.selectOption('#group', 'place');
     for (const link of [0.41, 0.8, 1.3, 30]) {
       await page.fill('#link', String(link));
@@ -431,7 +421,6 @@ describe('the list of clashes', () => {
     }
     await page.locator('.clash-group', { hasText: 'duct' }).click();
     assert.equal((await listed(page)).filter((rank) => rank !== null).length, 40 + 6);
-    await close();
   });
 
   test('shows all figures of a clash', async () => {

@@ -4,9 +4,9 @@
 // The page as a whole: what it contains, colours, widths, messages, what a browser lacks.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { compose } from './compose.mjs';
-import { listed, settled, startBrowser } from './browser.mjs';
+import { listed, settled, startBrowser, suiteBrowser } from './browser.mjs';
 import { kLong, kMarkup, review, reviewPage } from './fixture.mjs';
 
 const { report, scene, geometry } = review();
@@ -16,16 +16,10 @@ test('a page has the licences of what it contains', () => {
   assert.ok(compose({}).includes(licence));
 });
 describe('the page', () => {
-  let browser;
-  let shared;
-  before(async () => {
-    browser = await startBrowser();
-    shared = await browser.share(reviewPage());
-  });
-  after(() => browser.stop());
+  const browser = suiteBrowser(reviewPage());
 
   test('shows names as text, whatever they hold', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     assert.equal(await page.evaluate(() => window.broken), undefined);
     assert.equal(await page.locator('#parts-tree img, #clash-list img, #details-body b').count(), 0);
     const names = await listed(page, '.name', '#parts-tree');
@@ -37,18 +31,17 @@ describe('the page', () => {
     );
   });
 
-  test('has nothing to scroll sideways at 320 pixels', async () => {
-    const { page, close } = await browser.open(reviewPage(), { width: 320, height: 256, hash: '#clash=1' });
+  test('has nothing to scroll sideways at 320 pixels', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { width: 320, height: 256, hash: '#clash=1' });
     for (const pane of ['clashes', 'details', 'parts']) {
       await page.click(`#panes [data-pane=${pane}]`);
       assert.ok(await page.locator(`#${pane}`).isVisible());
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 320), pane);
     }
-    await close();
   });
 
   test('is light or dark as the system is, until the button says otherwise', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const ground = () => page.evaluate(() => getComputedStyle(document.getElementById('parts')).backgroundColor);
     await page.emulateMedia({ colorScheme: 'dark' });
     await settled(page);
@@ -62,8 +55,8 @@ describe('the page', () => {
     assert.equal(await ground(), dark);
   });
 
-  test('text has a contrast of 4.5 or more, light and dark', async () => {
-    const { page, close } = await browser.open(reviewPage(), { hash: '#clash=3' });
+  test('text has a contrast of 4.5 or more, light and dark', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { hash: '#clash=3' });
     // A clash of each verdict is the chosen one.
     const chosen = await page.evaluate(() => [...new Map(window.impinge.clashes.map((one) => [one.verdict, one.rank])).values()]);
     for (const [scheme, rank] of ['light', 'dark'].flatMap((scheme) => chosen.map((rank) => [scheme, rank]))) {
@@ -98,50 +91,43 @@ describe('the page', () => {
       });
       assert.deepEqual(poor, [], `${scheme}, clash ${rank}`);
     }
-    await close();
   });
 
-  test('shows a model without clashes', async () => {
+  test('shows a model without clashes', async (t) => {
     const plain = { ...report, settings: null, pairs: [], counts: null, resolved: undefined };
-    const { page, close } = await browser.open(compose({ report: plain, scene, geometry }));
+    const page = await browser.visit(t, { report: plain, scene, geometry });
     assert.ok(!(await page.locator('#clashes').isVisible()));
     assert.equal((await listed(page, '.name', '#parts-tree')).length, 18);
     assert.equal(await page.textContent('#verdict-line'), '');
-    await close();
   });
 
-  test('what could not be read of the files is said on top, and if the model was simplified', async () => {
+  test('what could not be read of the files is said on top, and if the model was simplified', async (t) => {
     const missing = [`a.dae: ${kMarkup}`];
     const warnings = ['b.stl may be in mm'];
-    const { page, close } = await browser.open(
-      compose({ report: { ...report, missing, warnings }, scene: { ...scene, triangles: 123456789, shown: 1000000 }, geometry }),
-    );
+    const much = { ...scene, triangles: 123456789, shown: 1000000 };
+    const page = await browser.visit(t, { report: { ...report, missing, warnings }, scene: much, geometry });
     const said = [`not read: a.dae: ${kMarkup}`, 'warning: b.stl may be in mm'];
     assert.deepEqual(await page.locator('#facts .left-out').allTextContents(), said);
     assert.match(await page.textContent('#facts'), /simplified to 1.000.000 of 123.456.789 triangles; figures/);
-    await close();
-    const more = await browser.open(
-      compose({ report, scene: { ...scene, triangles: 9999, shown: 1100, asked: 1000 }, geometry }),
-    );
+    const few = { ...scene, triangles: 9999, shown: 1100, asked: 1000 };
+    const other = await browser.visit(t, { report, scene: few, geometry });
     assert.match(
-      await more.page.textContent('#facts'),
+      await other.textContent('#facts'),
       /simplified to 1.100 of 9.999 triangles, as with fewer parts would lose their shape; figures/,
     );
-    await more.close();
   });
 
-  test('tells of what it cannot read, and shows the rest', async () => {
+  test('tells of what it cannot read, and shows the rest', async (t) => {
     const cut = geometry.slice(0, 40);
     for (const [blocks, words] of [
       [{ report, scene: { ...scene, objects: [] }, geometry }, /they do not belong together/],
       [{ report, scene, geometry: cut }, /geometry cannot be read/],
       [{ scene, geometry }, /the block “report” is missing/],
     ]) {
-      const { page, close } = await browser.open(compose(blocks));
+      const page = await browser.visit(t, blocks);
       assert.match(await page.textContent('#trouble'), words);
       assert.ok(await page.locator('#trouble').isVisible());
       if (blocks.report) assert.equal((await listed(page)).length, report.pairs.length, 'the list is there all the same');
-      await close();
     }
   });
 });

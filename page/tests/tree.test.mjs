@@ -3,24 +3,17 @@
 //
 // The tree of parts.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { compose } from './compose.mjs';
-import { listed, startBrowser } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { listed, suiteBrowser } from './browser.mjs';
 import { review, reviewPage } from './fixture.mjs';
 
 const { report, scene, geometry } = review();
 
 describe('the tree of parts', () => {
-  let browser;
-  let shared;
-  before(async () => {
-    browser = await startBrowser();
-    shared = await browser.share(reviewPage());
-  });
-  after(() => browser.stop());
+  const browser = suiteBrowser(reviewPage());
 
   test('lists files, groups and parts; search leaves what matches and the way to it', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const names = await listed(page, '.name', '#parts-tree');
     assert.equal(names.length, 12 + 2 + 4, 'parts, files and the groups frame, left, right, far');
     await page.fill('#parts-search', 'bolt FRAME');
@@ -40,7 +33,7 @@ describe('the tree of parts', () => {
     assert.deepEqual((await listed(page, '.name', '#parts-tree')).slice(0, 2), ['left.stl', 'right.stl'], 'closed');
   });
 
-  test('has the groups of the scene, whatever parts and groups are called', async () => {
+  test('has the groups of the scene, whatever parts and groups are called', async (t) => {
     const [file, mesh] = ['a.glb', scene.meshes.length - 1];
     const named = [
       ['bolt', 'root/bolt', 0],
@@ -59,13 +52,11 @@ describe('the tree of parts', () => {
     ];
     const objects = named.map(([name, path], id) => ({ ...report.objects[0], id, name, path, file }));
     const placed = named.map(([, , group], i) => ({ mesh, pose: scene.objects[i].pose, group }));
-    const { page, close } = await browser.open(
-      compose({
-        report: { ...report, objects, pairs: [], resolved: [] },
-        scene: { ...scene, groups, objects: placed },
-        geometry,
-      }),
-    );
+    const page = await browser.visit(t, {
+      report: { ...report, objects, pairs: [], resolved: [] },
+      scene: { ...scene, groups, objects: placed },
+      geometry,
+    });
     const rows = await page.evaluate(() =>
       [...document.querySelectorAll('#parts-tree .row')].map(
         (row) => `${row.getAttribute('aria-level')} ${row.querySelector('.name').textContent}`,
@@ -85,10 +76,9 @@ describe('the tree of parts', () => {
       '4 pin',
       '2 DN 1/2',
     ]);
-    await close();
   });
 
-  test('finds the parts of what is resolved, which may share a path', async () => {
+  test('finds the parts of what is resolved, which may share a path', async (t) => {
     const gone = (place) => ({ ...report.resolved[0], a: place, b: { name: 'gone', path: 'gone', file: place.file } });
     const objects = report.objects.map((part, id) => (id < 2 ? { ...part, path: 'frame/left/bolt' } : part));
     const resolved = [
@@ -96,18 +86,17 @@ describe('the tree of parts', () => {
       { ...objects[2], name: 'bolt (9)' }, // numbered otherwise, but alone with its path
       { ...objects[0], name: 'bolt (9)' }, // two have its path
     ].map(gone);
-    const { page, close } = await browser.open(compose({ report: { ...report, objects, resolved } }));
+    const page = await browser.visit(t, { report: { ...report, objects, resolved } });
     const found = await page.evaluate(() =>
       window.impinge.clashes.filter((one) => one.resolved).map((one) => one.first),
     );
     assert.deepEqual(found, [0, 1, 2, 2, -1]);
-    await close();
   });
 
-  test('counts in red what fails, and nothing else', async () => {
+  test('counts in red what fails, and nothing else', async (t) => {
     const nothing = report.pairs.map((pair) => ({ ...pair, fails: false }));
     for (const pairs of [report.pairs, nothing]) {
-      const { page, close } = await browser.open(compose({ report: { ...report, pairs } }), { height: 1600 });
+      const page = await browser.visit(t, { report: { ...report, pairs } }, { height: 1600 });
       const red = await page.evaluate(() => {
         const bad = document.createElement('i');
         bad.style.color = 'var(--bad)';
@@ -124,12 +113,11 @@ describe('the tree of parts', () => {
       assert.equal(red.length, failing.length);
       for (const name of ['bolt', 'plate', 'post'])
         assert.equal(red.includes(name), failing.some((one) => one.name === name), name);
-      await close();
     }
   });
 
   test('hides, isolates and shows', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     await page.focus('#parts-tree');
     await page.keyboard.press('Home');
     await page.keyboard.press('h');

@@ -3,25 +3,18 @@
 //
 // The 3D view: what is seen changes with what is chosen, and what is clicked is chosen.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { listed, picture, settled, startBrowser } from './browser.mjs';
-import { compose } from './compose.mjs';
+import { describe, test } from 'node:test';
+import { listed, picture, settled, suiteBrowser } from './browser.mjs';
 import { nestedPage, plantPage, review, reviewPage, twinsPage } from './fixture.mjs';
 
 const stand = (page) => page.evaluate(() => structuredClone(window.impinge.stand()));
 const frames = (page) => page.evaluate(() => window.impinge.frames());
 
 describe('the 3D view', () => {
-  let browser;
-  let shared;
-  before(async () => {
-    browser = await startBrowser();
-    shared = await browser.share(reviewPage());
-  });
-  after(() => browser.stop());
+  const browser = suiteBrowser(reviewPage());
 
   test('is not blank, light and dark', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     for (const scheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme: scheme });
       await settled(page);
@@ -31,14 +24,14 @@ describe('the 3D view', () => {
     await page.emulateMedia({ colorScheme: 'light' });
   });
 
-  test('stands on what the scene says is down, whatever the files are called', async () => {
+  test('stands on what the scene says is down, whatever the files are called', async (t) => {
     for (const [up, file] of [
       ['y', 'house.ifc'],
       ['z', 'house.glb'],
     ]) {
       const { report, scene, geometry } = review();
       for (const part of report.objects) part.file = file;
-      const { page, close } = await browser.open(compose({ report, scene: { ...scene, up }, geometry }));
+      const page = await browser.visit(t, { report, scene: { ...scene, up }, geometry });
       assert.equal(await page.inputValue('#up-axis'), up);
       const labels = await page.locator('#cube button').evaluateAll((all) => all.map((one) => one.ariaLabel));
       const axes = { y: ['+Z', '+Y'], z: ['−Y', '+Z'] }[up];
@@ -55,12 +48,11 @@ describe('the 3D view', () => {
       assert.ok((await rise('1')) > 20);
       const turned = await page.evaluate(() => window.impinge.stand());
       assert.ok(Math.abs(turned.yaw) < 1e-9 && Math.abs(turned.pitch) < 1e-9);
-      await close();
     }
   });
 
-  test('of two equal parts in one place the first is seen, from everywhere', async () => {
-    const { page, close } = await browser.open(twinsPage(), { hash: '#clash=1' });
+  test('of two equal parts in one place the first is seen, from everywhere', async (t) => {
+    const page = await browser.visit(t, twinsPage(), { hash: '#clash=1' });
     for (const isParallel of [false, true]) {
       if (isParallel) await page.keyboard.press('p');
       for (const key of ['', 'ArrowLeft', 'ArrowUp', 'ArrowLeft', 'ArrowRight', 'ArrowDown', 'ArrowDown']) {
@@ -70,11 +62,10 @@ describe('the 3D view', () => {
         assert.ok(a > 0.05 && b < 0.002, `${key}: ${a} of it is the first, ${b} the second`);
       }
     }
-    await close();
   });
 
   test('a click in the list moves the camera, fills the details and marks the parts', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const before = [await stand(page), await picture(page)];
     await page.locator('#clash-list .row').nth(2).click();
     await settled(page);
@@ -92,11 +83,11 @@ describe('the 3D view', () => {
     assert.ok(await page.locator('#legend').isHidden());
   });
 
-  test('a flight ends where the jump ends', async () => {
-    const still = await shared.take();
+  test('a flight ends where the jump ends', async (t) => {
+    const still = await browser.take();
     await still.locator('#clash-list .row').nth(3).click();
     const end = await stand(still);
-    const { page, close } = await browser.open(reviewPage(), { motion: 'no-preference' });
+    const page = await browser.visit(t, reviewPage(), { motion: 'no-preference' });
     const start = await stand(page);
     await page.locator('#clash-list .row').nth(3).click();
     assert.ok((await stand(page)).distance > end.distance + 1e-6, 'it is on its way');
@@ -107,11 +98,10 @@ describe('the 3D view', () => {
     const landed = await stand(page);
     for (const key of ['yaw', 'pitch']) assert.ok(Math.abs(end[key] - landed[key]) < 1e-6, key);
     assert.notEqual(landed.distance, start.distance);
-    await close();
   });
 
-  test('a link opens its clash, by number and by id', async () => {
-    const { page, close } = await browser.open(reviewPage(), { hash: '#clash=3' });
+  test('a link opens its clash, by number and by id', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { hash: '#clash=3' });
     for (const hash of ['#clash=3', '#clash=0000-2']) {
       await page.evaluate((hash) => (location.hash = hash), hash);
       await settled(page);
@@ -119,11 +109,10 @@ describe('the 3D view', () => {
       assert.equal(await page.textContent('#legend'), 'Abolt (2)Bplate');
       await page.keyboard.press('Escape');
     }
-    await close();
   });
 
-  test('a click on a part selects it in the tree', async () => {
-    const { page, close } = await browser.open(reviewPage(), { height: 560 });
+  test('a click on a part selects it in the tree', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { height: 560 });
     for (const id of [5, 10]) {
       const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
       await page.mouse.click(x, y);
@@ -148,11 +137,10 @@ describe('the 3D view', () => {
       0,
       'what is hidden is not hit',
     );
-    await close();
   });
 
   test('hiding, isolating, colours and fading change what is seen', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const seen = [(await picture(page)).png];
     const change = async (act) => {
       await act();
@@ -173,7 +161,7 @@ describe('the 3D view', () => {
   });
 
   test('sections, explosion and views change what is seen, and can be undone', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const whole = (await picture(page)).png;
     let last = whole;
     const differs = async (what) => {
@@ -219,7 +207,7 @@ describe('the 3D view', () => {
   });
 
   test('what a section cuts away is not hit', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const hit = async (id) => {
       const { x, y } = await page.evaluate((part) => window.impinge.screenPlace(part), id);
       await page.evaluate(() => window.impinge.store.set({ part: -1 }));
@@ -238,7 +226,7 @@ describe('the 3D view', () => {
   });
 
   test('is turned, moved and zoomed by mouse, wheel, keys and the cube', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const box = await page.locator('#canvas').boundingBox();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 3];
     let last = await stand(page);
@@ -279,8 +267,8 @@ describe('the 3D view', () => {
     await moved(['yaw', 'pitch'], 'cube');
   });
 
-  test('what hides a part of the chosen clash is seen through, and the control stays as it is', async () => {
-    const { page, close } = await browser.open(nestedPage());
+  test('what hides a part of the chosen clash is seen through, and the control stays as it is', async (t) => {
+    const page = await browser.visit(t, nestedPage());
     for (const scheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme: scheme });
       const shown = async (what) => {
@@ -310,11 +298,10 @@ describe('the 3D view', () => {
       assert.equal(await page.isChecked('#glass'), true);
       await page.keyboard.press('x');
     }
-    await close();
   });
 
   test('draws only when something changed', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     await settled(page);
     const count = await frames(page);
     for (let i = 0; i < 5; ++i) await settled(page);
@@ -332,50 +319,42 @@ describe('the 3D view', () => {
     await page.click('#clear-filters');
   });
 
-  test('is the same far from the origin', async () => {
+  test('is the same far from the origin', async (t) => {
     const pictures = [];
     for (const offset of [
       [0, 0, 0],
       [8388608, -4194304, 16777216],
     ]) {
-      const { page, close } = await browser.open(reviewPage({ offset }), { hash: '#clash=4' });
+      const page = await browser.visit(t, reviewPage({ offset }), { hash: '#clash=4' });
       pictures.push((await picture(page)).png);
-      await close();
     }
     assert.ok(pictures[0].equals(pictures[1]), 'powers of two move nothing by a rounding');
   });
 
-  test('copes with parts that are flat, mirrored, empty or nowhere', async () => {
+  test('copes with parts that are flat, mirrored, empty or nowhere', async (t) => {
     const { report, scene, geometry } = review();
     const poses = structuredClone(scene);
     poses.objects[0].pose.fill(0, 0, 3);
     poses.objects[1].pose[0] = -1;
     poses.objects[2].pose = new Array(12).fill(0);
     poses.objects[5].pose[3] = 1e300;
-    const { page, close } = await browser.open(compose({ report, scene: poses, geometry }), { hash: '#clash=1' });
+    const page = await browser.visit(t, { report, scene: poses, geometry }, { hash: '#clash=1' });
     assert.equal((await listed(page)).length, report.pairs.length);
     await page.keyboard.press('f');
     await page.keyboard.press('j');
-    await close();
   });
 
-  test('shows a report of no parts', async () => {
+  test('shows a report of no parts', async (t) => {
     const { report } = review({ triage: false });
     const none = { ...report, objects: [], pairs: [], counts: { ...report.counts, fail: 0 } };
-    const { page, close } = await browser.open(
-      compose({
-        report: none,
-        scene: { version: 1, title: 'none', triangles: 0, shown: 0, meshes: [], objects: [] },
-        geometry: 'eJwDAAAAAAE=',
-      }),
-    );
+    const scene = { version: 1, title: 'none', triangles: 0, shown: 0, meshes: [], objects: [] };
+    const page = await browser.visit(t, { report: none, scene, geometry: 'eJwDAAAAAAE=' });
     assert.match(await page.textContent('#verdict-line'), /Nothing fails/);
     await page.keyboard.press('f');
-    await close();
   });
 
-  test('10,000 parts open, and a click selects', async () => {
-    const { page, close } = await browser.open(plantPage(), { width: 1000, height: 640 });
+  test('10,000 parts open, and a click selects', async (t) => {
+    const page = await browser.visit(t, plantPage(), { width: 1000, height: 640 });
     assert.equal(await page.getAttribute('#clash-list', 'aria-rowcount'), '15000');
     const { count } = await picture(page);
     assert.ok(count > 50);
@@ -392,11 +371,10 @@ describe('the 3D view', () => {
     await page.waitForFunction(() => window.impinge.store.state.part >= 0);
     await page.fill('#parts-search', 'part 9999');
     assert.deepEqual(await listed(page, '.name', '#parts-tree'), ['plant.stl', 'hall 9', 'row 99', 'part 9999']);
-    await close();
   });
 
-  test('fingers turn, move and zoom', async () => {
-    const { page, close } = await browser.open(reviewPage(), { width: 390, height: 800, touch: true });
+  test('fingers turn, move and zoom', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { width: 390, height: 800, touch: true });
     const box = await page.locator('#canvas').boundingBox();
     const session = await page.context().newCDPSession(page);
     const fingers = (type, points) =>
@@ -426,6 +404,5 @@ describe('the 3D view', () => {
     const { x, y } = await page.evaluate(() => window.impinge.screenPlace(10));
     await page.touchscreen.tap(x, y);
     assert.ok((await page.evaluate(() => window.impinge.store.state.part)) >= -1);
-    await close();
   });
 });

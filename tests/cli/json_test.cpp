@@ -39,14 +39,10 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_EQ(hash.size(), 16U);
   EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
   ASSERT_EQ(answer.at("objects").size(), 2U);
-  EXPECT_EQ(answer.at("objects").at(1), (json{{"id", 1},
-                                              {"name", "b"},
-                                              {"path", answer.at("objects").at(1).at("path")},
-                                              {"product", ""},
-                                              {"file", "b.off"},
-                                              {"triangles", 12},
-                                              {"incomplete", nullptr},
-                                              {"properties", json::object()}}));
+  json object = json::parse(R"({"id":1,"name":"b","product":"","file":"b.off","triangles":12,"incomplete":null,
+    "properties":{}})");
+  object["path"] = answer.at("objects").at(1).at("path");
+  EXPECT_EQ(answer.at("objects").at(1), object);
   EXPECT_TRUE(answer.at("objects").at(1).at("path").is_string());
   EXPECT_EQ(answer.at("pairs"),
             (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));

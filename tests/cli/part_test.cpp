@@ -61,17 +61,9 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   const auto parse = [](const std::optional<Part>& of) { return json::parse(json_text(json_facts(of))); };
   part.facts.part_class = PartClass::solid;
   part.facts.pieces = {2, 0, 1};
-  EXPECT_EQ(parse(part), (json{{"class", "solid"},
-                               {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
-                               {"turned", 0},
-                               {"unclear_edges", 0},
-                               {"first_unclear_edge", nullptr},
-                               {"first_open_edge", nullptr},
-                               {"self_crossings", 0},
-                               {"first_self_crossing", nullptr},
-                               {"volume", 8.0},
-                               {"area", 24.0},
-                               {"inner_radius", 0.5}}));
+  EXPECT_EQ(parse(part), json::parse(R"({"class":"solid","pieces":{"solid":2,"cracked":0,"surface":1},"turned":0,
+    "unclear_edges":0,"first_unclear_edge":null,"first_open_edge":null,"self_crossings":0,"first_self_crossing":null,
+    "volume":8,"area":24,"inner_radius":0.5})"));
   part.facts.open_edges = 1;
   part.facts.open_edge = Segment{Point{0, 0, 1}, Point{0, 0, 1e300}};
   part.facts.self_crossings = 2;
@@ -81,17 +73,10 @@ TEST(Part, JsonIsNullWhereNothingIsKnown) {
   part.facts.turned = 5;
   part.facts.unclear_edges = 1;
   part.facts.unclear_edge = Segment{Point{0, 0, 1}, Point{0, 0, 2}};
-  EXPECT_EQ(parse(part), (json{{"class", "cracked"},
-                               {"pieces", {{"solid", 2}, {"cracked", 0}, {"surface", 1}}},
-                               {"turned", 5},
-                               {"unclear_edges", 1},
-                               {"first_unclear_edge", {{0.0, 0.0, 1.0}, {0.0, 0.0, 2.0}}},
-                               {"first_open_edge", {{0.0, 0.0, 1.0}, {0.0, 0.0, 1e300}}},
-                               {"self_crossings", 2},
-                               {"first_self_crossing", {{"triangles", {3, 7}}, {"near", {0.1, 0.0, 0.0}}}},
-                               {"volume", nullptr},
-                               {"area", 24.0},
-                               {"inner_radius", 0.5}}));
+  EXPECT_EQ(parse(part), json::parse(R"({"class":"cracked","pieces":{"solid":2,"cracked":0,"surface":1},"turned":5,
+    "unclear_edges":1,"first_unclear_edge":[[0,0,1],[0,0,2]],"first_open_edge":[[0,0,1],[0,0,1e300]],
+    "self_crossings":2,"first_self_crossing":{"triangles":[3,7],"near":[0.1,0,0]},
+    "volume":null,"area":24,"inner_radius":0.5})"));
   part.facts.part_class = PartClass::surface;
   EXPECT_TRUE(parse(part).at("inner_radius").is_null());
   const json unknown = parse(std::nullopt);

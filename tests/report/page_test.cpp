@@ -28,17 +28,11 @@ std::string unpacked(const std::string& base64, std::size_t size) {
   std::string bytes;
   unsigned bits = 0;
   int held = 0;
-  for (const char c : base64) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) {
-      EXPECT_EQ(c, '=');
-      continue;
-    }
-    bits = bits << 6U | static_cast<unsigned>(digit);
+  for (const char c : base64.substr(0, base64.find('='))) {
+    EXPECT_NE(kDigits.find(c), std::string_view::npos);
+    bits = bits << 6U | static_cast<unsigned>(kDigits.find(c));
     held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 0xFFU);
+    if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 0xFFU);
   }
   std::string out(size, '\0');
   uLongf length = size;
