@@ -87,8 +87,7 @@ Case narrow(int n, bool are_needles) {
                   return make_mesh(are_needles ? soup(n, seed, 1, -1, 0.01) : soup(n, seed, size, -0.5, 0.866));
                 };
                 const Mesh a = mesh(1, 1), b = mesh(2, 0.001);
-                return Question{twice(a), 1, [a, b](Options options, Workspace& workspace) {
-                                  options.partition = Partition::all;
+                return Question{twice(a), 1, [a, b](const Options& options, Workspace& workspace) {
                                   return ask_each(a, b, {{scenes::PosePair{}}}, options, workspace);
                                 }};
               },

@@ -3,7 +3,9 @@
 #include "scenes/solids.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -179,6 +181,15 @@ MeshData hull(const std::vector<std::array<int, 3>>& points, int turn) {
     }
   }
   return std::move(mesh).mesh();
+}
+
+Outline regular(int sides, double radius, double turn) {
+  Outline outline;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + turn) / sides;
+    outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
 }
 
 MeshData prism(const Outline& outline, double low, double high) {

@@ -32,6 +32,8 @@ MeshData block(const std::vector<double>& x, const std::vector<double>& y, const
 MeshData hull(const std::vector<std::array<int, 3>>& points, int turn = 0);
 
 using Outline = std::vector<std::array<double, 2>>;
+/// A regular polygon about the origin; `turn` is a share of the angle between two corners.
+Outline regular(int sides, double radius, double turn = 0);
 /// A convex outline, counterclockwise, from z = low to high.
 MeshData prism(const Outline& outline, double low, double high);
 /// What lies between two outlines of as many corners, from z = low to high.

@@ -30,16 +30,6 @@ inline constexpr std::uint8_t kTouching = 1 << static_cast<int>(Kind::touching);
 inline constexpr std::uint8_t kCoplanar = 1 << static_cast<int>(Kind::coplanar);
 inline constexpr std::uint8_t kAllKinds = kCrossing | kTouching | kCoplanar;
 
-/// How the CPU parts the triangles of two leaves before they are tested against each other. A device sweeps, but for
-/// "raster", whose tests the CPU prepares.
-enum class Partition : std::uint8_t {
-  automatic,  ///< `grid` with the backends "paper" and "raster", which are the paper's way; else `sweep`, which is
-              ///< faster
-  grid,       ///< the paper's uniform grid over the overlap: those that share a cell, and whose boxes meet
-  sweep,      ///< those whose boxes meet
-  all,        ///< not at all
-};
-
 /// Work done so far, for a progress display: read it from another thread while a query runs.
 struct Progress {
   std::atomic<std::uint64_t> done{0};   ///< object pairs finished
@@ -75,7 +65,6 @@ struct Options {
   /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself, by the cost
   /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.
   double device_share = -1;
-  Partition partition = Partition::automatic;
   Adjacency adjacency = Adjacency::by_position;
   bool statistics = false;    ///< read the clock for the times in `Statistics`; its counts are always there
   bool predict_cost = false;  ///< calibrate once, and fill the predicted time; includes `statistics`

@@ -75,16 +75,6 @@ void Partitioner::sort_into_cells(const PosedLeaf& a, const PosedLeaf& b) {
   map(a, in_a_), map(b, in_b_);
 }
 
-/// Without a grid: as if it had a single cell.
-void Partitioner::put_into_one_cell(const PosedLeaf& a, const PosedLeaf& b) {
-  const auto list = [](std::size_t size, std::vector<Element>& elements) {
-    elements.clear();
-    for (std::uint32_t i = 0; i < size; ++i) elements.push_back({i, 1});
-  };
-  list(a.leaf->edges.size(), in_a_.edges), list(a.leaf->triangles.size(), in_a_.triangles);
-  list(b.leaf->edges.size(), in_b_.edges), list(b.leaf->triangles.size(), in_b_.triangles);
-}
-
 std::uint32_t Partitioner::candidate(const PosedLeaf& a, std::uint32_t ta, const PosedLeaf& b, std::uint32_t tb,
                                      Batch& batch) {
   std::uint32_t& slot = candidates_[ta * b.leaf->triangles.size() + tb];
@@ -118,7 +108,7 @@ void Partitioner::stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& 
       shared_cells_ += static_cast<std::uint64_t>(std::popcount(near));
       for_each_bit(near, [&](std::uint32_t i) {
         const std::uint32_t e = edges[first + i].index;
-        if (partition_ != Partition::all && !overlap(edge_boxes_[of_edges.first_edge + e], triangle_boxes_[t])) return;
+        if (!overlap(edge_boxes_[of_edges.first_edge + e], triangle_boxes_[t])) return;
         const LeafEdge& edge = of_edges.leaf->edges[e];
         batch.tests.push_back(
             {of_edges.first_edge + e, t, pair_of(edge.left, triangle.index), pair_of(edge.right, triangle.index)});
@@ -130,12 +120,8 @@ void Partitioner::stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& 
 void Partitioner::append(const LeafPair& pair, const PlacedMeshes& placed, Batch& batch) {
   const PosedLeaf& a = posed(posed_a_, *pair.a, placed.mesh_a, placed.pose_a, batch);
   const PosedLeaf& b = posed(posed_b_, *pair.b, placed.mesh_b, placed.pose_b, batch);
-  if (partition_ != Partition::all && !overlap(a.box, b.box)) return;
-  if (partition_ == Partition::grid || partition_ == Partition::automatic) {
-    sort_into_cells(a, b);
-  } else {
-    put_into_one_cell(a, b);
-  }
+  if (!overlap(a.box, b.box)) return;
+  sort_into_cells(a, b);
   candidates_.assign(pair.a->triangles.size() * pair.b->triangles.size(), ElementTest::kNone);
   stream(true, a, b, batch);
   stream(false, a, b, batch);

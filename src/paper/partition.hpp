@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/pose.hpp"
-#include "impinge/options.hpp"
 #include "paper/batch.hpp"
 #include "paper/leaf_block.hpp"
 #include "partition/grid.hpp"
@@ -27,8 +26,6 @@ struct PlacedMeshes {
 /// as long as the batch is not cleared.
 class Partitioner {
  public:
-  explicit Partitioner(Partition partition) : partition_(partition) {}
-
   /// Appends the tests of one leaf pair to the batch.
   void append(const LeafPair& pair, const PlacedMeshes& placed, Batch& batch);
 
@@ -60,11 +57,9 @@ class Partitioner {
   const PosedLeaf& posed(PosedLeaves& leaves, const LeafBlock& leaf, const MeshData& mesh, const Pose& pose,
                          Batch& batch);
   void sort_into_cells(const PosedLeaf& a, const PosedLeaf& b);
-  void put_into_one_cell(const PosedLeaf& a, const PosedLeaf& b);
   void stream(bool edges_are_a, const PosedLeaf& a, const PosedLeaf& b, Batch& batch);
   std::uint32_t candidate(const PosedLeaf& a, std::uint32_t ta, const PosedLeaf& b, std::uint32_t tb, Batch& batch);
 
-  Partition partition_;
   std::uint64_t shared_cells_ = 0;
   PosedLeaves posed_a_, posed_b_;
   std::vector<Box> edge_boxes_, triangle_boxes_;  ///< of the batch's

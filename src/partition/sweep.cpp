@@ -16,7 +16,6 @@
 #include "core/compress-inl.hpp"
 #include "core/mask_bits-inl.hpp"
 #include "hierarchy/frame_relation-inl.hpp"
-#include "partition/leaf_cells.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::partition::HWY_NAMESPACE {
@@ -76,7 +75,7 @@ HWY_INLINE std::size_t pose_leaf(const hierarchy::WideLeafPair& pair, const Fram
       const auto greatest = hn::Add(hn::Max(p, hn::Max(q, t)), margin);
       hn::StoreU(least, d, s.box_b[2 * r] + first + lane);
       hn::StoreU(greatest, d, s.box_b[2 * r + 1] + first + lane);
-      const auto half = hn::Set(d, s.keep_all ? WideLeaf::kNoTriangle : a.half[r]);
+      const auto half = hn::Set(d, a.half[r]);
       reaches = hn::And(reaches, hn::And(hn::Le(least, half), hn::Ge(greatest, hn::Neg(half))));
     }
     const std::uint32_t bits = mask_bits(d, reaches);
@@ -135,14 +134,6 @@ HWY_INLINE void bound_leaf(const WideLeaf& a, SweepState& s) {
   }
 }
 
-/// A bit for each of as many of A's triangles as there are lanes, from `first` on, whose cells B's triangle shares.
-std::uint32_t sharing_a_cell(const SweepState& s, std::size_t first, std::size_t row) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i)
-    bits |= std::uint32_t{(s.cells_a[first + i] & s.cells_b[row]) != 0} << i;
-  return bits;
-}
-
 /// Turns to the next leaf pair of the group.
 void open_pair(SweepState& s) {
   const auto& member = s.group[s.next_pair];
@@ -150,7 +141,6 @@ void open_pair(SweepState& s) {
   s.next_first = s.end_first = 0;
   if (member.first_row == member.end_row) return;
   bound_leaf(a, s);
-  if (s.by_grid) map_to_cells(s);
   s.end_first = a.count;
 }
 
@@ -169,10 +159,8 @@ void find_hits(SweepState& s) {
     const auto meet = [&](int r, hn::Vec<Lanes> lo, hn::Vec<Lanes> hi) HWY_ATTR {
       return hn::And(hn::Le(lo, hn::Set(d, s.box_b[r + 1][row])), hn::Ge(hi, hn::Set(d, s.box_b[r][row])));
     };
-    std::uint32_t mask = filled;
-    if (!s.keep_all)
-      mask &= mask_bits(d, hn::And(meet(0, lo_x, hi_x), hn::And(meet(2, lo_y, hi_y), meet(4, lo_z, hi_z))));
-    if (s.by_grid) mask &= sharing_a_cell(s, first, row);
+    std::uint32_t mask =
+        filled & mask_bits(d, hn::And(meet(0, lo_x, hi_x), hn::And(meet(2, lo_y, hi_y), meet(4, lo_z, hi_z))));
     if (one_order) {
       const std::size_t place = row - member.first_lane, before = place - std::min(place, first);
       mask &= (1u << std::min<std::size_t>(before, SweepState::kMostLanes)) - 1;

@@ -8,8 +8,6 @@
 
 #include "hierarchy/tree_relation.hpp"
 #include "hierarchy/wide_leaf.hpp"
-#include "impinge/options.hpp"
-#include "partition/grid.hpp"
 #include "partition/pair_stream.hpp"
 
 namespace impinge::partition {
@@ -23,7 +21,6 @@ struct alignas(64) SweepState {
   static constexpr std::size_t kStride = kLanes + 16;  ///< rows apart; see PairStream
   static constexpr std::size_t kMostLanes = 16;
 
-  bool by_grid = false, keep_all = false;
   bool one_order = false;  ///< of a leaf and itself, only pairs whose second triangle is the later one
   std::span<const hierarchy::WideLeafPair> pairs;  ///< what is left, from the group at hand on
   const hierarchy::TreeRelation* relation = nullptr;
@@ -42,7 +39,6 @@ struct alignas(64) SweepState {
 
   // The leaf pair at hand, next_pair - 1.
   alignas(64) float box_a[6][kMostInLeaf];
-  Cells cells_a[kMostInLeaf], cells_b[kStride];
   std::size_t next_first, end_first;  ///< A's triangles that are still to be looked at
   struct {
     std::uint32_t row, mask;  ///< a triangle of B, and those of A, of as many as there are lanes, whose boxes it meets
@@ -57,10 +53,6 @@ struct alignas(64) SweepState {
 /// A's, where the boxes of both leaves' triangles are held against each other, many at a time.
 class Sweep {
  public:
-  void configure(Partition partition) {
-    state_.by_grid = partition == Partition::grid, state_.keep_all = partition == Partition::all;
-  }
-
   /// The work: leaf pairs of two trees, and how the second lies in the first. They stay as long as the work does.
   /// `is_self`: both are one tree in one place, whose leaves give each pair of their own triangles once.
   void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation,

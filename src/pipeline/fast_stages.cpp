@@ -77,10 +77,7 @@ FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const 
   walk.relation = hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent());
 }
 
-void FastStages::configure(const Options& options) {
-  first_only_ = options.find == Options::Find::first;
-  sweep_.configure(options.partition);
-}
+void FastStages::configure(const Options& options) { first_only_ = options.find == Options::Find::first; }
 
 void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
                            Statistics& statistics) {

@@ -514,7 +514,6 @@ Result<void> validate(const Options& options) {
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.adjacency > Adjacency::by_index) return bad("adjacency is neither by_position nor by_index");
-  if (options.partition > Partition::all) return bad("partition is none of automatic, grid, sweep and all");
   constexpr std::string_view kBackends[] = {"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"};
   if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
     return bad("there is no backend '" + std::string(options.backend) +

@@ -29,7 +29,6 @@ PlainStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
              *query.view.objects[objects.b].mesh, query.view.objects[objects.b].pose} {}
 
 void PlainStages::configure(const Options& options, gpu::ReadyDevice* device) {
-  partitioner_ = paper::Partitioner(options.partition);
   first_only_ = options.find == Options::Find::first;
   device_ = device;
   complaint_.clear();

@@ -34,7 +34,6 @@ class PlainStages {
     paper::PlacedMeshes placed;
   };
 
-  PlainStages() : partitioner_(Partition::automatic) {}
   /// `device`: draws the tests, and outlives the query; null: none.
   void configure(const Options& options, gpu::ReadyDevice* device);
 

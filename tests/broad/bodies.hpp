@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "broad/may_touch.hpp"
 #include "broad/near_pairs.hpp"
 #include "broad/object_pairs.hpp"
 #include "scene/scene_view.hpp"
@@ -36,6 +37,16 @@ inline broad::ObjectPairs pairs_of(const broad::NearPairs& near_pairs, const sce
   broad::ObjectPairs pairs(1, {7, 7});  // what was there before must go
   broad::NearPairs::Scratch scratch{{7}, {{7}, 7, {7}}};
   near_pairs.find(view, pairs, scratch);
+  return pairs;
+}
+
+/// By brute force: what the broad phase is held against.
+inline broad::ObjectPairs all_pairs(const scene::SceneView& view) {
+  broad::ObjectPairs pairs;
+  const auto n = static_cast<std::uint32_t>(view.objects.size());
+  for (std::uint32_t a = 0; a < n; ++a)
+    for (std::uint32_t b = a + 1; b < n; ++b)
+      if (broad::may_touch(view, a, b)) pairs.push_back({a, b});
   return pairs;
 }
 

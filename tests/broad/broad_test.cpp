@@ -7,7 +7,6 @@
 
 #include "broad/may_touch.hpp"
 #include "broad/near_pairs.hpp"
-#include "paper/all_pairs.hpp"
 #include "paper/sweep_and_prune.hpp"
 #include "tests/broad/bodies.hpp"
 #include "tests/core/support.hpp"
@@ -108,7 +107,7 @@ RC_GTEST_PROP(NearPairs, FindEveryPairThatBruteForceFinds,
   for (const std::vector<Placement>& frame : frames) {
     for (const Placement& step : frame) objects[step.object] = step.there ? placed(*step.there) : PlacedObject{};
     const SceneView view{objects, &ignored};
-    const broad::ObjectPairs expected = paper::all_pairs(view);
+    const broad::ObjectPairs expected = test::all_pairs(view);
     broad::NearPairs copy = near_pairs;
     test::update(near_pairs, objects);
     RC_ASSERT(test::pairs_of(near_pairs, view) == expected);
@@ -130,7 +129,7 @@ RC_GTEST_PROP(NearPairs, NeedToHearOfChangesOnly, (const std::vector<std::vector
       near_pairs.place(step.object, objects[step.object]);
     }
     near_pairs.update();
-    RC_ASSERT(test::pairs_of(near_pairs, {objects}) == paper::all_pairs({objects}));
+    RC_ASSERT(test::pairs_of(near_pairs, {objects}) == test::all_pairs({objects}));
   }
 }
 
@@ -141,7 +140,7 @@ RC_GTEST_PROP(AllPairs, HoldBoxesAndSpheresAndGroupsAndIgnoredPairs,
   for (const Place& place : places) objects.push_back(placed(place));
   scene::IgnoredPairs ignored;
   if (ignored_a % 8 != ignored_b % 8) ignored.insert(ignored_a % 8, ignored_b % 8);
-  const broad::ObjectPairs pairs = paper::all_pairs({objects, &ignored});
+  const broad::ObjectPairs pairs = test::all_pairs({objects, &ignored});
   auto next = pairs.begin();
   for (std::uint32_t a = 0; a < places.size(); ++a) {
     for (std::uint32_t b = a + 1; b < places.size(); ++b) {
@@ -193,7 +192,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
         for (PlacedObject& object : objects) put(object, anywhere());
       const SceneView view{objects, nullptr};
       const broad::ObjectPairs pairs = pairs_of(borders, view);
-      ASSERT_TRUE(pairs == paper::all_pairs(view)) << "frame " << frame;
+      ASSERT_TRUE(pairs == test::all_pairs(view)) << "frame " << frame;
       ASSERT_GT(pairs.size(), 20u);
     }
   }

@@ -6,7 +6,6 @@
 
 #include <functional>
 
-#include "paper/all_pairs.hpp"
 #include "scenes/random.hpp"
 #include "tests/broad/bodies.hpp"
 #include "tests/core/support.hpp"
@@ -49,7 +48,7 @@ void expect_right(std::vector<Body> bodies, int frames, const std::function<void
     broad::ObjectPairs pairs;
     broad::NearPairs::Scratch scratch;
     const std::size_t looked_at = near_pairs.find({objects}, pairs, scratch);
-    ASSERT_TRUE(pairs == paper::all_pairs({objects})) << "frame " << frame;
+    ASSERT_TRUE(pairs == test::all_pairs({objects})) << "frame " << frame;
     ASSERT_TRUE(frame > 0 || pairs.size() >= pairs_at_first);
     ASSERT_GE(looked_at, pairs.size());
     step(bodies, frame);
@@ -263,7 +262,7 @@ TEST(NearPairs, AreRightOnHardScenes) {
   scenes::Random& random = seeded.random;
   for (const HardScene& scene : hard_scenes(random)) {
     SCOPED_TRACE(scene.name);
-    ASSERT_FALSE(paper::all_pairs({placed(scene.bodies)}).empty());
+    ASSERT_FALSE(test::all_pairs({placed(scene.bodies)}).empty());
     expect_right(
         scene.bodies, 40,
         [&](std::vector<Body>& now, int frame) {
@@ -302,7 +301,7 @@ TEST(NearPairs, HeedGroupsThatChange) {
       if (seeded.random.integer(0, 9) == 0) object.group = static_cast<std::uint32_t>(seeded.random.integer(0, 2));
     test::update(near_pairs, objects);
     const broad::ObjectPairs pairs = test::pairs_of(near_pairs, {objects});
-    ASSERT_TRUE(pairs == paper::all_pairs({objects}));
+    ASSERT_TRUE(pairs == test::all_pairs({objects}));
     fewest = std::min(fewest, pairs.size()), most = std::max(most, pairs.size());
   }
   EXPECT_LT(fewest, most);

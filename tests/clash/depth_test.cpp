@@ -19,6 +19,7 @@ namespace impinge {
 namespace {
 
 using scenes::MeshData;
+using scenes::regular;
 
 Mesh box(const std::array<double, 3>& low, const std::array<double, 3>& high, int n = 1) {
   return test::mesh_of(scenes::box(low, high, n));
@@ -75,15 +76,6 @@ void expect_depths_when_moved(double a_in_b, double b_in_a, const MeshData& a, c
       expect(depth->a_in_b, a_in_b), expect(depth->b_in_a, b_in_a);
     }
   }
-}
-
-scenes::Outline circle(int sides, double radius) {
-  scenes::Outline outline;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / sides;
-    outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return outline;
 }
 
 /// c + a u + b v
@@ -186,9 +178,9 @@ TEST(OverlapDepth, OfFlushFacesIsNothingWhenMoved) {
   const MeshData plate = scenes::box({-3, -3, -1}, {3, 3, 0});
   for (const int sides : {5, 16, 50}) {
     expect_depths_when_moved(0, 0, plate, scenes::pipe(sides, 1, 1, 2, true), 31);
-    expect_depths_when_moved(0, 0, scenes::box({-3, -3, -1}, {3, 3, 0}, 4), scenes::prism(circle(sides, 1), 0, 2), 32);
-    expect_depths_when_moved(0, 0, scenes::ring(circle(sides, 2), circle(sides, 1), 0, 1),
-                             scenes::prism(circle(sides, 1), -1, 2), 33);
+    expect_depths_when_moved(0, 0, scenes::box({-3, -3, -1}, {3, 3, 0}, 4), scenes::prism(regular(sides, 1), 0, 2), 32);
+    expect_depths_when_moved(0, 0, scenes::ring(regular(sides, 2), regular(sides, 1), 0, 1),
+                             scenes::prism(regular(sides, 1), -1, 2), 33);
   }
   expect_depths_when_moved(0, 0, scenes::box({0, 0, 0}, {1, 1, 1}, 5), scenes::box({0, 0, 1}, {1, 1, 2}, 7), 34);
   expect_depths_when_moved(0, 0, scenes::box({0, 0, 0}, {1, 1, 1}, 3), scenes::box({0.3, 0.4, 1}, {1.3, 1.4, 2}, 4),
@@ -226,8 +218,10 @@ TEST(OverlapDepth, OfConvexSolidsIsWhatTheirPlanesSay) {
   int deep = 0;
   for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     test::Seeded seeded(seed);
-    const Mesh a = seed % 2 == 0 ? test::mesh_of(scenes::prism(circle(7, 1), -0.5, 0.5)) : box({0, 0, 0}, {1, 1, 1}, 2);
-    const Mesh b = seed % 3 == 0 ? test::mesh_of(scenes::prism(circle(6, 0.5), -2, 2)) : box({-1, -1, -0.1}, {1, 1, 0});
+    const Mesh a =
+        seed % 2 == 0 ? test::mesh_of(scenes::prism(regular(7, 1), -0.5, 0.5)) : box({0, 0, 0}, {1, 1, 1}, 2);
+    const Mesh b =
+        seed % 3 == 0 ? test::mesh_of(scenes::prism(regular(6, 0.5), -2, 2)) : box({-1, -1, -0.1}, {1, 1, 0});
     const Pose pose_a = scenes::random_motion(seeded.random, 0.4), pose_b = scenes::random_motion(seeded.random, 0.4);
     const auto depth = overlap_depth(a, pose_a, b, pose_b, 0.01);
     ASSERT_TRUE(depth) << depth.error().message;

@@ -17,6 +17,7 @@ namespace {
 using scenes::box;
 using scenes::MeshData;
 using scenes::pipe;
+using scenes::regular;
 using scenes::shifted;
 using test::expect_near;
 
@@ -34,12 +35,6 @@ struct Flush {
   std::vector<Expected> regions;  ///< in their order
 };
 
-scenes::Outline regular(int sides, double radius) {
-  scenes::Outline outline;
-  for (int i = 0; i < sides; ++i)
-    outline.push_back({radius * std::cos(2 * kPi * i / sides), radius * std::sin(2 * kPi * i / sides)});
-  return outline;
-}
 double area_of(int sides, double radius) { return sides * radius * radius * std::sin(2 * kPi / sides) / 2; }
 double length_of(int sides, double radius) { return 2 * sides * radius * std::sin(kPi / sides); }
 

@@ -4,8 +4,6 @@
 /// Parts whose verdict is plain, in shapes that a tolerance could mistake: each as it is and after rigid motions.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,15 +44,6 @@ void expect_verdict(Verdict verdict, const MeshData& a, const MeshData& b,
   }
 }
 
-MeshData disc(int sides, double low, double high) {
-  scenes::Outline outline;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / sides;
-    outline.push_back({std::cos(angle), std::sin(angle)});
-  }
-  return scenes::prism(outline, low, high);
-}
-
 /// A plane of two triangles at x, with its normal to +x.
 MeshData wall(double x, double low_z, double high_z) {
   return {{x, -1, low_z, x, 1, low_z, x, 1, high_z, x, -1, high_z}, {0, 1, 2, 0, 2, 3}};
@@ -74,7 +63,7 @@ TEST(Noise, OneShellIsSharedAndAnotherFillsACavity) {
 
 TEST(Noise, OneFlushTriangleFacesHundreds) {
   const MeshData plate = box({-2, -2, -1}, {2, 2, 0});
-  expect_verdict(Verdict::touching, plate, disc(400, 0, 1));
+  expect_verdict(Verdict::touching, plate, scenes::prism(scenes::regular(400, 1), 0, 1));
   expect_verdict(Verdict::touching, plate, box({-1, -1, 0}, {1, 1, 2}, 30));
   expect_verdict(Verdict::touching, plate, box({-1, -1, -0.09}, {1, 1, 2}, 25), 0.1);
   expect_verdict(Verdict::penetrating, plate, box({-1, -1, -0.11}, {1, 1, 2}, 25), 0.1);
@@ -90,15 +79,7 @@ TEST(Noise, AShelfEndsOnTwoWallsOfOnePart) {
 
 /// A pipe of 13 sides, open somewhere at its far end.
 MeshData open_pipe(double low, double high, double far_end, double turn) {
-  const auto circle = [&](double radius) {
-    scenes::Outline outline;
-    for (int i = 0; i < 13; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + turn) / 13;
-      outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return outline;
-  };
-  MeshData pipe = scenes::ring(circle(2), circle(0.9), low, high);
+  MeshData pipe = scenes::ring(scenes::regular(13, 2, turn), scenes::regular(13, 0.9, turn), low, high);
   for (std::size_t t = 0; t < pipe.triangles.size(); t += 3) {
     const auto is_far = [&](std::size_t k) { return pipe.xyz[3 * pipe.triangles[t + k] + 2] == far_end; };
     if (!is_far(0) || !is_far(1) || !is_far(2)) continue;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/core/ways.hpp"
 
-#include <array>
-
 #include "tests/core/instruction_sets.hpp"
 
 namespace impinge::test {
@@ -12,9 +10,8 @@ namespace {
 std::vector<Way> make_all_ways() {
   std::vector<Way> ways;
   const auto add = [&](const char* backend, std::int64_t set) {
-    for (const Partition partition : {Partition::automatic, Partition::grid, Partition::sweep, Partition::all})
-      for (const std::uint32_t leaf_size : {0u, 1u, 2u, 3u, 8u, 16u, 17u, 32u, 64u, 256u})
-        for (const int threads : {1, 2, 8}) ways.push_back({backend, set, partition, leaf_size, threads});
+    for (const std::uint32_t leaf_size : {0u, 1u, 2u, 3u, 8u, 16u, 17u, 32u, 64u, 256u})
+      for (const int threads : {1, 2, 8}) ways.push_back({backend, set, leaf_size, threads});
   };
   for (const std::int64_t set : instruction_sets()) add("simd", set);
   add("scalar", instruction_sets().front());
@@ -24,9 +21,7 @@ std::vector<Way> make_all_ways() {
 }  // namespace
 
 std::string Way::name() const {
-  constexpr std::array kPartitions{"automatic", "grid", "sweep", "all"};
-  return backend + ", partition " + kPartitions[static_cast<std::size_t>(partition)] + ", leaf size " +
-         std::to_string(leaf_size) + ", " + std::to_string(threads) + " threads";
+  return backend + ", leaf size " + std::to_string(leaf_size) + ", " + std::to_string(threads) + " threads";
 }
 
 const std::vector<Way>& all_ways() {

@@ -14,16 +14,15 @@ namespace impinge::test {
 struct Way {
   std::string backend;
   std::int64_t instruction_set;
-  Partition partition;
   std::uint32_t leaf_size;
   int threads;
 
-  [[nodiscard]] Options options() const { return {.threads = threads, .backend = backend, .partition = partition}; }
+  [[nodiscard]] Options options() const { return {.threads = threads, .backend = backend}; }
   /// For the trace of what fails; the instruction set tells its own name.
   [[nodiscard]] std::string name() const;
 };
 
-/// Every backend on every instruction set that it may run on, with every partition, leaf size and number of threads.
+/// Every backend on every instruction set that it may run on, with every leaf size and number of threads.
 const std::vector<Way>& all_ways();
 
 }  // namespace impinge::test

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "impinge/scene.hpp"
-#include "paper/all_pairs.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/broad/bodies.hpp"
@@ -99,7 +98,7 @@ TEST(NearPairs, AreRightAfterMemoryRanOut) {
         for (std::uint32_t i = 0; i < n; ++i) near_pairs.place(i, objects[i]);
       }
       near_pairs.update();
-      ASSERT_TRUE(test::pairs_of(near_pairs, {objects}) == paper::all_pairs({objects}))
+      ASSERT_TRUE(test::pairs_of(near_pairs, {objects}) == test::all_pairs({objects}))
           << "after the failure of allocation " << allowed << " after " << frames << " frames";
     }
   }

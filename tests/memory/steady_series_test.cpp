@@ -34,12 +34,9 @@ std::vector<Pose> poses_along(const Pose& from, int n, double step) {
 
 /// All options that change which code runs.
 std::vector<Options> all_options() {
-  std::vector<Options> all;
-  for (const Partition partition : {Partition::automatic, Partition::grid, Partition::all})
-    all.push_back({.threads = 1, .backend = "simd", .partition = partition});
-  all.push_back({.find = Options::Find::first, .threads = 1, .backend = "simd"});
-  all.push_back({.kinds = kCrossing, .threads = 1});
-  return all;
+  return {{.threads = 1, .backend = "simd"},
+          {.find = Options::Find::first, .threads = 1, .backend = "simd"},
+          {.kinds = kCrossing, .threads = 1}};
 }
 
 TEST(SteadySeries, OfPairsAllocatesNothing) {

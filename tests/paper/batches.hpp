@@ -27,8 +27,8 @@ class LeavesOf {
   [[nodiscard]] paper::PlacedMeshes placed() const {
     return {numbers_of(mesh_a_), pose_a_, numbers_of(mesh_b_), pose_b_};
   }
-  [[nodiscard]] paper::Batch batch(Partition how) const {
-    paper::Partitioner partitioner(how);
+  [[nodiscard]] paper::Batch batch() const {
+    paper::Partitioner partitioner;
     paper::Batch batch;
     for (const paper::LeafPair& pair : pairs_) partitioner.append(pair, placed(), batch);
     return batch;

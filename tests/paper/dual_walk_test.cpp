@@ -10,7 +10,6 @@
 #include <set>
 
 #include "broad/may_touch.hpp"
-#include "paper/all_pairs.hpp"
 #include "scene/scene_view.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"

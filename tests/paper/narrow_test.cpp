@@ -132,8 +132,8 @@ TEST(Scalar, DecidesPlainCases) {
 
 /// Folded verdicts of whole batches against the exact classification of each pair, and the exact stage's answer
 /// against brute force.
-void expect_true_batch(const test::LeavesOf& leaves, Partition partition, const std::vector<test::Contact>& expected) {
-  const Batch batch = leaves.batch(partition);
+void expect_true_batch(const test::LeavesOf& leaves, const std::vector<test::Contact>& expected) {
+  const Batch batch = leaves.batch();
   std::vector<Verdict> tests{Verdict::crossing};
   paper::test_edges(batch, tests);
   ASSERT_EQ(tests.size(), batch.tests.size());
@@ -162,9 +162,7 @@ TEST(Narrow, AgreesWithTheExactClassification) {
   for (const test::NamedScene& named : test::hard_scenes(seeded.random, 32)) {
     SCOPED_TRACE(named.name);
     const test::LeavesOf leaves(named.scene, 8);
-    const std::vector<test::Contact> expected = test::brute_force(named.scene);
-    for (const Partition partition : {Partition::grid, Partition::sweep, Partition::all})
-      expect_true_batch(leaves, partition, expected);
+    expect_true_batch(leaves, test::brute_force(named.scene));
   }
 }
 

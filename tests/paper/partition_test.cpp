@@ -76,24 +76,18 @@ void expect_reaches_all(const Batch& batch, const std::vector<test::Contact>& co
 
 TEST(Partition, LetsEveryTouchingPairGoOnOnce) {
   test::Seeded seeded(1);
-  std::map<Partition, std::size_t> tests;
+  std::size_t tests = 0, all = 0;
   for (const test::NamedScene& named : test::hard_scenes(seeded.random, 32)) {
     SCOPED_TRACE(named.name);
     const test::LeavesOf leaves(named.scene, 8);
-    const std::vector<test::Contact> contacts = test::brute_force(named.scene);
-    for (const Partition how : {Partition::automatic, Partition::grid, Partition::sweep, Partition::all}) {
-      const Batch batch = leaves.batch(how);
-      expect_consistent(batch, leaves);
-      expect_reaches_all(batch, contacts);
-      tests[how] += batch.tests.size();
-      if (how == Partition::all) {
-        EXPECT_EQ(batch.pairs.size(), leaves.world_a().size() * leaves.world_b().size());
-      }
-    }
+    const Batch batch = leaves.batch();
+    expect_consistent(batch, leaves);
+    expect_reaches_all(batch, test::brute_force(named.scene));
+    tests += batch.tests.size();
+    for (const auto& [a, b] : leaves.pairs())
+      all += a->edges.size() * b->triangles.size() + b->edges.size() * a->triangles.size();
   }
-  EXPECT_LT(tests[Partition::sweep], tests[Partition::all] / 2);  // boxes do their work
-  EXPECT_EQ(tests[Partition::grid], tests[Partition::sweep]);     // what the grid does, it only does sooner
-  EXPECT_EQ(tests[Partition::automatic], tests[Partition::grid]);
+  EXPECT_LT(tests, all / 2);  // boxes do their work
 }
 
 /// Two equal strips of 32 squares in one plane. No element is longer than a square, and more than half of them are as
@@ -102,17 +96,12 @@ TEST(Partition, LetsEveryTouchingPairGoOnOnce) {
 TEST(Partition, FormsPairsOfWhatSharesACellAlone) {
   const test::LeavesOf leaves({{scenes::flat_grid(32, 1)}, {{.mesh = 0}, {.mesh = 0, .pose = {.t = {0.25, 0.25, 0}}}}},
                               64);
-  const auto shared_cells = [&](Partition how) {
-    paper::Partitioner partitioner(how);
-    Batch batch;
-    partitioner.append(leaves.pairs()[0], leaves.placed(), batch);
-    EXPECT_GE(partitioner.shared_cells(), batch.tests.size());
-    return partitioner.shared_cells();
-  };
-  EXPECT_EQ(shared_cells(Partition::all), 2u * 129 * 64);
-  EXPECT_EQ(shared_cells(Partition::sweep), 2u * 129 * 64);
-  EXPECT_LT(shared_cells(Partition::grid), 2u * 129 * 64 / 4);
-  EXPECT_GT(shared_cells(Partition::grid), 0u);
+  paper::Partitioner partitioner;
+  Batch batch;
+  partitioner.append(leaves.pairs()[0], leaves.placed(), batch);
+  EXPECT_GE(partitioner.shared_cells(), batch.tests.size());
+  EXPECT_LT(partitioner.shared_cells(), 2u * 129 * 64 / 4);
+  EXPECT_GT(batch.tests.size(), 0u);
 }
 
 /// A leaf that comes again keeps its posed elements; what is streamed is the same as with nothing kept.
@@ -120,10 +109,10 @@ TEST(Partition, KeepsAPosedLeafWithoutChangingAnything) {
   test::Seeded seeded(2);
   for (const test::NamedScene& named : test::hard_scenes(seeded.random, 24)) {
     const test::LeavesOf leaves(named.scene, 5);
-    const Batch kept = leaves.batch(Partition::grid);
+    const Batch kept = leaves.batch();
     std::size_t next_test = 0, next_pair = 0;
     for (const paper::LeafPair& pair : leaves.pairs()) {
-      paper::Partitioner fresh(Partition::grid);
+      paper::Partitioner fresh;
       Batch batch;
       fresh.append(pair, leaves.placed(), batch);
       ASSERT_LE(next_test + batch.tests.size(), kept.tests.size());
@@ -142,7 +131,7 @@ TEST(Partition, KeepsAPosedLeafWithoutChangingAnything) {
 
 TEST(Partition, StartsAnewAfterTheBatchWasCleared) {
   const test::LeavesOf leaves({{scenes::cube()}, {{.mesh = 0}, {.mesh = 0, .pose = {.t = {0.5, 0.5, 0.5}}}}}, 12);
-  paper::Partitioner partitioner(Partition::grid);
+  paper::Partitioner partitioner;
   Batch batch;
   partitioner.append(leaves.pairs()[0], leaves.placed(), batch);
   const std::size_t tests = batch.tests.size(), vertices = batch.vertices.size();

@@ -4,7 +4,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <map>
 #include <numeric>
 
@@ -83,29 +82,6 @@ TEST(Answer, IsTransposedWhenTheMeshesAreSwapped) {
     EXPECT_EQ(test::transposed(test::listed(ab)), test::listed(ba));
     // A scene of the two is the same question.
     test::expect_same(ab, test::scene_of(named.scene).collide().value());
-  }
-}
-
-TEST(Answer, IsTheSameInEveryFloatingPointModeOfTheCaller) {
-  std::vector<test::NamedScene> scenes{{"crowd", test::crowd(6)}};
-  test::Seeded seeded(6);
-  for (test::NamedScene& named : test::hard_scenes(seeded.random, 24)) scenes.push_back(std::move(named));
-  for (const test::NamedScene& named : scenes) {
-    SCOPED_TRACE(named.name);
-    const Contacts expected = test::scene_of(named.scene).collide().value();
-    for (const int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-      for (const bool flush : {false, true}) {
-        const test::CallersMode mode(rounding, flush);
-        Scene scene = test::scene_of(named.scene);  // spheres and hashes of meshes as well
-        ASSERT_TRUE(scene.update());
-        for (const char* backend : {"simd", "paper"}) {
-          const auto found = scene.collide({.threads = flush ? 2 : 1, .backend = backend});
-          EXPECT_TRUE(mode.is_untouched());
-          ASSERT_TRUE(found);
-          test::expect_same(expected, *found);
-        }
-      }
-    }
   }
 }
 

@@ -47,7 +47,6 @@ TEST(Options, ThatCannotBeAreRefused) {
   expect_refused({.find = static_cast<Options::Find>(2)}, "find");
   expect_refused({.backend = "vulkan"}, "'vulkan'");
   expect_refused({.backend = ""}, "auto");
-  expect_refused({.partition = static_cast<Partition>(4)}, "partition");
   for (const char* backend : {"auto", "simd", "paper"}) EXPECT_TRUE(scene.collide({.backend = backend}));
 }
 

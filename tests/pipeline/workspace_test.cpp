@@ -65,13 +65,12 @@ std::vector<WorkspaceQuestion> all_questions() {
   for (const char* backend : {"simd", "paper", "auto"}) {
     for (const int threads : {1, 2}) {
       const Options plain{.threads = threads, .backend = backend};
-      Options first = plain, limited = plain, touching = plain, all = plain, stop = plain;
+      Options first = plain, limited = plain, touching = plain, stop = plain;
       first.find = Options::Find::first;
       limited.limit = 17;
       touching.kinds = kTouching;
-      all.partition = Partition::all;
       stop.stop = stopped.get_token();
-      for (const Options& options : {plain, first, limited, touching, all, stop}) {
+      for (const Options& options : {plain, first, limited, touching, stop}) {
         // Which witness `first` finds is open with several threads.
         if (options.find == Options::Find::first && threads != 1) continue;
         questions.push_back(question([=](Workspace* w) { return scene->collide(options, w); }));
