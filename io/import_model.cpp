@@ -45,6 +45,7 @@ Result<Model> model_of(Imported&& imported, const Source& source) {
   }
   for (ImportedGroup& group : imported.groups) model.groups.push_back({std::move(group.name), known(group.parent)});
   model.animations = std::move(imported.animations);
+  model.grids = std::move(imported.grids);
   model.unit_in_metres = imported.unit_in_metres;
   PrecisionCheck precision;
   for (ImportedObject& object : imported.objects) {

@@ -11,7 +11,7 @@
 namespace impinge::io {
 namespace {
 
-constexpr std::string_view kMagic = "impinge5";
+constexpr std::string_view kMagic = "impinge6";
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
 /// Numbers of a key.
@@ -56,6 +56,8 @@ class Decoder {
         return read(out_.unit_in_metres.emplace());
       case 'D':
         return out_.exact_places = true;
+      case 'R':
+        return grid();
       case 'N':
         return node();
       case 'A':
@@ -133,6 +135,20 @@ class Decoder {
     if (out_.objects.empty()) return false;
     auto& [name, value] = out_.objects.back().properties.emplace_back();
     return read(name, value);
+  }
+
+  bool grid() {
+    Grid& grid = out_.grids.emplace_back();
+    std::uint32_t axes = 0;
+    if (!read(grid.name, grid.storey, axes)) return false;
+    for (; axes > 0; --axes) {
+      GridAxis& axis = grid.axes.emplace_back();
+      std::uint64_t points = 0;
+      if (!read(axis.tag, axis.family, points) || axis.family > 2) return false;
+      if (points < 2 || points > rest_.size() / sizeof(Point)) return false;
+      if (!numbers(axis.points, points)) return false;
+    }
+    return true;
   }
 
   bool node() {
@@ -241,6 +257,16 @@ void ImportWriter::animation(const Animation& animation) {
   }
   for (const Unfollowed& lost : animation.unfollowed)
     record('U', lost.node.value_or(kNoNode), number(lost.what), lost.sentence);
+}
+
+void ImportWriter::grid(const Grid& grid) {
+  record('R', grid.name, grid.storey, static_cast<std::uint32_t>(grid.axes.size()));
+  for (const GridAxis& axis : grid.axes) {
+    field(axis.tag);
+    field(axis.family);
+    field(std::uint64_t{axis.points.size()});
+    bytes(axis.points.data(), axis.points.size() * sizeof(Point));
+  }
 }
 
 void ImportWriter::property(std::string_view name, std::string_view value) { record('P', name, value); }

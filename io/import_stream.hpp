@@ -18,7 +18,7 @@
 /// a letter and its fields. Numbers are 32-bit or 64-bit unsigned integers and doubles in the machine's byte order; a
 /// text is its length (32 bits) and its bytes.
 ///
-///     "impinge5"
+///     "impinge6"
 ///     'M' mesh     vertices (64), triangles (64), 3 doubles a vertex, 3 indices (32) a triangle
 ///     'G' group    name; parent (32)
 ///     'O' object   name, path, product: texts; mesh, node, group (32 each), 16 doubles: the world matrix, row-major
@@ -26,6 +26,7 @@
 ///     'I' lost     of the last 'O': text: what of its shape is left out
 ///     'L' unit     double: metres in one of the file's units of length
 ///     'D' places   no field: the world matrices never were 32-bit floats
+///     'R' grid     name, storey: texts; axes (32), and for each tag: text; family (32), points (64), 3 doubles each
 ///     'N' node     parent (32), 16 doubles: its matrix to its parent; 3 doubles: scale, 4: rotation, 3: translation
 ///     'A' anim     name; double: seconds
 ///     'T' track    of the last 'A': node, property, between (32 each), keys (64), a double a key, and the values
@@ -69,6 +70,7 @@ struct Imported {
   std::vector<ImportedNode> nodes;
   std::vector<ImportedGroup> groups;
   std::vector<Animation> animations;
+  std::vector<Grid> grids;
   std::vector<std::string> warnings, missing;
   std::optional<double> unit_in_metres;
   bool exact_places = false;
@@ -85,6 +87,7 @@ class ImportWriter {
               std::uint32_t node, std::uint32_t group, const std::array<double, 16>& world);
   void node(const ImportedNode& node);
   void animation(const Animation& animation);
+  void grid(const Grid& grid);
   void property(std::string_view name, std::string_view value);
   void incomplete(std::string_view text);
   void unit(double metres);

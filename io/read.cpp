@@ -127,7 +127,8 @@ std::string foreign_format(const std::filesystem::path& file) {
 }
 
 /// Multiplies every coordinate: vertices by the formula of a pose, so that meshes stay shared and answers do not
-/// depend on who scales; the shifts of poses, nodes and tracks by one product each.
+/// depend on who scales; points of grids and the shifts of poses, nodes and tracks by
+/// one product each.
 Result<void> scale_model(Model& model, double scale, const Source& source) {
   std::unordered_map<const MeshState*, Mesh> scaled;
   for (Object& object : model.objects) {
@@ -149,6 +150,9 @@ Result<void> scale_model(Model& model, double scale, const Source& source) {
   const auto scale_all = [&](auto& lengths) {
     for (double& length : lengths) length *= scale;
   };
+  for (Grid& grid : model.grids)
+    for (GridAxis& axis : grid.axes)
+      for (Point& p : axis.points) p = {scale * p.x, scale * p.y, scale * p.z};
   for (Node& node : model.nodes) scale_all(node.local.t), scale_all(node.translation);
   for (Animation& animation : model.animations)
     for (Track& track : animation.tracks)

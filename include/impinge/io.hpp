@@ -82,6 +82,20 @@ struct Animation {
   std::vector<Unfollowed> unfollowed{};
 };
 
+/// An axis of a building's grid, in the coordinates of the objects.
+struct GridAxis {
+  std::string tag;            ///< "B"; empty: it has none
+  std::uint32_t family = 0;   ///< 0 to 2: U, V, W of IfcGrid; axes of one family do not cross
+  std::vector<Point> points;  ///< two or more, joined by straight lines; of a closed axis the last is the first
+};
+
+/// Axes by which people say where something is, of IFC alone.
+struct Grid {
+  std::string name;
+  std::string storey;  ///< that it is for, by its name; empty: the whole building
+  std::vector<GridAxis> axes;
+};
+
 struct Model {
   std::vector<Object> objects;        ///< in the file's order
   std::vector<std::string> warnings;  ///< sentences: lost precision, turned axes, changed units
@@ -90,6 +104,7 @@ struct Model {
   std::vector<Group> groups;          ///< parents first
   std::vector<Animation> animations;
   std::optional<double> unit_in_metres{};  ///< metres in one of the units of the coordinates, where the file says it
+  std::vector<Grid> grids{};               ///< without those of which some axis could not be read
 };
 
 /// Where each of the model's nodes is in the world at a time of an animation; before its first key and after its last

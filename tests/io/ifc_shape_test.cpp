@@ -42,6 +42,15 @@ TEST(IfcShape, SolidsHaveTheVolumesOfTheirFormulas) {
                          10);
   };
   static const auto make = profile;
+  const auto by_operator = [](Step& step, const std::string& first_axes, const std::string& third) {
+    const std::string map = step.line("IFCREPRESENTATIONMAP(" + step.origin + "," +
+                                      step.shown(step.extruded(step.rectangle(4, 3), 10)) + ")");
+    return step.line("IFCMAPPEDITEM(" + map + "," +
+                     step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D(" + first_axes + "," + step.point({0, 0, 0}) +
+                               ",2.," + third + ")") +
+                     ")");
+  };
+  static const auto mapped = by_operator;
   const double chords = 24 * std::sin(std::numbers::pi / 24);  // the area of 48 chords in a circle of radius 1
   const std::vector<Case> cases{
       {"rectangle", [](Step& s) { return make(s, "IFCRECTANGLEPROFILEDEF(.AREA.,$,@,4.,3.)"); }, 120, 1e-5},
@@ -113,6 +122,24 @@ TEST(IfcShape, SolidsHaveTheVolumesOfTheirFormulas) {
        },
        // 12 chords of a quarter circle of radius 2.
        10 * (20 + 12 * 4 * std::sin(std::numbers::pi / 48)), 1e-4},
+      {"centre line of a line backwards and a trimmed circle",
+       [](Step& s) {
+         const std::string circle = s.line(
+             "IFCCIRCLE(" +
+             s.line("IFCAXIS2PLACEMENT2D(" + s.point(10, 2) + "," + s.line("IFCDIRECTION((0.,-1.))") + ")") + ",2.)");
+         const auto segment = [&](const std::string& curve, const char* sense) {
+           return s.line(std::string("IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,") + sense + "," + curve + ")");
+         };
+         const std::string line = s.line(
+             "IFCCOMPOSITECURVE((" +
+             segment(s.line("IFCPOLYLINE((" + s.point(10, 0) + "," + s.point(0, 0) + "))"), ".F.") + "," +
+             segment(s.line("IFCTRIMMEDCURVE(" + circle + ",(IFCPARAMETERVALUE(0.)),(" + s.point(12, 2) +
+                            "),.T.,.UNSPECIFIED.)"),
+                     ".T.") +
+             "," + segment(s.line("IFCPOLYLINE((" + s.point(12, 2) + "," + s.point(12, 12) + "))"), ".T.") + "),.F.)");
+         return s.extruded(s.line("IFCCENTERLINEPROFILEDEF(.CURVE.,$," + line + ",1.)"), 10);
+       },
+       10 * (20 + 12 * 4 * std::sin(std::numbers::pi / 48)), 1e-4},
       {"centre line that is closed",
        [](Step& s) {
          const std::string first = s.point(0, 0);
@@ -149,6 +176,54 @@ TEST(IfcShape, SolidsHaveTheVolumesOfTheirFormulas) {
          return s.extruded(s.line("IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$," + outer + ",(" + inner + "))"), 10);
        },
        320, 1e-4},
+      {"direction that is not of length 1",
+       [](Step& s) {
+         return s.line("IFCEXTRUDEDAREASOLID(" + s.rectangle(4, 3) + "," + s.origin + "," + s.direction({0, 3, 4}) +
+                       ",10.)");
+       },
+       4 * 3 * 10 * 0.8, 1e-4},
+      {"mapped by axes that are not at right angles",
+       [](Step& s) {
+         return mapped(s, s.direction({2, 0, 0}) + "," + s.direction({1, 1, 0}), "$");
+       },
+       120 * 8, 1e-3},
+      {"mapped by a first axis alone",
+       [](Step& s) {
+         return mapped(s, s.direction({1, 1, 0}) + ",$", "$");
+       },
+       120 * 8, 1e-3},
+      {"mapped by a second axis alone",
+       [](Step& s) {
+         return mapped(s, "$," + s.direction({1, 0, 0}), "$");
+       },
+       120 * 8, 1e-3},
+      {"mapped by the outer axes",
+       [](Step& s) {
+         return mapped(s, s.direction({0, 1, 0}) + ",$", s.direction({1, 0, 0}));
+       },
+       120 * 8, 1e-3},
+      {"derived by a first axis alone",
+       [](Step& s) {
+         return s.extruded(s.line("IFCDERIVEDPROFILEDEF(.AREA.,$," + s.rectangle(4, 3) + "," +
+                                  s.line("IFCCARTESIANTRANSFORMATIONOPERATOR2D(" + s.line("IFCDIRECTION((0.,2.))") +
+                                         ",$," + s.point(1, 2) + ",2.)") +
+                                  ",$)"),
+                           10);
+       },
+       120 * 4, 1e-3},
+      {"windows in one line",
+       [](Step& s) {
+         const auto rectangle = [&](double x, double y, double to_x, double to_y) {
+           const std::string first = s.point(x, y);
+           return s.line("IFCPOLYLINE((" + first + "," + s.point(to_x, y) + "," + s.point(to_x, to_y) + "," +
+                         s.point(x, to_y) + "," + first + "))");
+         };
+         return s.extruded(
+             s.line("IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$," + rectangle(0, 0, 10, 5) + ",(" +
+                    rectangle(1, 1, 2, 2) + "," + rectangle(3, 1, 4, 2) + "," + rectangle(6, 1, 7, 3) + "))"),
+             2);
+       },
+       2 * (50 - 1 - 1 - 2), 1e-4},
       {"half space",
        [](Step& s) {
          const std::string plane = s.line("IFCPLANE(" + s.axes({0, 0, 4}, {0, 0, 1}, {1, 0, 0}) + ")");

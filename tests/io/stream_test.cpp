@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -41,6 +42,11 @@ std::string written(const Calls& calls) {
   return bytes_of_file(file);
 }
 
+/// What every stream begins with.
+std::string beginning() {
+  return written([](ImportWriter& writer) { writer.end(); }).substr(0, 8);
+}
+
 std::string small_stream() {
   return written([](ImportWriter& writer) {
     writer.warning("careful");
@@ -55,6 +61,7 @@ std::string small_stream() {
     writer.property("class", "IfcBolt");
     writer.incomplete("a thread");
     writer.object("", "", "", 0, kNoNode, kNoNode, kIdentity);
+    writer.grid({"axes", "Level 1", {{"B", 2, {{1, 2, 3}, {4, 5, 6}}}, {"", 0, {{7, 8, 9}, {0, 1, 2}, {3, 4, 5}}}}});
     writer.unit(0.3048);
     writer.exact_places();
     EXPECT_TRUE(writer.end());
@@ -89,6 +96,14 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
   EXPECT_EQ(imported->groups[0].parent, kNoNode);
   EXPECT_EQ(imported->groups[1].name, "");
   EXPECT_EQ(imported->groups[1].parent, 0u);
+  ASSERT_EQ(imported->grids.size(), 1u);
+  EXPECT_EQ(imported->grids[0].name, "axes");
+  EXPECT_EQ(imported->grids[0].storey, "Level 1");
+  ASSERT_EQ(imported->grids[0].axes.size(), 2u);
+  EXPECT_EQ(imported->grids[0].axes[0].tag, "B");
+  EXPECT_EQ(imported->grids[0].axes[0].family, 2u);
+  EXPECT_EQ(imported->grids[0].axes[1].tag, "");
+  EXPECT_EQ(imported->grids[0].axes[1].points, (std::vector<Point>{{7, 8, 9}, {0, 1, 2}, {3, 4, 5}}));
   ASSERT_EQ(imported->nodes.size(), 2u);
   EXPECT_EQ(imported->nodes[0].parent, kNoNode);
   EXPECT_EQ(imported->nodes[1].parent, 0u);
@@ -152,7 +167,7 @@ TEST(ImportStream, MutationsAreErrorsOrStreams) {
 }
 
 TEST(ImportStream, SizesBeyondTheStreamAreRefused) {
-  std::string stream = "impinge4M";
+  std::string stream = beginning() + 'M';
   append_bytes(stream, std::uint64_t{1} << 61);
   append_bytes(stream, std::uint64_t{1});
   EXPECT_FALSE(decode_import(stream + std::string(100, 'x')).has_value());
@@ -185,7 +200,7 @@ TEST(ImportStream, WhatIsUnfollowedPointsToANode) {
   EXPECT_TRUE(decode_import(with(std::nullopt, 0)).has_value());
   EXPECT_FALSE(decode_import(with(1, 0)).has_value()) << "no such node";
   EXPECT_FALSE(decode_import(with(0, 2)).has_value()) << "neither place nor shape";
-  EXPECT_FALSE(decode_import("impinge4" + with(0, 0).substr(with(0, 0).find('U'))).has_value()) << "of no animation";
+  EXPECT_FALSE(decode_import(beginning() + with(0, 0).substr(with(0, 0).find('U'))).has_value()) << "of no animation";
 }
 
 TEST(ImportStream, TracksThatPointNowhereAreRefused) {
@@ -196,7 +211,7 @@ TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, 0)).has_value()) << "no keys";
   EXPECT_FALSE(decode_import(one_track(0, 0, 2, 1)).has_value()) << "a cubic key is longer";
   EXPECT_FALSE(decode_import(one_track(0, 0, 0, std::uint64_t{1} << 59)).has_value());
-  EXPECT_FALSE(decode_import("impinge4" + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
+  EXPECT_FALSE(decode_import(beginning() + one_track(0, 0, 0, 1).substr(one_track(0, 0, 0, 1).find('T'))).has_value())
       << "a track before any animation";
   const auto with_node = [](std::uint32_t parent) {
     return written([&](ImportWriter& writer) {
@@ -208,6 +223,24 @@ TEST(ImportStream, TracksThatPointNowhereAreRefused) {
   };
   EXPECT_TRUE(decode_import(with_node(kNoNode)).has_value());
   EXPECT_FALSE(decode_import(with_node(0)).has_value()) << "its own parent";
+}
+
+TEST(ImportStream, GridsAreWhole) {
+  const auto decoded = [](std::uint32_t family, const std::vector<Point>& points, std::uint32_t axes = 1) {
+    std::string stream = written([&](ImportWriter& writer) {
+      writer.grid({"", "", {{"A", family, points}}});
+      EXPECT_TRUE(writer.end());
+    });
+    const std::size_t at = beginning().size() + 1 + 4 + 4;  // behind the letter and two empty texts
+    std::memcpy(stream.data() + at, &axes, sizeof axes);
+    return decode_import(stream).has_value();
+  };
+  const std::vector<Point> line{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_TRUE(decoded(2, line));
+  EXPECT_FALSE(decoded(3, line)) << "no such family";
+  EXPECT_FALSE(decoded(0, {{0, 0, 0}})) << "a point is no axis";
+  EXPECT_FALSE(decoded(0, line, 2)) << "there is one";
+  EXPECT_FALSE(decoded(0, line, 0xFFFFFFFF));
 }
 
 TEST(ImportStream, GroupsComeBeforeWhatIsInThem) {
@@ -227,7 +260,7 @@ TEST(ImportStream, GroupsComeBeforeWhatIsInThem) {
 }
 
 Imported one_object(const std::array<double, 16>& world) {
-  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, kNoNode, kNoNode, world}}, {}, {}, {}, {}, {}};
+  return {{{kXyz, kTriangle}}, {{"bolt", "bolt", "", 0, kNoNode, kNoNode, world}}, {}, {}, {}, {}, {}, {}};
 }
 
 TEST(ImportedModel, ARotationBecomesThePoseAndAnythingElseIsBaked) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The bytes of an IFC file, as they lie there or in a ZIP archive (.ifczip).
+import * as buffer from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import { inflateRawSync } from 'node:zlib';
 
@@ -75,6 +76,35 @@ function unzip(zip) {
   return unpack(zip, models[0]);
 }
 
+// Of Node.js 18.14 and newer; before, what is no UTF-8 is taken for it.
+const isUtf8 = (bytes) => buffer.isUtf8?.(bytes) ?? true;
+
+// What Windows-1252 has at 0x80 to 0x9f, where Latin-1 has controls; Node.js's own decoder takes it for that.
+const kWindows = '€\x81‚ƒ„…†‡ˆ‰Š‹Œ\x8dŽ\x8f\x90‘’“”•–—˜™š›œ\x9džŸ';
+const fromWindows = (bytes) =>
+  bytes.toString('latin1').replace(/[\x80-\x9f]/g, (letter) => kWindows[letter.charCodeAt(0) - 0x80]);
+
+// The same with all texts in UTF-8: the standard allows ASCII alone, but some programs write the letters of Windows-1252.
+// Lines that are UTF-8 stay as they are.
+function inUtf8(bytes) {
+  if (isUtf8(bytes)) return bytes;
+  const pieces = [];
+  let done = 0;
+  for (let at = 0; at < bytes.length; ++at) {
+    if (bytes[at] < 0x80) continue;
+    const start = Math.max(done, bytes.lastIndexOf('\n', at) + 1);
+    const next = bytes.indexOf('\n', at);
+    const end = next < 0 ? bytes.length : next;
+    const line = bytes.subarray(start, end);
+    if (!isUtf8(line)) {
+      pieces.push(bytes.subarray(done, start), Buffer.from(fromWindows(line), 'utf8'));
+      done = end;
+    }
+    at = end;
+  }
+  return Buffer.concat([...pieces, bytes.subarray(done)]);
+}
+
 // Errors: FileProblem, of a file that is no IFC in STEP's text form, and of one that is cut off.
 export function readFile(path) {
   let bytes = readFileSync(path);
@@ -93,5 +123,5 @@ export function readFile(path) {
       "the file is cut off: its last line, 'END-ISO-10303-21;', is missing; copy or export it again",
     );
   }
-  return bytes;
+  return inUtf8(bytes);
 }

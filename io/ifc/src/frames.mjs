@@ -51,7 +51,7 @@ function record(letter, ...fields) {
   if (waitingBytes >= kMostWaiting) flush();
 }
 
-export const begin = () => record('impinge5');
+export const begin = () => record('impinge6');
 export function end() {
   record('Z');
   flush();
@@ -78,4 +78,11 @@ export function mesh(xyz, triangles) {
 
 export function object({ name, path, product, mesh, group, world }) {
   record('O', text(name), text(path), text(product), u32(mesh), u32(kNone), u32(group ?? kNone), doubles(world));
+}
+
+// Of axes as { tag, family, points }.
+export function grid(name, storey, axes) {
+  record('R', text(name), text(storey), u32(axes.length));
+  for (const { tag, family, points } of axes)
+    record('', text(tag), u32(family), u64(points.length / 3), doubles(points));
 }

@@ -8,6 +8,7 @@
 import { setFlagsFromString } from 'node:v8';
 import { FileProblem, readFile } from './file.mjs';
 import * as frames from './frames.mjs';
+import { writeGrids } from './grids.mjs';
 import { kChords, Model, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 import { keepBodies, mendProfiles } from './mend.mjs';
 import { Properties } from './properties.mjs';
@@ -165,7 +166,7 @@ class Importer {
       return;
     }
     if (!this.#placements.isKnown(referenceOf(attributes[5]))) {
-      this.#remarks.add('whose placement depends on itself, and that are left out', label);
+      this.#remarks.add('whose placement is on a grid or depends on itself, and that are left out', label);
       return;
     }
     if (!keepBodies(this.#model, referenceOf(attributes[6]))) {
@@ -176,6 +177,12 @@ class Importer {
     if (!bodies) return;
     const lost = [];
     let complaint = this.#complaintAbout(line, referenceOf(attributes[6]), bodies);
+    for (const projection of this.#structure.projectionsOf(line)) {
+      const shape = referenceOf(this.#model.attributes(projection)[6]);
+      const added = shape && keepBodies(this.#model, shape) ? await this.#bodiesOf(projection, label) : undefined;
+      complaint ??= added ? this.#complaintAbout(projection, shape, added) : 'what projects from it is not drawn';
+      bodies.push(...(added ?? []));
+    }
     if (bodies.length === 0) {
       this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
       return;
@@ -240,10 +247,10 @@ class Importer {
     for (const [key, value] of properties) if (key && value) frames.property(key, value);
   }
 
-  // Errors: FileProblem, of a file with nothing to draw.
-  finish() {
+  // Returns circles that nothing is drawn of. Errors: FileProblem, of a file with nothing to draw.
+  finish(metres) {
     this.#remarks.write();
-    if (this.#written > 0) return;
+    if (this.#written > 0) return writeGrids(this.#model, this.#structure, this.#placements, metres);
     const about = this.#remarks.first();
     throw new FileProblem(
       about
@@ -254,7 +261,7 @@ class Importer {
 }
 
 // How far chords stray from the largest circle, in the file's unit.
-function warnOfCurves(model) {
+function warnOfCurves(model, undrawn) {
   const radii = [];
   for (const [name, place] of [
     ['IFCCIRCLE', 1],
@@ -262,7 +269,7 @@ function warnOfCurves(model) {
     ['IFCCIRCLEHOLLOWPROFILEDEF', 3],
     ['IFCSWEPTDISKSOLID', 1],
   ]) {
-    for (const line of model.ofClass(name)) radii.push(numberOf(model.attributes(line)[place]));
+    for (const line of model.ofClass(name)) if (!undrawn.has(line)) radii.push(numberOf(model.attributes(line)[place]));
   }
   const largest = radii.filter(Number.isFinite).reduce((a, b) => Math.max(a, b), 0);
   const splines = model.ofClass(
@@ -304,8 +311,7 @@ async function run(path, withSets) {
   if (products.length === 0) throw new FileProblem('the file holds no product; export the building with its elements');
   const importer = new Importer(model, withSets, incomplete);
   for (const product of products) await importer.write(product);
-  importer.finish();
-  warnOfCurves(model);
+  warnOfCurves(model, importer.finish(metres));
 }
 
 // V8 compiles each WebAssembly function once more, to faster code, when it has run so many bytes: by default so soon that

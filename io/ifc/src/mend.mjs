@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lines that web-ifc 0.0.78 draws wrongly are written anew before it draws them.
+import { curvePoints, placed } from './curves.mjs';
 import { kChords, kEnum, kReal, kReference, numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 import { alongCentreLine, kParametrised, outlineOf } from './profiles.mjs';
 import { radiansInAngle } from './units.mjs';
@@ -22,73 +23,29 @@ const kUsersOfProfiles = [
   ['IFCCOMPOSITEPROFILEDEF', [2]],
   ['IFCDERIVEDPROFILEDEF', [2]],
 ];
+// And in which of their places operators have their axes.
+const kOperators = ['2D', '3D'].flatMap((kind) => {
+  const name = `IFCCARTESIANTRANSFORMATIONOPERATOR${kind}`;
+  const places = kind === '2D' ? [0, 1] : [0, 1, 4];
+  return [[name, places], [`${name}NONUNIFORM`, places]]; // prettier-ignore
+});
 const kBooleans = ['IFCBOOLEANRESULT', 'IFCBOOLEANCLIPPINGRESULT'];
-// A curve may be made of others, and these of others again; more steps than these are a loop.
-const kDeepestCurve = 8;
 // web-ifc takes 2 s for 300, one within the other, and 14 s for 1,200.
 const kDeepestDifference = 2000;
 // Of one representation; they take some 600 MB.
 const kMostMapped = 100_000;
-// So that a quarter circle, rounded, is not one chord more.
-const kSlack = 1e-6;
 
+// Of lengths and cosines.
+const kSlack = 1e-9;
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const kBase = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]; // prettier-ignore
+const unit = (a) => a.map((one) => one / Math.hypot(...a));
+// What is left of a vector without its part along a unit vector.
+const without = (a, along) => a.map((one, k) => one - dot(a, along) * along[k]);
 const reference = (line) => ({ type: kReference, value: line });
 const real = (value) => ({ type: kReal, value });
-
-// Where an IfcAxis2Placement2D puts the points.
-function placed(model, position, points) {
-  if (!position) return points;
-  const [location, axis] = model.attributes(position);
-  const numbers = (line) => (line ? (model.attributes(line)[0] ?? []).map(numberOf) : undefined);
-  const [ox, oy] = numbers(referenceOf(location)) ?? [0, 0];
-  const [ax, ay] = numbers(referenceOf(axis)) ?? [1, 0];
-  const length = Math.hypot(ax, ay) || 1;
-  const [c, s] = [ax / length, ay / length];
-  return points.map(([x, y]) => [ox + c * x - s * y, oy + s * x + c * y]);
-}
-
-// The chords of an arc from a point to another by one between them.
-function arcPoints([a, b, c]) {
-  const [bx, by, cx, cy] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
-  const twice = 2 * (bx * cy - by * cx);
-  if (twice === 0) return [a, c];
-  const [bb, cc] = [bx * bx + by * by, cx * cx + cy * cy];
-  const [x, y] = [(cy * bb - by * cc) / twice, (bx * cc - cx * bb) / twice];
-  const [radius, first] = [Math.hypot(x, y), Math.atan2(-y, -x)];
-  let angle = Math.atan2(cy - y, cx - x) - first;
-  if (angle * twice <= 0) angle += Math.sign(twice) * 2 * Math.PI;
-  const count = Math.max(1, Math.ceil((Math.abs(angle) * kChords) / (2 * Math.PI) - kSlack));
-  const on = (k) => {
-    const at = first + (angle * k) / count;
-    return [a[0] + x + radius * Math.cos(at), a[1] + y + radius * Math.sin(at)];
-  };
-  return [a, ...Array.from({ length: count - 1 }, (_, k) => on(k + 1)), c];
-}
-
-// The points of a flat curve of lines and arcs; undefined of other curves.
-function curvePoints(model, line, steps = kDeepestCurve) {
-  if (!line || steps === 0) return undefined;
-  const attributes = model.attributes(line);
-  const kind = model.classOf(line);
-  if (kind === 'IfcPolyline') {
-    return referencesOf(attributes[0]).map((point) => model.attributes(point)[0].slice(0, 2).map(numberOf));
-  }
-  if (kind === 'IfcIndexedPolyCurve') {
-    const list = model.attributes(referenceOf(attributes[0]))[0].map((point) => point.slice(0, 2).map(numberOf));
-    if (!attributes[1]) return list;
-    return attributes[1].flatMap((segment) => {
-      const points = [segment.value].flat().map((index) => list[numberOf(index) - 1]);
-      return segment.typecode === model.codeOf('IFCARCINDEX') ? arcPoints(points) : points;
-    });
-  }
-  if (kind !== 'IfcCompositeCurve' && kind !== 'IfcCompositeCurveSegment') return undefined;
-  if (kind === 'IfcCompositeCurveSegment') {
-    const points = curvePoints(model, referenceOf(attributes[2]), steps - 1);
-    return attributes[1]?.value === 'F' ? points?.reverse() : points;
-  }
-  const parts = referencesOf(attributes[0]).map((segment) => curvePoints(model, segment, steps - 1));
-  return parts.every(Boolean) ? parts.flat() : undefined;
-}
 
 const kPlacedProfiles = [
   'ASYMMETRICISHAPE',
@@ -124,6 +81,53 @@ function writePlaces(model) {
   fill(kSolidsOfProfiles, 1, () => model.append('IFCAXIS2PLACEMENT3D', [reference(zero(0, 0, 0)), null, null]));
 }
 
+// The axes that an operator's three, of which some may be left out, stand for: IfcBaseAxis of the standard. Where that leaves
+// the second open, it is that of a right-handed system.
+function baseAxes([x, y, z], isFlat) {
+  if (isFlat) {
+    const [c, s] = unit(x ?? [y[1], -y[0]]);
+    const sign = y && c * y[1] - s * y[0] < 0 ? -1 : 1;
+    return [[c, s], [-sign * s, sign * c]]; // prettier-ignore
+  }
+  const third = unit(z ?? kBase[2]);
+  const isAlongX = Math.abs(third[0]) > 1 - kSlack;
+  const first = unit(without(x ?? (isAlongX ? kBase[1] : kBase[0]), third));
+  const second = without(without(y ?? kBase[1], third), first);
+  return [first, Math.hypot(...second) > kSlack ? unit(second) : cross(third, first), third];
+}
+
+// Directions have no length, but web-ifc extrudes by theirs. And of operators it takes each axis alone: what it maps is
+// sheared where they are not at right angles. Where both are as they should be, nothing is written.
+function straighten(model) {
+  const known = new Map();
+  const ratiosOf = (line) => {
+    if (line && !known.has(line)) {
+      const list = model.attributes(line)[0];
+      known.set(line, Array.isArray(list) ? list.map(numberOf) : []);
+    }
+    return known.get(line);
+  };
+  for (const solid of model.ofClass('IFCEXTRUDEDAREASOLID')) ratiosOf(referenceOf(model.attributes(solid)[2]));
+  for (const [line, ratios] of known) {
+    const length = Math.hypot(...ratios);
+    if (length > 0 && Math.abs(length - 1) > kSlack) model.rewrite(line, [ratios.map((one) => real(one / length))]);
+  }
+  for (const [name, places] of kOperators) {
+    for (const line of model.ofClass(name)) {
+      const attributes = model.attributes(line);
+      const given = places.map((place) => ratiosOf(referenceOf(attributes[place])));
+      if (!given.some(Boolean)) continue;
+      const meant = baseAxes(given, places.length === 2);
+      const taken = given.map((axis, k) => (axis ? unit(axis) : kBase[k]));
+      if (meant.every((axis, k) => axis.every((one, i) => !(Math.abs(one - taken[k][i]) > kSlack)))) continue;
+      places.forEach((place, k) => {
+        attributes[place] = reference(model.append('IFCDIRECTION', [meant[k].map(real)]));
+      });
+      model.rewrite(line, attributes);
+    }
+  }
+}
+
 // A profile of one outline, or of an outer and an inner.
 function appendProfile(model, outlines) {
   const [outer, ...inner] = outlines.map((points) => {
@@ -151,7 +155,7 @@ function replacements(model, reasons) {
   }
   for (const line of model.ofClass('IFCCENTERLINEPROFILEDEF')) {
     const [, , curve, thickness] = model.attributes(line);
-    const points = curvePoints(model, referenceOf(curve));
+    const points = curvePoints(model, referenceOf(curve), { chords: kChords, radians });
     const outlines = points?.flat().every(Number.isFinite) && alongCentreLine(points, numberOf(thickness));
     if (outlines) made.set(line, appendProfile(model, outlines));
   }
@@ -266,14 +270,29 @@ function limitMapped(model, reasons) {
   eachAfterItsParts([...shown, ...ofProducts], partsOf, count, () => {});
 }
 
-// Elements with openings that are not drawn in full.
+// Elements with openings that are not drawn in full, and the parts that these are made of, out of which openings are cut as well.
 function spreadToHosts(model, reasons) {
   if (reasons.size === 0) return;
+  const causes = new Map();
   for (const line of model.ofClass('IFCRELVOIDSELEMENT')) {
     const [host, opening] = model.attributes(line).slice(4, 6).map(referenceOf);
     const shape = opening && referenceOf(model.attributes(opening)[6]);
     const cause = shape && referencesOf(model.attributes(shape)[2]).find((one) => reasons.has(one));
-    if (host && cause) reasons.set(host, `an opening of it is not drawn in full: ${reasons.get(cause)}`);
+    if (host && cause) causes.set(host, reasons.get(cause));
+  }
+  if (causes.size === 0) return;
+  const partsOf = new Map();
+  for (const line of model.ofClass('IFCRELAGGREGATES')) {
+    const attributes = model.attributes(line);
+    const whole = referenceOf(attributes[4]);
+    partsOf.set(whole, [...(partsOf.get(whole) ?? []), ...referencesOf(attributes[5])]);
+  }
+  for (const [host, cause] of causes) {
+    const elements = new Set([host]);
+    for (const element of elements) {
+      if (!reasons.has(element)) reasons.set(element, `an opening of it is not drawn in full: ${cause}`);
+      for (const part of partsOf.get(element) ?? []) elements.add(part);
+    }
   }
 }
 
@@ -281,12 +300,13 @@ function spreadToHosts(model, reasons) {
 // of their solids, representations and products.
 export function mendProfiles(model) {
   writePlaces(model);
+  straighten(model);
   const reasons = new Map();
   breakLoops(model, reasons);
-  limitMapped(model, reasons);
-  spreadToHosts(model, reasons);
   const made = replacements(model, reasons);
   spread(model, reasons);
+  limitMapped(model, reasons);
+  spreadToHosts(model, reasons);
   if (made.size > 0) {
     const standIn = (value) => {
       if (Array.isArray(value)) return value.map(standIn);

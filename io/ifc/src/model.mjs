@@ -162,6 +162,11 @@ export class Model {
     return bodies;
   }
 
+  // That of an IfcLocalPlacement: 16 numbers, column after column, to the file's axes.
+  placementMatrix(line) {
+    return Array.from(this.wasm.GetWorldTransformMatrix(this.#id, line));
+  }
+
   // Vertices of six floats, the normal behind the point, and corners of triangles.
   geometry(number) {
     const geometry = this.wasm.GetGeometry(this.#id, number);

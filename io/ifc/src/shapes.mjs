@@ -10,6 +10,8 @@ const kMostDefect = 1e-9;
 const kPlacePrecision = 1e9;
 // Four times a 32-bit float's rounding, of the largest coordinate.
 const kRounding = 2 ** -22;
+// Open edges times their ends; 0.5 s.
+const kMostCompared = 4_000_000;
 
 // From web-ifc's columns, with Y up, to the file's axes: its x y z is our x -z y. Signs and places alone change.
 export function inFileAxes(m) {
@@ -113,14 +115,19 @@ function isClosed(corners, numbers) {
   return one === 0 && other === 0;
 }
 
-// Joins vertices that rounding alone parts, as it does where faces of advanced B-reps meet: `numbers` of those that go
-// together become equal. Sorted by x, only those a little further on are compared.
-function joinNear(vertices, numbers) {
+// How far apart rounding puts what is one: of points about the origin of six floats each.
+function roundingOf(vertices) {
   let largest = 0;
   for (let v = 0; v < vertices.length; v += 6) {
     largest = Math.max(largest, Math.abs(vertices[v]), Math.abs(vertices[v + 1]), Math.abs(vertices[v + 2]));
   }
-  const near = largest * kRounding;
+  return largest * kRounding;
+}
+
+// Joins vertices that rounding alone parts, as it does where faces of advanced B-reps meet: `numbers` of those that go
+// together become equal. Sorted by x, only those a little further on are compared.
+function joinNear(vertices, numbers) {
+  const near = roundingOf(vertices);
   const alone = [...numbers.keys()].filter((v) => numbers[v] === v).sort((a, b) => vertices[6 * a] - vertices[6 * b]);
   alone.forEach((v, i) => {
     if (numbers[v] !== v) return;
@@ -132,6 +139,54 @@ function joinNear(vertices, numbers) {
     }
   });
   for (let v = 0; v < numbers.length; ++v) numbers[v] = numbers[numbers[v]];
+}
+
+// The corners of triangles whose edges are cut at vertices that lie on them, as they are where windows of a wall stand in one
+// line: web-ifc leaves out the flat triangles between. Undefined where that does not close the surface.
+function cutAtVertices(vertices, corners, numbers) {
+  const open = new Map(); // edges that run more often one way than the other: both ends, and by how much
+  const keyOf = (a, b) => a * numbers.length + b;
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [numbers[corners[t + k]], numbers[corners[t + ((k + 1) % 3)]]];
+      if (a === b) continue;
+      const back = open.get(keyOf(b, a));
+      if (!back) open.set(keyOf(a, b), { a, b, count: (open.get(keyOf(a, b))?.count ?? 0) + 1 });
+      else if (--back.count === 0) open.delete(keyOf(b, a));
+    }
+  }
+  const ends = [...new Set([...open.values()].flatMap(({ a, b }) => [a, b]))];
+  if (open.size * ends.length > kMostCompared) return undefined;
+  const near = roundingOf(vertices);
+  const between = (v, w) => [0, 1, 2].map((k) => vertices[6 * w + k] - vertices[6 * v + k]);
+  const cuts = new Map();
+  for (const [key, { a, b }] of open) {
+    const way = between(a, b);
+    const length = Math.hypot(...way);
+    const along = (v) => between(a, v).reduce((sum, one, k) => sum + one * way[k], 0) / length;
+    const beside = (v) => Math.hypot(...between(a, v).map((one, k) => one - (along(v) * way[k]) / length));
+    const isOn = (v) => along(v) > near && along(v) < length - near && beside(v) <= near;
+    const on = ends.filter(isOn).sort((v, w) => along(v) - along(w));
+    if (on.length > 0) cuts.set(key, on);
+  }
+  if (cuts.size === 0) return undefined;
+  const cut = [];
+  const left = [];
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    left.push([0, 1, 2].map((k) => numbers[corners[t + k]]));
+    while (left.length > 0) {
+      const [a, b, c] = left.pop();
+      const turns = [[a, b, c], [b, c, a], [c, a, b]]; // prettier-ignore
+      const [p, q, r] = turns.find(([v, w]) => cuts.has(keyOf(v, w))) ?? [];
+      if (p === undefined) {
+        cut.push(a, b, c);
+        continue;
+      }
+      const way = [p, ...cuts.get(keyOf(p, q)), q];
+      for (let i = 1; i < way.length; ++i) left.push([way[i - 1], way[i], r]);
+    }
+  }
+  return isClosed(cut, numbers) ? cut : undefined;
 }
 
 // A geometry's { xyz, triangles }, mapped, its triangles turned over if asked, and whether they are closed; undefined where a
@@ -146,6 +201,8 @@ function mapped({ vertices, corners }, m, turned) {
     joinNear(vertices, first);
     closed = isClosed(corners, first);
   }
+  const cut = closed ? undefined : cutAtVertices(vertices, corners, first);
+  if (cut) [corners, closed] = [cut, true];
   const numbers = new Int32Array(first.length).fill(-1);
   const xyz = new Float64Array(3 * first.length);
   let count = 0;

@@ -17,6 +17,8 @@ export class Structure {
   #withParts = new Set();
   // Of what fills an opening its opening, and of that the element that it is cut out of.
   #hosts = new Map();
+  // Of elements what is added to their bodies.
+  #projections = new Map();
 
   constructor(model) {
     this.#model = model;
@@ -33,6 +35,10 @@ export class Structure {
       const [, , , , host, part] = model.attributes(line).map(referenceOf);
       if (host && part) this.#hosts.set(part, host);
     }
+    for (const line of model.ofClass('IFCRELPROJECTSELEMENT')) {
+      const [element, projection] = model.attributes(line).slice(4, 6).map(referenceOf);
+      if (projection) this.#projections.set(element, [...this.projectionsOf(element), projection]);
+    }
   }
 
   // The element in whose opening the product is, and what that is a part of.
@@ -41,6 +47,10 @@ export class Structure {
     if (!host) return [];
     const own = this.wholesOf(product);
     return [host, ...this.wholesOf(host).filter((whole) => !own.includes(whole))];
+  }
+
+  projectionsOf(element) {
+    return this.#projections.get(element) ?? [];
   }
 
   hasParts(product) {
@@ -59,12 +69,19 @@ export class Structure {
     return wholes;
   }
 
+  // The name of the storey that the product is in; '' of others.
+  storeyOf(product) {
+    const storey = this.wholesOf(product).find((whole) => this.#model.classOf(whole) === 'IfcBuildingStorey');
+    return storey ? this.nameOf(storey) : '';
+  }
+
   nameOf(product) {
     return textOf(this.#model.attributes(product)[2]) || this.#model.classOf(product);
   }
 }
 
-// Whether placements relative to each other end at the world.
+// Placements relative to each other: whether they end at the world, and where. Those on a grid do not: web-ifc takes them for
+// the origin.
 export class Placements {
   #model;
   #known = new Map();
@@ -78,13 +95,20 @@ export class Placements {
     let known = true;
     for (let at = placement; at; at = referenceOf(this.#model.attributes(at)[0])) {
       if (this.#known.has(at)) {
-        known = this.#known.get(at);
+        known &&= this.#known.get(at);
         break;
       }
       this.#known.set(at, false); // met again before the way has ended, it is a loop
       way.push(at);
+      known &&= this.#model.classOf(at) !== 'IfcGridPlacement';
     }
     for (const at of way) this.#known.set(at, known);
     return known;
+  }
+
+  // The 16 numbers of the placement's matrix, column after column, to the file's axes; undefined where it is not known.
+  matrixOf(placement) {
+    if (!this.isKnown(placement)) return undefined;
+    return placement ? this.#model.placementMatrix(placement) : [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   }
 }
