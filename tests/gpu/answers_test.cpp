@@ -4,6 +4,7 @@
 /// Contract 3.1 on a device: whole answers, held against the plain reference's.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -11,10 +12,12 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <utility>
 
 #include "impinge/devices.hpp"
 #include "impinge/io.hpp"
 #include "scenes/contact_depth.hpp"
+#include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
@@ -132,6 +135,93 @@ TEST_P(OnDevice, TheFirstContactIsATrueOne) {
     for (const test::Contact& witness : test::listed(first))
       EXPECT_TRUE(std::binary_search(every.begin(), every.end(), witness));
   }
+}
+
+/// A device keeps what it has of a mesh: not that of the vertices before.
+TEST_P(OnDevice, DeformedMeshesAreAnsweredAsByBruteForce) {
+  test::Seeded seeded(21);
+  const std::size_t step = test::is_smaller_set() ? 4 : 1;
+  const auto families = test::hard_scenes(seeded.random, 24);
+  for (std::size_t i = 0; i < families.size(); i += step) {
+    SCOPED_TRACE(families[i].name);
+    const scenes::PlacedScene& truth = families[i].scene;
+    scenes::PlacedScene before = truth;
+    for (scenes::MeshData& mesh : before.meshes) {
+      double largest = 0;
+      for (const double x : mesh.xyz) largest = std::max(largest, std::abs(x));
+      for (double& x : mesh.xyz) x = seeded.random.uniform(-largest, largest);
+    }
+    Scene scene;
+    std::vector<ObjectId> ids;
+    const std::vector<Mesh> meshes = test::meshes_of(before, i % 2 == 0 ? 0 : 5);
+    for (const auto& object : before.objects) ids.push_back(scene.add(meshes[object.mesh], object.pose).value());
+    for (const scenes::PlacedScene* now : {&std::as_const(before), &truth, &std::as_const(before)}) {
+      for (std::size_t k = 0; k < ids.size(); ++k)
+        ASSERT_TRUE(scene.set_vertices(ids[k], now->meshes[now->objects[k].mesh].xyz));
+      const auto found = scene.collide(options());
+      ASSERT_TRUE(found) << found.error().message;
+      EXPECT_TRUE(found->warnings.empty());
+      ASSERT_EQ(test::listed(*found), test::brute_force(*now));
+    }
+    const auto &a = truth.objects[0], &b = truth.objects[1];
+    const auto deformed = [&](const scenes::PlacedObject& object) {
+      return meshes[object.mesh].deformed(truth.meshes[object.mesh].xyz).value();
+    };
+    ASSERT_EQ(test::listed(collide(deformed(a), a.pose, deformed(b), b.pose, options()).value()),
+              test::brute_force(truth));
+  }
+}
+
+/// Every triangle against each later one, by the exact predicate: they have no vertices in common.
+std::vector<test::Contact> brute_force_of_soup(const scenes::MeshData& soup, const Pose& pose) {
+  std::vector<test::Contact> contacts;
+  const scenes::PlacedScene twice{.meshes = {soup}, .objects = {{.mesh = 0, .pose = pose}, {.mesh = 0, .pose = pose}}};
+  for (const auto& [first, second, a, b, kind] : test::brute_force(twice))
+    if (a < b) contacts.push_back({0, 0, a, b, kind});
+  return contacts;
+}
+
+TEST_P(OnDevice, SelfCollisionIsAnsweredAsByBruteForce) {
+  test::Seeded seeded(22);
+  for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, 3)}) {
+    const scenes::MeshData soup = scenes::triangle_soup(seeded.random, 300, 0.5),
+                           other = scenes::triangle_soup(seeded.random, 300, 0.3);
+    const auto expected = brute_force_of_soup(soup, pose), of_other = brute_force_of_soup(other, pose);
+    EXPECT_GT(expected.size(), 100u);
+    for (const std::uint32_t leaf_size : {0u, 1u, 100u}) {
+      const Mesh mesh = test::mesh_of(soup, leaf_size);
+      for (const Adjacency adjacency : {Adjacency::by_position, Adjacency::by_index}) {
+        Options some = options();
+        some.adjacency = adjacency;
+        EXPECT_EQ(test::listed(self_collide(mesh, pose, some).value()), expected);
+        EXPECT_EQ(test::listed(self_collide(mesh.deformed(other.xyz).value(), pose, some).value()), of_other);
+      }
+      // The CPU does an object with itself, and the device what is between it and others.
+      Scene scene;
+      const ObjectId id = scene.add(mesh, pose).value();
+      ASSERT_TRUE(scene.add(test::mesh_of(other, leaf_size), pose));
+      ASSERT_TRUE(scene.self(id, true));
+      for (const auto& [numbers, own] : {std::pair(&soup, &expected), std::pair(&other, &of_other)}) {
+        ASSERT_TRUE(scene.set_vertices(id, numbers->xyz));
+        std::vector<test::Contact> all = *own;
+        for (const test::Contact& contact : test::brute_force(
+                 {.meshes = {*numbers, other}, .objects = {{.mesh = 0, .pose = pose}, {.mesh = 1, .pose = pose}}}))
+          all.push_back(contact);
+        const Contacts found = scene.collide(options()).value();
+        EXPECT_TRUE(found.warnings.empty());
+        EXPECT_EQ(test::listed(found), all);
+      }
+    }
+  }
+  // With vertices in common, where the reference is held to the definition in rational numbers (oracle/self_test.cpp).
+  scenes::MeshData knots = scenes::torus_knot_of(968);
+  const scenes::MeshData shifted = scenes::shifted(knots, 0.3, 0.2, 0.1);
+  const auto offset = static_cast<std::uint32_t>(knots.vertex_count());
+  knots.xyz.insert(knots.xyz.end(), shifted.xyz.begin(), shifted.xyz.end());
+  for (const std::uint32_t v : shifted.triangles) knots.triangles.push_back(v + offset);
+  for (const scenes::MeshData& mesh : {knots, scenes::with_duplicates(scenes::cube(), 2), scenes::bumpy_grid(12, 12)})
+    expect_same(self_collide(test::mesh_of(mesh), {}, {.backend = "paper"}).value(),
+                self_collide(test::mesh_of(mesh), {}, options()));
 }
 
 TEST_P(OnDevice, ManyPosesAreAnsweredAtOnce) {
