@@ -57,8 +57,11 @@ py::tuple to_python(Clash& clash) {
   py::object depth = py::none();
   if (const auto& found = clash.overlap_depth)
     depth = py::make_tuple(found->a_in_b.lo, found->a_in_b.hi, found->b_in_a.lo, found->b_in_a.hi);
+  py::object volume = py::none();
+  if (const auto& found = clash.overlap_volume) volume = py::make_tuple(found->volume, found->error);
   return py::make_tuple(clash.objects, static_cast<int>(clash.verdict), clash.inner, std::string(sentence(clash.note)),
-                        clash.tolerance, clash.fails_below, clash.contacts, nearest, depth, to_python(clash.regions));
+                        clash.tolerance, clash.fails_below, clash.contacts, nearest, depth, volume,
+                        to_python(clash.regions));
 }
 
 py::tuple to_python(const PartFacts& facts) {
@@ -71,7 +74,7 @@ py::tuple to_python(const PartFacts& facts) {
 struct VerdictOptions {
   std::optional<double> tolerance;
   double clearance, depth_precision;
-  bool regions;
+  bool regions, volumes;
   int threads;
 
   [[nodiscard]] ClashOptions with(std::stop_token stop) const {
@@ -79,6 +82,7 @@ struct VerdictOptions {
             .clearance = clearance,
             .depth_precision = depth_precision,
             .regions = regions,
+            .volumes = volumes,
             .threads = threads,
             .stop = std::move(stop)};
   }
@@ -146,10 +150,10 @@ void bind_clashes(py::module_& module) {
         return memory.memory.known_pairs();
       });
   py::class_<VerdictOptions>(module, "VerdictOptions")
-      .def(py::init(
-          [](std::optional<double> tolerance, double clearance, double depth_precision, bool regions, int threads) {
-            return VerdictOptions{tolerance, clearance, depth_precision, regions, threads};
-          }));
+      .def(py::init([](std::optional<double> tolerance, double clearance, double depth_precision, bool regions,
+                       bool volumes, int threads) {
+        return VerdictOptions{tolerance, clearance, depth_precision, regions, volumes, threads};
+      }));
   module.def("find_clashes", &find_in_scene);
   bind_pair(module, "judge", &judge_pair);
   module.def("examine", &examine_mesh);

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _arrays, _core, _show
 from ._mesh import MeshLike, as_core, placed
-from ._queries import Nearest, OverlapDepth, make_depth, make_nearest
+from ._queries import Nearest, OverlapDepth, OverlapVolume, make_depth, make_nearest
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -93,6 +93,7 @@ class Clash:
     contacts: ContactCounts
     nearest: Nearest | None  #: with a clearance, of pairs that do not touch and are nearer than it
     overlap_depth: OverlapDepth | None  #: None where neither is known to reach in
+    overlap_volume: OverlapVolume | None  #: with `volumes`, of two solids that overlap; None of others
     regions: list[Region]
 
     @property
@@ -215,7 +216,7 @@ def _region(found: tuple[Any, ...]) -> Region:
 
 
 def _clash(found: tuple[Any, ...], names: tuple[Hashable, Hashable]) -> Clash:
-    _, verdict, inner, note, tolerance, fails_below, contacts, nearest, depth, regions = found
+    _, verdict, inner, note, tolerance, fails_below, contacts, nearest, depth, volume, regions = found
     return Clash(
         names,
         Verdict(verdict),
@@ -226,6 +227,7 @@ def _clash(found: tuple[Any, ...], names: tuple[Hashable, Hashable]) -> Clash:
         ContactCounts(*contacts),
         None if nearest is None else make_nearest(nearest),
         None if depth is None else make_depth(depth),
+        None if volume is None else OverlapVolume(*volume),
         [_region(region) for region in regions],
     )
 
@@ -245,13 +247,14 @@ def judge(
     clearance: float = 0.0,
     depth_precision: float = 0.05,
     regions: bool = False,
+    volumes: bool = False,
     threads: int = 0,
     stop: _core.Stop | None = None,
 ) -> Clash:
     """The verdict on two parts: do they reach into each other by more than the tolerance, and how deep?
 
     `tolerance`, in your unit of length, None: what rounding of the coordinates leaves. `clearance`: with parts nearer than it their
-    distance. `depth_precision`: how wide intervals of depths may be, relative to the depth; infinity: verdicts alone.
+    distance. `volumes`: how much space two solids have in common. `depth_precision`: how wide intervals of depths may be, relative to the depth; infinity: verdicts alone.
 
     >>> import impinge
     >>> tetrahedron = impinge.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -262,7 +265,7 @@ def judge(
     ------
     MeshError, PoseError, RangeError, OptionError, Cancelled, OutOfMemoryError
     """
-    options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, threads)
+    options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, volumes, threads)
     return _clash(_core.judge(*placed(a, b, pose_a, pose_b), options, stop), (0, 1))
 
 
@@ -273,6 +276,7 @@ def find_clashes(
     clearance: float = 0.0,
     depth_precision: float = 0.05,
     regions: bool = False,
+    volumes: bool = False,
     threads: int = 0,
     memory: _core.ClashMemory | None = None,
     stop: _core.Stop | None = None,
@@ -295,7 +299,7 @@ def find_clashes(
     ------
     As `judge`.
     """
-    options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, threads)
+    options = _core.VerdictOptions(tolerance, clearance, depth_precision, regions, volumes, threads)
     with _core.Reading(scene._core, threads):
         pairs, parts = _core.find_clashes(scene._core, options, memory, stop)
         names = scene._name_of
@@ -322,7 +326,7 @@ def examine(mesh: MeshLike, pose: ArrayLike | None = None, *, threads: int = 0, 
     ------
     As `judge`.
     """
-    options = _core.VerdictOptions(None, 0.0, 0.05, False, threads)
+    options = _core.VerdictOptions(None, 0.0, 0.05, False, False, threads)
     return _facts(_core.examine(as_core(mesh, "mesh"), _arrays.pose(pose, "pose"), options, stop))
 
 

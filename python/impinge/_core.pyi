@@ -36,7 +36,14 @@ class DistanceOptions(metaclass=_Type):
 
 class VerdictOptions(metaclass=_Type):
     def __init__(
-        self, tolerance: float | None, clearance: float, depth_precision: float, regions: bool, threads: int, /
+        self,
+        tolerance: float | None,
+        clearance: float,
+        depth_precision: float,
+        regions: bool,
+        volumes: bool,
+        threads: int,
+        /,
     ) -> None: ...
 
 class Mesh(metaclass=_Type):

@@ -128,7 +128,13 @@ def test_cubes_that_overlap_in_a_box(overlap):
     ],
 )
 def test_verdicts_of_cubes(pose, verdict):
-    found = impinge.judge(cube, cube, None, pose, clearance=2)
+    found = impinge.judge(cube, cube, None, pose, clearance=2, volumes=True)
+    common = np.prod(np.maximum(1 - pose[:3, 3], 0))
+    if common:
+        assert abs(found.overlap_volume.volume - common) <= found.overlap_volume.error + 1e-12
+    else:
+        assert found.overlap_volume is None or found.overlap_volume.volume == 0
+    assert impinge.judge(cube, cube, None, pose).overlap_volume is None
     assert found.verdict is verdict and found.objects == (0, 1) and found.fails == (verdict <= 3)
     assert (found.nearest is not None) == (verdict == impinge.Verdict.APART)
     if found.nearest:

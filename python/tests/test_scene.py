@@ -159,6 +159,8 @@ def test_clashes_with_and_without_a_memory():
         assert [clash.objects for clash in found.failing()] == [("a", "b")]
         assert set(found.parts) == set("abcd") and found.parts["a"].volume == pytest.approx(1)
     assert memory.known_pairs() == 2
+    with_volumes = impinge.find_clashes(scene, volumes=True).pairs
+    assert with_volumes[0].overlap_volume.volume == pytest.approx(0.5) and found.pairs[0].overlap_volume is None
     near = impinge.find_clashes(scene, clearance=7)
     assert near.pairs[-1].objects == ("c", "d") and near.pairs[-1].nearest.distance == 6.5
 
