@@ -112,9 +112,14 @@ Result<void> check_numbers(const std::vector<std::string>& files) {
 
 Result<std::vector<std::string>> frame_files(const std::vector<std::string>& given) {
   std::error_code unknown;
-  if (given.size() == 1 && given.front().find('#', start_of_name(given.front())) != std::string::npos &&
-      !fs::exists(given.front(), unknown))
-    return files_of(given.front());
+  for (const std::string& file : given) {
+    if (fs::is_directory(file, unknown))
+      return Error{Code::bad_file, fmt::format("{} is a folder; name the files in it, as {}", file,
+                                               (fs::path(file) / "frame_####.ply").native())};
+    if (file.find('#', start_of_name(file)) == std::string::npos || fs::exists(file, unknown)) continue;
+    if (given.size() == 1) return files_of(file);
+    return bad_option(fmt::format("{} stands for a sequence, which is given alone", file));
+  }
   if (given.size() < 2)
     return bad_option(fmt::format(
         "{} is one state, and nothing moves in it; name a second file, or a sequence such as frame_####.ply",

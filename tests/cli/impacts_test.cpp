@@ -245,7 +245,13 @@ TEST_F(Impacts, WrongStatesAreOneSentence) {
     std::swap(solid.triangles[4][0], solid.triangles[4][1]);
     return obj({{"plate", kPlate}, {"cube", solid}});
   }());
+  folder.write("reversed.obj", obj_of({{"cube", cube(0, 0, 3)}, {"plate", kPlate}}));
+  std::filesystem::create_directory(folder.path() / "run_1");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"from.obj", "reversed.obj"}, "part 'plate' stands where 'cube' is in the other"},
+      {{"run_1"}, "run_1 is a folder; name the files in it, as run_1/frame_####.ply"},
+      {{"from.obj", "run_1"}, "run_1 is a folder"},
+      {{"frame_#.ply", "frame_1.ply"}, "frame_#.ply stands for a sequence, which is given alone"},
       {{"from.obj"}, "from.obj is one state, and nothing moves in it"},
       {{"from.obj", "other.obj"},
        "from.obj and other.obj are not two states of the same parts: part 'cube' has 12 and 2 "
