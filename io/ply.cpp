@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -48,31 +49,14 @@ std::size_t bytes_of(PlyType type) {
   return kBytes[static_cast<std::size_t>(type)];
 }
 
+/// Each type has two names, in the order of the types.
 std::optional<PlyType> type_named(std::string_view name) {
-  struct Name {
-    std::string_view name;
-    PlyType type;
-  };
-  static constexpr std::array<Name, 16> kNames{{{"char", PlyType::int8},
-                                                {"uchar", PlyType::uint8},
-                                                {"short", PlyType::int16},
-                                                {"ushort", PlyType::uint16},
-                                                {"int", PlyType::int32},
-                                                {"uint", PlyType::uint32},
-                                                {"float", PlyType::float32},
-                                                {"double", PlyType::float64},
-                                                {"int8", PlyType::int8},
-                                                {"uint8", PlyType::uint8},
-                                                {"int16", PlyType::int16},
-                                                {"uint16", PlyType::uint16},
-                                                {"int32", PlyType::int32},
-                                                {"uint32", PlyType::uint32},
-                                                {"float32", PlyType::float32},
-                                                {"float64", PlyType::float64}}};
-  for (const Name& known : kNames) {
-    if (known.name == name) return known.type;
-  }
-  return std::nullopt;
+  static constexpr std::array<std::string_view, 16> kNames{"char",  "uchar",  "short",   "ushort", "int",   "uint",
+                                                           "float", "double", "int8",    "uint8",  "int16", "uint16",
+                                                           "int32", "uint32", "float32", "float64"};
+  const auto known = std::find(kNames.begin(), kNames.end(), name);
+  if (known == kNames.end()) return std::nullopt;
+  return static_cast<PlyType>((known - kNames.begin()) % 8);
 }
 
 class HeaderReader : FailingReader {

@@ -127,10 +127,6 @@ class AnimatedGltf {
     out.append(raw.data(), raw.size());
   }
 
-  json root;
-  std::string bytes;
-
- private:
   static std::string base64(std::string_view data) {
     constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
@@ -142,6 +138,9 @@ class AnimatedGltf {
     }
     return out;
   }
+
+  json root;
+  std::string bytes;
 };
 
 }  // namespace impinge::test

@@ -62,12 +62,8 @@ TEST(GltfMotion, BuffersAreInTheTextBesideItOrInTheFile) {
   const TemporaryFolder folder;
   (void)folder.write("a b.bin", file.bytes);
   expect_places(model_of(read(folder.write("case.gltf", file.text("a b.bin")))));
-  (void)folder.write(
-      "gr\xC3\xB6\xC3\x9F"
-      "e.bin",
-      file.bytes);
-  expect_places(model_of(read(folder.write("plain.gltf", file.text("gr\xC3\xB6\xC3\x9F"
-                                                                   "e.bin")))));
+  (void)folder.write("gr\u00f6\u00dfe.bin", file.bytes);
+  expect_places(model_of(read(folder.write("plain.gltf", file.text("gr\u00f6\u00dfe.bin")))));
 }
 
 TEST(GltfMotion, WaysBetweenKeys) {
@@ -322,7 +318,6 @@ TEST(GltfMotion, NodesWithTwoParentsAreNotFollowed) {
   EXPECT_EQ(lost.node, std::nullopt);
 }
 
-/// A mesh that bones bend is told of where one of them moves, by itself or with its parent.
 /// assimp refuses a scene for each of these.
 TEST(GltfMotion, BrokenAnimationsKeepNobodyFromReadingTheParts) {
   const std::vector<double> kWay{0, 0, 0, 1, 0, 0};

@@ -67,8 +67,8 @@ std::vector<Sample> samples() {
   };
 }
 
-/// A result, or an error that names the file and says something.
-void expect_answer(const Sample& sample, std::string_view bytes) {
+/// A result, or an error that names the file and says something; whether it is a result.
+bool expect_answer(const Sample& sample, std::string_view bytes) {
   const Result<Model> model = sample.read(bytes, "hostile.file");
   if (model) {
     expect_sound(*model);
@@ -77,6 +77,7 @@ void expect_answer(const Sample& sample, std::string_view bytes) {
     EXPECT_TRUE(model.error().message.starts_with("hostile.file")) << model.error().message;
     EXPECT_GT(model.error().message.size(), 25u) << model.error().message;
   }
+  return model.has_value();
 }
 
 TEST(Hostile, TheSamplesThemselvesAreGood) {
@@ -90,17 +91,8 @@ TEST(Hostile, EveryTruncationHasAnAnswer) {
   for (const Sample& sample : samples()) {
     for (std::size_t length = 0; length < sample.bytes.size(); ++length) {
       SCOPED_TRACE(sample.name + " cut to " + std::to_string(length));
-      expect_answer(sample, std::string_view(sample.bytes).substr(0, length));
-    }
-  }
-}
-
-TEST(Hostile, BinaryFilesCutShortAreErrors) {
-  for (const Sample& sample : samples()) {
-    if (sample.kind != Sample::Kind::binary) continue;
-    for (std::size_t length = 0; length < sample.bytes.size(); ++length) {
-      EXPECT_FALSE(sample.read(std::string_view(sample.bytes).substr(0, length), "cut").has_value())
-          << sample.name << length;
+      const bool is_read = expect_answer(sample, std::string_view(sample.bytes).substr(0, length));
+      EXPECT_FALSE(is_read && sample.kind == Sample::Kind::binary);
     }
   }
 }

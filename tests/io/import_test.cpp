@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "animated_gltf.hpp"
 #include "support.hpp"
 
 namespace impinge::io {
@@ -13,19 +14,6 @@ using testing::Contains;
 using testing::HasSubstr;
 
 /// glTF with its buffer inside: one triangle mesh of two primitives, shown by nodes.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      three = (three << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kLetters[(three >> (18 - 6 * k)) & 63] : '=';
-  }
-  return out;
-}
-
 std::string gltf(std::string_view nodes) {
   std::string buffer;
   for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.1f}) append_bytes(buffer, x);
@@ -34,20 +22,18 @@ std::string gltf(std::string_view nodes) {
          R"({"primitives":[{"attributes":{"POSITION":0}}]}],)"
          R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0.1]}],)"
          R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)" +
-         base64(buffer) + R"("}]})";
+         test::AnimatedGltf::base64(buffer) + R"("}]})";
 }
 
 TEST(Import, GltfNamesPathsPosesAndSharedMeshes) {
-  const TemporaryFolder folder;
-  const Model model = model_of(read(folder.write(
-      "case.gltf",
+  const Model model = read_text(
       gltf(R"({"name":"engine","children":[1,2,3,4]},)"
            R"({"mesh":0,"translation":[1,2,3]},)"
            R"({"mesh":0,"name":"left","rotation":[0,0,0.70710678118654752,0.70710678118654752],"children":[5]},)"
            R"({"mesh":0,"scale":[2,2,2]},)"
            R"({"children":[6],"translation":[0.5,0,0]},)"
            R"({"mesh":1},)"
-           R"({"mesh":1,"translation":[0.25,0,0]})"))));
+           R"({"mesh":1,"translation":[0.25,0,0]})"));
   EXPECT_EQ(names_of(model), (std::vector<std::string>{"bracket", "left", "left (2)", "bracket (2)", "engine"}));
   std::vector<std::string> paths;
   for (const Object& object : model.objects) paths.push_back(object.path);
@@ -80,23 +66,20 @@ std::vector<std::string> groups_of(const Model& model) {
 }
 
 TEST(Import, ObjectsHangUnderTheNodesOfTheFile) {
-  const TemporaryFolder folder;
-  const Model model = model_of(
-      read(folder.write("case.gltf", gltf(R"({"name":"engine","children":[1,2,3,5]},)"
-                                          R"({"name":"asm","children":[7,8]},)"
-                                          R"({"name":"asm","children":[9]},)"
-                                          R"({"children":[4]},)"
-                                          R"({"children":[6],"mesh":1},)"
-                                          R"({"mesh":0,"name":"lid 1/2"},)"
-                                          R"({"mesh":0},)"
-                                          R"({"mesh":0,"name":"p"},{"mesh":0,"name":"q"},{"mesh":0,"name":"p"})"))));
+  const Model model = read_text(gltf(R"({"name":"engine","children":[1,2,3,5]},)"
+                                     R"({"name":"asm","children":[7,8]},)"
+                                     R"({"name":"asm","children":[9]},)"
+                                     R"({"children":[4]},)"
+                                     R"({"children":[6],"mesh":1},)"
+                                     R"({"mesh":0,"name":"lid 1/2"},)"
+                                     R"({"mesh":0},)"
+                                     R"({"mesh":0,"name":"p"},{"mesh":0,"name":"q"},{"mesh":0,"name":"p"})"));
   EXPECT_EQ(groups_of(model),
             (std::vector<std::string>{"engine/asm", "engine/asm", "engine/asm", "engine/-", "engine/-/-", "engine"}));
   EXPECT_EQ(model.objects[0].group, model.objects[1].group);
   EXPECT_NE(model.objects[0].group, model.objects[2].group) << "two nodes of one name";
   EXPECT_EQ(model.groups.size(), 5u) << "each once, and none without objects";
-  for (const Object& object : model_of(read(folder.write("one.gltf", gltf(R"({"mesh":1})")))).objects)
-    EXPECT_FALSE(object.group) << "it is the root";
+  for (const Object& object : read_text(gltf(R"({"mesh":1})")).objects) EXPECT_FALSE(object.group) << "it is the root";
 
   const Model house = model_of(read(kModels / "IFC/AC14-FZK-Haus.ifc"));
   const std::vector<std::string> ways = groups_of(house);
@@ -132,27 +115,22 @@ std::string indexed_gltf(const std::vector<std::uint16_t>& indices, int mode = 4
          R"({"bufferView":1,"componentType":5123,"type":"SCALAR","count":)" +
          count + R"(}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":)" + bytes +
          R"(}],"buffers":[{"byteLength":)" + std::to_string(buffer.size()) +
-         R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + R"("}]})";
+         R"(,"uri":"data:application/octet-stream;base64,)" + test::AnimatedGltf::base64(buffer) + R"("}]})";
 }
 
 TEST(Import, GltfNamesThatOtherFormatsWouldMakeUpAreKept) {
-  const TemporaryFolder folder;
-  for (const std::string name : {"$shaft", "<lid>", "RootNode", "a_$AssimpFbx$_b"}) {
-    EXPECT_EQ(names_of(model_of(read(folder.write("case.gltf", gltf(R"({"mesh":1,"name":")" + name + R"("})"))))),
-              std::vector<std::string>{name});
-  }
+  for (const std::string name : {"$shaft", "<lid>", "RootNode", "a_$AssimpFbx$_b"})
+    EXPECT_EQ(names_of(read_text(gltf(R"({"mesh":1,"name":")" + name + R"("})"))), std::vector<std::string>{name});
 }
 
 TEST(Import, GltfTrianglesWithIndicesOutOfRangeAreAnError) {
   const TemporaryFolder folder;
   // The node is shown twice.
-  EXPECT_EQ(model_of(read(folder.write("good.gltf", indexed_gltf({0, 1, 2, 1, 1, 3})))).objects.size(), 2u);
+  EXPECT_EQ(read_text(indexed_gltf({0, 1, 2, 1, 1, 3})).objects.size(), 2u);
   EXPECT_THAT(error_of(read(folder.write("bad.gltf", indexed_gltf({0, 1, 2, 0, 1, 9})))),
               HasSubstr("assimp dropped 2 of 4 triangles whose indices are out of range"));
   for (const int mode : {5, 6}) {  // strips and fans, with a degenerate triangle
-    EXPECT_EQ(triangles_of(model_of(read(folder.write("good.gltf", indexed_gltf({0, 1, 2, 2, 3}, mode)))).objects.at(0))
-                  .size(),
-              3u);
+    EXPECT_EQ(triangles_of(read_text(indexed_gltf({0, 1, 2, 2, 3}, mode)).objects.at(0)).size(), 3u);
     EXPECT_THAT(error_of(read(folder.write("bad.gltf", indexed_gltf({0, 1, 2, 9}, mode)))),
                 HasSubstr("assimp dropped 2 of 4"));
   }
@@ -175,7 +153,7 @@ TEST(Import, GltfThatAssimpWouldMisreadIsRefused) {
   EXPECT_THAT(problem_of(requiring("EXT_meshopt_compression")), HasSubstr("extension 'EXT_meshopt_compression'"));
   EXPECT_THAT(problem_of(requiring("KHR_draco_mesh_compression")), HasSubstr("holds nothing compressed"));
   for (const char* harmless : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"}) {
-    EXPECT_EQ(model_of(read(folder.write("good.gltf", requiring(harmless)))).objects.size(), 2u) << harmless;
+    EXPECT_EQ(read_text(requiring(harmless)).objects.size(), 2u) << harmless;
   }
   text = indexed_gltf({0, 1, 2});
   replace(text, R"({"mesh":0})", R"({"mesh":0,"children":[0]})");
@@ -243,18 +221,16 @@ TEST(Import, GltfElementsThatAreNotWhereTheyMayBeAreRefused) {
   std::string text = indexed_gltf({0, 1, 0});
   replace(text, positions, std::string(positions) + R"(,"byteStride":24)");
   replace(text, R"("count":4)", R"("count":2)");
-  EXPECT_EQ(points_of(model_of(read(folder.write("wide.gltf", text))).objects.at(0)), (Points{{0, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(points_of(read_text(text).objects.at(0)), (Points{{0, 0, 0}, {0, 1, 0}}));
 }
 
 TEST(Import, GltfNodesThatAreHiddenAreThereAndSaidToBe) {
-  const TemporaryFolder folder;
-  const auto warnings = [&](bool both) {
+  const auto warnings = [](bool both) {
     const auto hidden = [](bool visible) {
       return std::string(R"("extensions":{"KHR_node_visibility":{"visible":)") + (visible ? "true}}" : "false}}");
     };
-    const Model model = model_of(read(
-        folder.write("case.gltf", gltf(R"({"children":[1,2]},{"mesh":1,"name":"lid",)" + hidden(false) +
-                                       R"(},{"mesh":1,"name":"arm","translation":[9,0,0],)" + hidden(!both) + "}"))));
+    const Model model = read_text(gltf(R"({"children":[1,2]},{"mesh":1,"name":"lid",)" + hidden(false) +
+                                       R"(},{"mesh":1,"name":"arm","translation":[9,0,0],)" + hidden(!both) + "}"));
     EXPECT_EQ(model.objects.size(), 2u);
     return model.warnings;
   };
@@ -332,7 +308,6 @@ TEST(Import, ColladaSaysThatAxesAndUnitsChanged) {
 TEST(Import, FbxSaysItsUnit) {
   EXPECT_EQ(model_of(read(kModels / "FBX/cubes_with_names.fbx")).unit_in_metres, 0.01);
   EXPECT_EQ(model_of(read(kModels / "FBX/box_orphant_embedded_texture.fbx")).unit_in_metres, 1);
-  const TemporaryFolder folder;
   const std::string text = bytes_of_file(kModels / "FBX/cubes_with_names.fbx"),
                     unit = R"("UnitScaleFactor", "double", "Number", "",)";
   for (const auto& [centimetres, metres] :
@@ -340,7 +315,7 @@ TEST(Import, FbxSaysItsUnit) {
     std::string other = text;
     const std::size_t at = other.find(unit) + unit.size();
     other.replace(at, other.find('\n', at) - at, centimetres);
-    EXPECT_EQ(model_of(read(folder.write("case.fbx", other))).unit_in_metres, metres) << centimetres;
+    EXPECT_EQ(read_text(other, "case.fbx").unit_in_metres, metres) << centimetres;
   }
 }
 

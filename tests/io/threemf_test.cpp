@@ -17,15 +17,11 @@ using testing::IsEmpty;
 
 using Members = std::map<std::string, std::string>;
 
-const std::string kRelation = R"(<Relationship Target="/3D/NAME.model" Id="rel0" )"
-                              R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)";
-
 std::string relations(const std::string& to) {
-  std::string relation = kRelation;
-  relation.replace(relation.find("NAME"), 4, to);
   return R"(<?xml version="1.0" encoding="UTF-8"?><Relationships )"
-         R"(xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)" +
-         relation + "</Relationships>";
+         R"(xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/)" +
+         to +
+         R"(.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
 }
 
 std::string model_text(const std::string& resources, const std::string& build, const std::string& attributes = "") {
@@ -117,8 +113,7 @@ TEST_F(ThreeMf, SharesMeshesAndSaysItsUnit) {
 }
 
 TEST_F(ThreeMf, FollowsTheProductionExtension) {
-  constexpr const char* kUuid = R"(p:UUID="0a1b2c3d-0000-4000-8000-00000000000)";
-  const std::string uuid = kUuid;
+  const std::string uuid = R"(p:UUID="0a1b2c3d-0000-4000-8000-00000000000)";
   Members members = package(model_text(
       "<object id=\"1\" name=\"both\" type=\"model\" " + uuid +
           "1\"><components><component p:path=\"/3D/parts.model\" objectid=\"7\" " + uuid +
