@@ -80,7 +80,7 @@ class Pipeline {
     if constexpr (std::is_same_v<Stages, FastStages>) {
       if (options_.backend == "auto") memory_.asks_device = DeviceDriver::may_help(query_, pairs());
       crew_.is_timed |= memory_.asks_device;
-      if (memory_.asks_device) options_.backend == "gpu" ? work_on_device() : work_together();
+      if (memory_.asks_device) work_with_device();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
     if (options_.stop.stop_requested()) return cancelled();
@@ -209,29 +209,17 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
-  /// All work goes to the device; what it cannot take, or all of it if it fails, goes to the CPU.
-  void work_on_device() {
-    std::vector<DevicePiece> pieces;
-    for (std::uint32_t i = 0; i < pairs().size(); ++i) {
-      if (is_apart(pairs()[i])) {
-        report_done();
-      } else if (!is_for_cpu(i)) {
-        pieces.push_back({i});
-      }
-    }
-    share_with_device(std::move(pieces), 1, {});
-    work_on_own_pairs();
-  }
-
-  /// The CPU begins. Where it has much left to do, it shares that with the device.
-  void work_together() {
-    const bool are_many = pairs().size() >= kManyPairs;
+  /// All work goes to the device with backend "gpu"; what it cannot take, or all of it if it fails, goes to the CPU.
+  /// With another one the CPU begins, and where it has much left to do, it shares that with the device.
+  void work_with_device() {
+    const bool are_shared = options_.backend != "gpu", are_many = pairs().size() >= kManyPairs;
+    const bool are_whole = are_many || !are_shared;
     std::vector<std::vector<DevicePiece>> opened(pairs().size());
-    run_each(are_many ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
+    run_each(are_whole ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
       const auto object_pair = static_cast<std::uint32_t>(i);
       if (is_apart(pairs()[i])) return report_done();
       if (is_for_cpu(i)) return;
-      if (are_many) return opened[i].push_back({object_pair});
+      if (are_whole) return opened[i].push_back({object_pair});
       Worker<Stages>& worker = crew_.take(options_);
       open_up(object_pair, worker, opened[i]);
       crew_.give_back(worker);
@@ -240,14 +228,14 @@ class Pipeline {
     for (const auto& some : opened) pieces.insert(pieces.end(), some.begin(), some.end());
     // The costs of what has been done predict the rest; where nothing has been done yet, the last pairs are done first.
     Worker<Stages>& worker = crew_.take(options_);
-    while (are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
+    while (are_shared && are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
       run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
       pieces.pop_back();
     }
     crew_.give_back(worker);
     Statistics mix;
     for (const Worker<Stages>* one : crew_.at_work()) add(mix, one->statistics);
-    share_with_device(std::move(pieces), options_.device_share, mix);
+    share_with_device(std::move(pieces), are_shared ? options_.device_share : 1, mix);
     work_on_own_pairs();
   }
 
