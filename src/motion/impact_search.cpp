@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -84,10 +85,17 @@ class Search {
     bool truncated = false;
   };
 
+  /// In the part of the trees' time that is still of interest: rounded up.
+  [[nodiscard]] Nearness nearness() const {
+    const double end = end_.load(std::memory_order_relaxed);
+    if (end >= a_.tree.end) return {1, query_.reach};
+    return {std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f)), query_.reach};
+  }
+
   /// Calls `visit` with each pair of children that may meet.
   template <class Visit>
   void visit_children(const NodePair& pair, const Visit& visit) const {
-    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b], query_.reach);
+    std::uint64_t bits = may_meet(a_.tree.levels[pair.level][pair.a], b_.tree.levels[pair.level][pair.b], nearness());
     for (; bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
       const std::size_t a = kWidth * pair.a + bit / kWidth, b = kWidth * pair.b + bit % kWidth;
@@ -136,7 +144,7 @@ class Search {
               !itself_ ? Leaves::of_two_meshes
               : i == j ? Leaves::the_same
                        : Leaves::of_one_mesh,
-              query_.reach, scratch.pairs);
+              nearness(), scratch.pairs);
     for (const Feature feature : {Feature::vertex_face, Feature::face_vertex, Feature::edge_edge})
       if (scratch.pairs.lists[static_cast<std::size_t>(feature)].count + FeaturePairs::kMost > FeaturePairs::kRoom)
         test(feature, scratch, found);

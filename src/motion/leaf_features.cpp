@@ -8,6 +8,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "motion/leaf_features.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -18,32 +19,40 @@ namespace impinge::motion::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A bit for each of the first `count` boxes that may come within `reach` of box i of `one`: those with no axis along
-/// which they are farther apart at the start and at the end, in the same order. (The gap along an axis is a linear
-/// function of time, above `reach` throughout if it is so at both ends. A difference has the sign of the exact one.)
+/// A bit for each of the first `count` boxes that may come near box i of one: those with no axis along which they are
+/// farther apart at the start and until then, in the same order. (The gap along an axis is a linear function of time,
+/// above a distance throughout if it is so at both ends. A difference has the sign of the exact one.)
+//
+// Before the end the gap is g + t (h - g), of the gaps g and h at both ends. Coordinates are between -1 and 1 and, as
+// floats, off by 2^-25: with u = 2^-24 gaps are off by u, and by 2 u more for their own rounding; their difference, the
+// product and the sum take 4 u, 4 u and 2 u. That is less than 2^-19. Boxes of nothing are 3 apart from all.
 template <int kOne, int kCount>
 HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes<kCount>& boxes, int count,
-                              float reach) {
+                              const Nearness& nearness) {
+  const float until = nearness.until, distance = nearness.distance + (until == 1 ? 0 : 0x1p-19f);
   const hn::CappedTag<float, kCount % 16 == 0 ? 16 : kWidth> d;
   std::uint32_t bits = 0;
   for (int lane = 0; lane < count; lane += static_cast<int>(hn::Lanes(d))) {
     const auto lanes = [&](int bound) HWY_ATTR { return hn::Load(d, boxes.bounds[bound] + lane); };
     const auto own = [&](int bound) HWY_ATTR { return hn::Set(d, one.bounds[bound][i]); };
+    const auto least = [&](auto start, auto end) HWY_ATTR {
+      return hn::Min(start, until == 1 ? end : hn::MulAdd(hn::Set(d, until), hn::Sub(end, start), start));
+    };
     const auto gap = [&](int axis) HWY_ATTR {
       const int lo = axis, hi = 3 + axis, end = 6;
-      const auto above = hn::Min(hn::Sub(lanes(lo), own(hi)), hn::Sub(lanes(end + lo), own(end + hi)));
-      const auto below = hn::Min(hn::Sub(own(lo), lanes(hi)), hn::Sub(own(end + lo), lanes(end + hi)));
+      const auto above = least(hn::Sub(lanes(lo), own(hi)), hn::Sub(lanes(end + lo), own(end + hi)));
+      const auto below = least(hn::Sub(own(lo), lanes(hi)), hn::Sub(own(end + lo), lanes(end + hi)));
       return hn::Max(above, below);
     };
     const auto largest = hn::Max(hn::Max(gap(0), gap(1)), gap(2));
-    bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(largest, hn::Set(d, reach))) << lane;
+    bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(largest, hn::Set(d, distance))) << lane;
   }
   return bits & ((1u << count) - 1);
 }
 
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float reach) {
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, const Nearness& nearness) {
   std::uint64_t bits = 0;
-  for (int i = 0; i < kWidth; ++i) bits |= std::uint64_t{near(a, i, b, kWidth, reach)} << (kWidth * i);
+  for (int i = 0; i < kWidth; ++i) bits |= std::uint64_t{near(a, i, b, kWidth, nearness)} << (kWidth * i);
   return bits;
 }
 
@@ -63,11 +72,11 @@ HWY_INLINE std::uint32_t sharing(const A& a, int i, const B& b) {
 
 /// Those of both groups; of one group with itself each pair once.
 template <class A, class B>
-HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint32_t near_b, Leaves leaves, float reach,
-                        bool itself, bool in_order, FeaturePairs::List& list) {
+HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint32_t near_b, Leaves leaves, bool itself,
+                        bool in_order, const Nearness& nearness, FeaturePairs::List& list) {
   for (; near_a != 0; near_a &= near_a - 1) {
     const int i = std::countr_zero(near_a);
-    std::uint32_t bits = near(a.boxes, i, b.boxes, b.count, reach) & near_b;
+    std::uint32_t bits = near(a.boxes, i, b.boxes, b.count, nearness) & near_b;
     if (itself) bits &= ~((2u << i) - 1);
     if (bits != 0 && leaves != Leaves::of_two_meshes) bits &= ~sharing(a, i, b);
     for (; bits != 0; bits &= bits - 1) {
@@ -78,35 +87,40 @@ HWY_INLINE void pair_up(const A& a, std::uint32_t near_a, const B& b, std::uint3
   }
 }
 
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float reach, FeaturePairs& pairs) {
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, const Nearness& nearness,
+               FeaturePairs& pairs) {
   const auto list = [&](Feature feature)
                         HWY_ATTR -> FeaturePairs::List& { return pairs.lists[static_cast<std::size_t>(feature)]; };
   const bool same = leaves == Leaves::the_same;
   std::uint32_t faces_a = (1u << a.faces.count) - 1, faces_b = (1u << b.faces.count) - 1;
   if (!same) {
-    faces_b = near(a.box, 0, b.faces.boxes, b.faces.count, reach);
-    std::uint32_t may_be = faces_b == 0 ? 0 : near(b.box, 0, a.faces.boxes, a.faces.count, reach);
+    faces_b = near(a.box, 0, b.faces.boxes, b.faces.count, nearness);
+    std::uint32_t may_be = faces_b == 0 ? 0 : near(b.box, 0, a.faces.boxes, a.faces.count, nearness);
     std::uint32_t met = 0;
     for (faces_a = 0; may_be != 0; may_be &= may_be - 1) {
       const int i = std::countr_zero(may_be);
-      const std::uint32_t bits = near(a.faces.boxes, i, b.faces.boxes, b.faces.count, reach) & faces_b;
+      const std::uint32_t bits = near(a.faces.boxes, i, b.faces.boxes, b.faces.count, nearness) & faces_b;
       met |= bits, faces_a |= std::uint32_t{bits != 0} << i;
     }
     if (faces_a == 0) return;
     faces_b = met;
   }
-  const auto all = [](std::uint32_t faces, const std::uint32_t(&of)[kWidth]) HWY_ATTR {
+  // Of one leaf what is in the care of its faces that are left, and near the other.
+  const auto left = [&](const auto& group, std::uint32_t faces, const std::uint32_t(&of)[kWidth],
+                        const LeafFeatures& other) HWY_ATTR {
     std::uint32_t bits = 0;
     for (; faces != 0; faces &= faces - 1) bits |= of[std::countr_zero(faces)];
-    return bits;
+    return bits == 0 || same ? bits : bits & near(other.box, 0, group.boxes, group.count, nearness);
   };
-  pair_up(a.vertices, all(faces_a, a.vertices_of), b.faces, faces_b, leaves, reach, false, false,
+  pair_up(a.vertices, left(a.vertices, faces_a, a.vertices_of, b), b.faces, faces_b, leaves, false, false, nearness,
           list(Feature::vertex_face));
   if (!same)
-    pair_up(b.vertices, all(faces_b, b.vertices_of), a.faces, faces_a, leaves, reach, false, false,
+    pair_up(b.vertices, left(b.vertices, faces_b, b.vertices_of, a), a.faces, faces_a, leaves, false, false, nearness,
             list(leaves == Leaves::of_two_meshes ? Feature::face_vertex : Feature::vertex_face));
-  pair_up(a.edges, all(faces_a, a.edges_of), b.edges, all(faces_b, b.edges_of), leaves, reach, same,
-          leaves != Leaves::of_two_meshes, list(Feature::edge_edge));
+  const std::uint32_t edges_a = left(a.edges, faces_a, a.edges_of, b);
+  if (edges_a != 0)
+    pair_up(a.edges, edges_a, b.edges, left(b.edges, faces_b, b.edges_of, a), leaves, same,
+            leaves != Leaves::of_two_meshes, nearness, list(Feature::edge_edge));
 }
 
 }  // namespace impinge::motion::HWY_NAMESPACE
@@ -118,11 +132,12 @@ namespace impinge::motion {
 HWY_EXPORT(may_meet);
 HWY_EXPORT(add_pairs);
 
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float reach) {
-  return HWY_DYNAMIC_DISPATCH(may_meet)(a, b, reach);
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, const Nearness& nearness) {
+  return HWY_DYNAMIC_DISPATCH(may_meet)(a, b, nearness);
 }
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float reach, FeaturePairs& pairs) {
-  HWY_DYNAMIC_DISPATCH(add_pairs)(a, b, leaves, reach, pairs);
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, const Nearness& nearness,
+               FeaturePairs& pairs) {
+  HWY_DYNAMIC_DISPATCH(add_pairs)(a, b, leaves, nearness, pairs);
 }
 
 void LeafFeatures::read(const PathTree& tree, const Features& features, std::size_t leaf) {
@@ -132,14 +147,19 @@ void LeafFeatures::read(const PathTree& tree, const Features& features, std::siz
     for (std::size_t k = 0; k < group.kVertices; ++k) group.vertices[k][group.count] = corners[k];
     group.index[group.count++] = index;
   };
+  // Triangles that are close in space may be anywhere in memory.
+  for (const std::uint32_t i : tree.triangles_of(leaf))
+    hwy::Prefetch(&features.corners[i]), hwy::Prefetch(&features.sides[i]), hwy::Prefetch(&features.care[i]);
+  for (const std::uint32_t i : tree.triangles_of(leaf))
+    for (const std::uint32_t corner : features.corners[i]) hwy::Prefetch(&tree.points[corner]);
   for (const std::uint32_t i : tree.triangles_of(leaf)) {
     const Corners& corners = features.corners[i];
     const int edges_before = edges.count, vertices_before = vertices.count, face = faces.count;
     add(faces, i, corners);
     for (int k = 0; k < 3; ++k) {
       if ((features.care[i] >> k & 1) != 0) add(vertices, corners[k], std::array{corners[k]});
-      const std::uint32_t side = features.sides[i][k];
-      if ((features.care[i] >> (3 + k) & 1) != 0) add(edges, side, features.edges[side]);
+      if ((features.care[i] >> (3 + k) & 1) != 0)
+        add(edges, features.sides[i][k], std::array{corners[k], corners[(k + 1) % 3]});
     }
     edges_of[face] = (1u << edges.count) - (1u << edges_before);
     vertices_of[face] = (1u << vertices.count) - (1u << vertices_before);

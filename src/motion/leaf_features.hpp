@@ -43,14 +43,20 @@ struct FeaturePairs {
   List lists[3];  ///< by `Feature`
 };
 
-/// Bit 8 i + j: whether box i of one node and box j of the other may come within `reach` of each other.
-std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, float reach);
+/// How near to each other boxes have to come, in their frame, and until which part of the time, 1 for all.
+struct Nearness {
+  float until, distance;
+};
+
+/// Bit 8 i + j: whether box i of one node and box j of the other may come that near.
+std::uint64_t may_meet(const PathTree::Node& a, const PathTree::Node& b, const Nearness& nearness);
 
 /// Whose leaves they are.
 enum class Leaves : std::uint8_t { of_two_meshes, of_one_mesh, the_same };
 
-/// Adds the pairs of features whose boxes may come within `reach` of each other. Of one mesh, pairs with a common
-/// vertex are left out, and a face and a vertex count as a vertex and a face.
-void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, float reach, FeaturePairs& pairs);
+/// Adds the pairs of features whose boxes may come that near. Of one mesh, pairs with a common vertex are left out, and
+/// a face and a vertex count as a vertex and a face.
+void add_pairs(const LeafFeatures& a, const LeafFeatures& b, Leaves leaves, const Nearness& nearness,
+               FeaturePairs& pairs);
 
 }  // namespace impinge::motion

@@ -119,15 +119,18 @@ FloatFrame frame_of(std::span<const BoxPath> meshes) {
   return {0.5 * lo + 0.5 * hi, half > 0 ? std::ldexp(1.0, -std::max(exponent(half) + 1, -1000)) : 1};
 }
 
-// A difference of two floats below 1 is off by 2^-24, each of them by 2^-25 and 2^-52; none is above 2.
+// What comes within the separation and the tolerance (`approach.hpp`, 2^-31 in the frame) is not culled, so that
+// answers do not depend on boxes. A difference of two floats below 1 is off by 2^-24, each of them by 2^-25 and 2^-52;
+// none is above 2.
 float reach_of(double separation, const FloatFrame& frame) {
-  return separation == 0 ? 0 : static_cast<float>(std::min(separation * frame.scale, 2.0) * (1 + 0x1p-20) + 0x1p-22);
+  if (separation == 0) return 0;
+  return static_cast<float>(std::min(separation * frame.scale * (1 + 0x1p-9), 2.0) * (1 + 0x1p-20) + 0x1p-22);
 }
 
 // A point in between is computed from two coordinates below 1 and a time, each off by 2^-53 of itself, by three more
 // roundings to double and one to float: off by less than 2^-24 + 2^-50. Adding the margin is off by 2^-24 as much.
 PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan)
-    : margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
+    : end(plan.end), margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
   in_blocks(plan.for_each, 4096, points.size(), [&](std::size_t i) {
     if (i % 4096 == 0) throw_if_stopped(plan.stop);
     const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);

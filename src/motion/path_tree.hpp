@@ -25,7 +25,8 @@ struct FloatFrame {
   double scale = 1;
 };
 FloatFrame frame_of(std::span<const BoxPath> meshes);
-/// Floats that are farther apart than this, on one axis, are of coordinates that are so by more than `separation`.
+/// Floats that are farther apart than this, on one axis, are of coordinates that are so by more than `separation` and
+/// its tolerance.
 float reach_of(double separation, const FloatFrame& frame);
 
 /// Boxes in the order of their bounds: where a box that moves linearly is at both ends. What is inside at both, and
@@ -65,6 +66,7 @@ struct PathTree {
   struct Point {
     float at[2][3];
   };
+  double end;
   float margin;
   std::vector<Point> points;
   std::shared_ptr<const SpatialOrder> order;
@@ -98,7 +100,7 @@ struct PathTree {
 
 template <int kCount>
 void PathBoxes<kCount>::clear(int i) {
-  for (int k = 0; k < kBounds; ++k) bounds[k][i] = k % 6 < 3 ? 3e38f : -3e38f;
+  for (int k = 0; k < kBounds; ++k) bounds[k][i] = k % 6 < 3 ? 4.0f : -4.0f;
 }
 
 }  // namespace impinge::motion

@@ -103,6 +103,12 @@ Moving fluttering(Random& random, int n, double steps, double z, double squares 
   return {std::move(from), state(-z)};
 }
 
+/// The soonest, of those the first in order.
+Row first_of(const std::vector<Row>& impacts) {
+  return *std::ranges::min_element(impacts, {},
+                                   [](const Row& x) { return std::tuple(std::get<3>(x), std::get<4>(x), x); });
+}
+
 TEST(FindImpacts, OfTwoMeshesAreThoseOfEveryPairOfFeatures) {
   test::Seeded seeded(20263);
   std::size_t count = 0;
@@ -115,10 +121,36 @@ TEST(FindImpacts, OfTwoMeshesAreThoseOfEveryPairOfFeatures) {
         const Impacts impacts = found(find_impacts(a, b, {.threads = threads}));
         EXPECT_EQ(expected, rows(impacts.impacts));
         EXPECT_FALSE(impacts.truncated);
+        for (const double end : {1.0, 0.75}) {
+          std::vector<Row> until = expected;
+          std::erase_if(until, [&](const Row& x) { return std::get<4>(x) > end; });
+          if (!until.empty()) until = {first_of(until)};
+          EXPECT_EQ(rows(found(find_impacts(a, b, {.earliest = true, .end = end, .threads = threads})).impacts), until);
+        }
       }
       count += expected.size();
     }
   EXPECT_GT(count, 1000u);
+}
+
+TEST(FindImpacts, TheFirstAloneIsTheFirstOfAll) {
+  // So many that the search knows an early one long before its end. On the coarse lattice many are first.
+  test::Seeded seeded(20267);
+  for (const double steps : {16.0, 0x1p40})
+    for (const double z : {0.0, 0.3, 0.8}) {
+      const Moving a = fluttering(seeded.random, 16, steps, z, 1.5), b = fluttering(seeded.random, 14, steps, -z, 1.5);
+      const auto expect_first = [](const auto& find, double end) {
+        std::vector<Row> all = rows(found(find({.end = end})).impacts);
+        if (!all.empty()) all = {first_of(all)};
+        for (const int threads : {1, 2})
+          EXPECT_EQ(rows(found(find({.earliest = true, .end = end, .threads = threads})).impacts), all);
+        return !all.empty();
+      };
+      const auto of_two = [&](const MotionOptions& options) { return find_impacts(a, b, options); };
+      const auto of_one = [&](const MotionOptions& options) { return find_impacts(a, options); };
+      EXPECT_TRUE(expect_first(of_two, 1) && expect_first(of_one, 1));
+      expect_first(of_two, 0.4), expect_first(of_one, 0.4);
+    }
 }
 
 TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
@@ -147,10 +179,7 @@ TEST(FindImpacts, OfAMeshWithItselfLeaveOutSharedVertices) {
                 rows(few.impacts));
       EXPECT_EQ(few.truncated, !expected.empty());
       if (expected.empty()) continue;
-      const auto sooner = [](const Row& x, const Row& y) {
-        return std::tuple(std::get<3>(x), std::get<4>(x), x) < std::tuple(std::get<3>(y), std::get<4>(y), y);
-      };
-      const Row first = *std::min_element(expected.begin(), expected.end(), sooner);
+      const Row first = first_of(expected);
       for (const Impacts& x : {few, impacts}) {
         EXPECT_EQ(x.earliest->lo, std::get<3>(first));
         EXPECT_EQ(x.earliest->hi, std::get<4>(first));
