@@ -30,7 +30,8 @@ BoxPath path_of(const Vertices& vertices, std::span<const Corners> triangles) {
 
 BoxPath grown(const BoxPath& path, double separation) {
   if (separation == 0) return path;
-  const double by = separation / 2;
+  const Vec3 extents = max(path.from.hi, path.to.hi) - min(path.from.lo, path.to.lo);
+  const double by = separation * (0.5 + 0x1p-10) + 0x1p-31 * max_component(extents);
   const auto around = [by](const Box& box) {
     const auto out = [](const Vec3& v, double way) {
       return Vec3{std::nextafter(v.x, way), std::nextafter(v.y, way), std::nextafter(v.z, way)};

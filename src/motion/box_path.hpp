@@ -15,8 +15,8 @@ struct BoxPath {
 /// Of all triangles, of which there are some.
 BoxPath path_of(const Vertices& vertices, std::span<const Corners> triangles);
 
-/// Larger by half of a distance on all sides, or a little more, so that what comes within it of others that are grown
-/// as well meets them.
+/// Larger by half of a distance and of its tolerance (`approach.hpp`) on all sides, or a little more: what comes within
+/// it of others that are grown as well meets them.
 BoxPath grown(const BoxPath& path, double separation);
 
 /// Whether an axis separates two boxes from the start until `end`. The gap along an axis is then a linear function of

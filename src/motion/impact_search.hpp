@@ -21,7 +21,8 @@ struct ImpactQuery {
   bool earliest;
   double end;  ///< no later than that of the trees
   double separation;
-  float reach;  ///< boxes farther apart than this, in the trees' frame, are farther apart than the separation
+  float reach;  ///< boxes farther apart than this, in the trees' frame, are so by more than the separation and its
+                ///< tolerance
   std::uint64_t limit;
   ForEach for_each;
   std::stop_token stop;

@@ -119,9 +119,12 @@ FloatFrame frame_of(std::span<const BoxPath> meshes) {
   return {0.5 * lo + 0.5 * hi, half > 0 ? std::ldexp(1.0, -std::max(exponent(half) + 1, -1000)) : 1};
 }
 
-// A difference of two floats below 1 is off by 2^-24, each of them by 2^-25 and 2^-52; none is above 2.
+// What comes within the separation and the tolerance (`approach.hpp`, 2^-31 in the frame) is not culled, so that
+// answers do not depend on boxes. A difference of two floats below 1 is off by 2^-24, each of them by 2^-25 and 2^-52;
+// none is above 2.
 float reach_of(double separation, const FloatFrame& frame) {
-  return separation == 0 ? 0 : static_cast<float>(std::min(separation * frame.scale, 2.0) * (1 + 0x1p-20) + 0x1p-22);
+  if (separation == 0) return 0;
+  return static_cast<float>(std::min(separation * frame.scale * (1 + 0x1p-9), 2.0) * (1 + 0x1p-20) + 0x1p-22);
 }
 
 // A point in between is computed from two coordinates below 1 and a time, each off by 2^-53 of itself, by three more

@@ -25,7 +25,8 @@ struct FloatFrame {
   double scale = 1;
 };
 FloatFrame frame_of(std::span<const BoxPath> meshes);
-/// Floats that are farther apart than this, on one axis, are of coordinates that are so by more than `separation`.
+/// Floats that are farther apart than this, on one axis, are of coordinates that are so by more than `separation` and
+/// its tolerance.
 float reach_of(double separation, const FloatFrame& frame);
 
 /// Boxes in the order of their bounds: where a box that moves linearly is at both ends. What is inside at both, and

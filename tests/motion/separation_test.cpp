@@ -250,9 +250,10 @@ TEST(Separation, IsReachedByBothOrNeitherWhereRolesAreExchangedOrTimeRunsBack) {
         if (found->time.lo > 0) {
           EXPECT_FALSE(ask(features, c, {.end = std::nextafter(found->time.lo, 0), .separation = separation}));
         }
-        const auto later = ask(features, c, {.end = (1 + found->time.lo) / 2, .separation = separation});
-        if (later) {
-          EXPECT_EQ(later->time.lo, found->time.lo);
+        for (const double later : {found->time.lo, (1 + found->time.lo) / 2}) {
+          const auto again = ask(features, c, {.end = later, .separation = separation});
+          ASSERT_TRUE(again) << text(c, separation);
+          EXPECT_EQ(again->time.lo, found->time.lo);
         }
       }
     }
