@@ -93,6 +93,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
                          {"inner", nullptr},
                          {"note", nullptr},
                          {"incomplete", nullptr},
+                         {"axes", nullptr},
                          {"fails", true}}));
   EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
   EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);
