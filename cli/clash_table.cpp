@@ -63,13 +63,11 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
     add("depth" + unit, number, [](const Clash& pair, const Standing&) {
       return pair.overlap_depth ? depth_text(*pair.overlap_depth, length_text) : kNothing;
     });
-  if (arguments.volumes) {
-    const auto& metres = review.assembly.unit_in_metres;
-    add("volume" + (metres ? fmt::format(" ({}^3)", unit_name(*metres)) : ""), number,
-        [](const Clash& pair, const Standing&) {
-          return pair.overlap_volume ? fmt::format("{:.4g}", pair.overlap_volume->volume) : kNothing;
-        });
-  }
+  if (arguments.volumes)
+    add("volume", number, [&review](const Clash& pair, const Standing&) {
+      return pair.overlap_volume ? volume_text(pair.overlap_volume->volume, review.assembly.unit_in_metres, 4)
+                                 : kNothing;
+    });
   if (arguments.clearance.value > 0)
     add("distance" + unit, number, [](const Clash& pair, const Standing&) {
       return pair.nearest ? length_text(pair.nearest->distance) : kNothing;
@@ -81,6 +79,11 @@ std::vector<Column> columns_of_pairs(const Review& review, const std::vector<std
     add("shape", text, [is_incomplete](const Clash& pair, const Standing&) {
       return is_incomplete(pair) ? std::string("incomplete") : kNothing;
     });
+  if (!std::ranges::all_of(review.axes, &std::string::empty))
+    columns.push_back({"axes", text, [&](std::size_t row) {
+                         const std::string where = fit(printable(axes_text(review, order[row])), 30);
+                         return where.empty() ? kNothing : where;
+                       }});
   if (std::any_of(pairs.begin(), pairs.end(), [](const Clash& pair) { return pair.note != Note::none; }))
     add("note", text, [](const Clash& pair, const Standing&) { return note_text(pair.note); });
   return columns;

@@ -48,6 +48,12 @@ std::vector<std::string> bring_to_first_axes(const std::vector<std::string>& fil
     if (!first) first = is_y_up, first_file = files[i];
     if (!is_y_up || is_y_up == first || models[i].objects.empty()) continue;  // empty: or skipped
     for (io::Object& object : models[i].objects) object.pose = turned(object.pose, *first);
+    for (io::Grid& grid : models[i].grids)
+      for (io::GridAxis& axis : grid.axes)
+        for (Point& p : axis.points) {
+          const auto& t = turned(Pose{.t = {p.x, p.y, p.z}}, *first).t;
+          p = {t[0], t[1], t[2]};
+        }
     sentences.push_back(fmt::format("{} was turned so that {} is up, as in {}", printable(files[i]), *first ? 'Y' : 'Z',
                                     printable(first_file)));
   }
@@ -132,6 +138,7 @@ Assembly assemble(const std::vector<std::string>& files, std::vector<io::Model> 
       assembly.file_of.push_back(static_cast<std::uint32_t>(i));
       assembly.objects.push_back(std::move(object));
     }
+    for (io::Grid& grid : models[i].grids) assembly.grids.push_back(std::move(grid));
     if (!assembly.unit_in_metres) assembly.unit_in_metres = models[i].unit_in_metres;
     for (std::string& warning : models[i].warnings) assembly.warnings.push_back(std::move(warning));
     for (const std::string& sentence : models[i].missing) assembly.missing.push_back(files[i] + ": " + sentence);

@@ -82,7 +82,8 @@ Json json_pair(const Review& review, std::size_t number) {
             {"incomplete", or_null(incomplete_sides(review, pair))},
             {"fails", standing.fails},
             {"fails_below", json_finite(pair.fails_below)},
-            {"overlap_depth", json_depth(pair.overlap_depth)}};
+            {"overlap_depth", json_depth(pair.overlap_depth)},
+            {"axes", or_null(review.axes[number])}};
   json.update(json_triage(review, number));
   if (options.clearance.value > 0) json.update(json_distance(pair.nearest));
   if (options.volumes) {

@@ -31,6 +31,7 @@ struct Row {
   const Conventions& conventions;
   const Clash& pair;
   const Standing& standing;
+  const std::string& axes;
   std::size_t rank;
   const std::string& id;
   Point at;
@@ -199,6 +200,7 @@ constexpr std::array kColumns{
            }},
     Column{"depth_least", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).lo) : ""; }},
     Column{"due", [](const Row& row) { return csv_cell(row.standing.decision.due); }},
+    Column{"axes", [](const Row& row) { return csv_cell(row.axes); }},
 };
 
 /// Cells with commas between them, and the end of the line.
@@ -232,8 +234,8 @@ Result<void> write_csv(Sink& sink, const Review& review) {
   for (const std::size_t i : ranked(review.clashes.pairs)) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
-    const Row row{review, conventions,   review.clashes.pairs[i], review.standings[i],
-                  ++rank, review.ids[i], place_of(review, i).at};
+    const Row row{review,         conventions, review.clashes.pairs[i], review.standings[i],
+                  review.axes[i], ++rank,      review.ids[i],           place_of(review, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
   const Assembly& assembly = review.assembly;

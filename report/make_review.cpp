@@ -8,6 +8,7 @@
 #include <chrono>
 #include <utility>
 
+#include "report/place.hpp"
 #include "report/scene.hpp"
 #include "report/text.hpp"
 #include "report/units.hpp"
@@ -206,6 +207,7 @@ Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<C
   const Previous* const previous = input.previous ? &*input.previous : nullptr;
   assign_ids(previous, review);
   review.types = types_of(review.assembly);
+  review.axes = axes_of(review);
   compare_with_previous(previous, review);
   if (previous && previous->unit_in_metres && previous->unit_in_metres != review.assembly.unit_in_metres)
     review.warnings.push_back(

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/place.hpp"
 
+#include "report/conventions.hpp"
+#include "report/grid_names.hpp"
+#include "report/share.hpp"
+
 namespace impinge::report {
 
 Bounds bounds_of(const io::Object& object) {
@@ -10,6 +14,16 @@ Bounds bounds_of(const io::Object& object) {
   for (const auto& triangle : object.mesh.triangles())
     for (const std::uint32_t corner : triangle) bounds.add(world_vertex(object.pose, vertices[corner]));
   return bounds;
+}
+
+std::vector<std::string> axes_of(const Review& review) {
+  std::vector<std::string> axes(review.clashes.pairs.size());
+  if (review.assembly.grids.empty()) return axes;
+  const GridNames grids(review.assembly.grids, conventions_of(review.options, review.assembly).y_up);
+  share(axes.size(), review.options.threads, [&](std::size_t i) {
+    axes[i] = grids.name_at(place_of(review, i).at, storeys_of(review, review.clashes.pairs[i]));
+  });
+  return axes;
 }
 
 Place place_of(const Review& review, std::size_t pair) {

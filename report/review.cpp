@@ -3,6 +3,7 @@
 #include "report/review.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,23 @@ double area_of(const Clash& pair) {
   double area = 0;
   for (const Region& region : pair.regions) area += region.area;
   return area;
+}
+
+std::vector<std::string_view> storeys_of(const Review& review, const Clash& pair) {
+  std::vector<std::string_view> storeys;
+  for (const std::uint32_t object : pair.objects)
+    for (const auto& [name, value] : review.assembly.objects[object].properties)
+      if (name == "storey") storeys.emplace_back(value);
+  std::ranges::sort(storeys);
+  storeys.erase(std::unique(storeys.begin(), storeys.end()), storeys.end());
+  return storeys;
+}
+
+std::string axes_text(const Review& review, std::size_t pair) {
+  const std::string& axes = review.axes[pair];
+  const auto storeys = storeys_of(review, review.clashes.pairs[pair]);
+  if (axes.empty() || storeys.empty()) return axes;
+  return fmt::format("{}, {}", axes, fmt::join(storeys, " / "));
 }
 
 std::string incomplete_sides(const Review& review, const Clash& pair) {

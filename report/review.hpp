@@ -38,6 +38,7 @@ struct Review {
   std::vector<std::string> ids;         ///< for each pair a UUID that it keeps as long as its parts keep their names
   Plan plan;                            ///< without tests, if there is no configuration
   std::vector<Standing> standings;      ///< for each pair
+  std::vector<std::string> axes;        ///< for each pair those of a grid that cross by it, "B/3"; empty for none
   std::vector<Resolved> resolved;       ///< what is gone since the previous run
   std::vector<std::pair<std::string, Decision>> decisions;  ///< all that were read, by their keys
   PartTypes types;
@@ -68,6 +69,11 @@ std::string depth_text(const OverlapDepth& depth, const std::function<std::strin
                        std::string_view between = "..");
 /// That of all regions; 0 where none were looked for.
 double area_of(const Clash& pair);
+
+/// The storeys that the two parts are in, by their names, each once and in the order of the alphabet.
+std::vector<std::string_view> storeys_of(const Review& review, const Clash& pair);
+/// By which axes a pair is, and in which storeys: "B/3, Level 1 / Level 2". Empty: by no axes.
+std::string axes_text(const Review& review, std::size_t pair);
 
 /// Which of the two parts, "a", "b" or "a b", the reader knows to be incomplete, so that the verdict rests on a part of
 /// their shape; empty for neither.

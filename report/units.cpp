@@ -70,6 +70,20 @@ std::string unit_text(const std::optional<double>& metres) { return metres ? uni
 
 std::string unit_after(const std::optional<double>& metres) { return metres ? " " + unit_name(*metres) : ""; }
 
+std::string volume_text(double volume, const std::optional<double>& metres, int digits) {
+  const auto figure = [&](double value) { return fmt::format("{:.{}g}", value + 0.0, digits); };
+  if (!metres) return figure(volume);
+  constexpr double kFoot = 0.3048 * 0.3048 * 0.3048, kInch = 0.0254 * 0.0254 * 0.0254;
+  using Units = std::vector<std::pair<const char*, double>>;
+  const std::string unit = unit_name(*metres);
+  const Units units = unit == "ft" || unit == "in" ? Units{{"ft³", kFoot}, {"in³", kInch}}
+                                                   : Units{{"m³", 1}, {"L", 1e-3}, {"cm³", 1e-6}, {"mm³", 1e-9}};
+  const double cubic = volume * *metres * *metres * *metres;
+  const auto fits = std::ranges::find_if(units, [&](const auto& one) { return std::abs(cubic) >= one.second; });
+  const auto& [name, size] = fits == units.end() ? units.back() : *fits;
+  return fmt::format("{} {}", figure(cubic / size), name);
+}
+
 std::optional<Length> parse_length(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -27,6 +27,10 @@ std::string unit_text(const std::optional<double>& metres);
 /// What follows a length: " mm", or nothing where the unit is not known.
 std::string unit_after(const std::optional<double>& metres);
 
+/// "12.3 L" of so many cubes of a unit of so many metres, to so many digits: in the largest of m³, L, cm³ and mm³, or
+/// where the unit is the foot or the inch of ft³ and in³, that it has one of. A number alone where it is not known.
+std::string volume_text(double volume, const std::optional<double>& metres, int digits);
+
 /// A length from 0 up, "10", "10mm" or "10 mm"; nothing for any other text.
 std::optional<Length> parse_length(std::string_view text);
 /// "10mm", or "10" in the run's unit: what `parse_length` takes.

@@ -109,6 +109,7 @@ struct Assembly {
   std::vector<std::string> files;
   std::vector<io::Object> objects;
   std::vector<io::Group> groups;       ///< those of all files, numbered over the files as well
+  std::vector<io::Grid> grids;         ///< those of all files
   std::vector<std::uint32_t> file_of;  ///< for each object
   std::vector<std::string> labels;     ///< for each object, what a person is shown; printable
   std::vector<std::string> warnings;

@@ -17,8 +17,8 @@ import {
   verbOf,
   verdictName,
 } from './clashes';
-import { byId, el, intervalOf, lengthOf, nameOf } from './dom';
-import { counted, nameText, plural, rounded, spanText, wholeSpanText } from './format';
+import { byId, el, intervalOf, lengthOf, nameOf, volumeOf } from './dom';
+import { counted, nameText, plural, rounded, spanText, volumeText, wholeSpanText } from './format';
 import type { Store } from './store';
 import { VirtualRows } from './virtual-rows';
 
@@ -203,7 +203,7 @@ export class ClashList {
     const span = clash.pair?.span;
     const regions = clash.pair?.regions?.length ?? 0;
     if (span) side.append(el('small', {}, spanText(span)));
-    else if (!Number.isNaN(clash.volume)) side.append(el('small', {}, 'volume '), lengthOf(clash.volume, 3));
+    else if (!Number.isNaN(clash.volume)) side.append(el('small', {}, 'volume '), volumeOf(clash.volume));
     else if (clash.area > 0) side.append(el('small', {}, 'area '), lengthOf(clash.area, 2));
     else if (regions) side.append(el('small', {}, plural(regions, 'region')));
     return side;
@@ -222,7 +222,7 @@ export function sentenceOf(clash: Clash, place: string): string {
   const [a, b] = clash.names.map((name) => nameText(name, 80));
   const parts = [`${a} ${verbOf(clash)} ${b}`];
   if (!Number.isNaN(clash.depth)) parts.push(`depth ${[...new Set(toldDepth(clash))].map(rounded).join(' to ')}`);
-  if (!Number.isNaN(clash.volume)) parts.push(`volume ${rounded(clash.volume)}`);
+  if (!Number.isNaN(clash.volume)) parts.push(`volume ${volumeText(clash.volume)}`);
   if (!Number.isNaN(clash.distance)) parts.push(`distance ${rounded(clash.distance)}`);
   if (clash.pair?.span) parts.push(wholeSpanText(clash.pair.span));
   return `${clash.resolved ? 'Resolved clash' : 'Clash'} ${place}: ${parts.join(', ')}`;

@@ -84,6 +84,7 @@ export interface Filter {
   /** Of one part at least. */
   class: string;
   storey: string;
+  axes: string;
   /** Of both parts, as `traitsOf`. */
   traits: { trait: Trait; values: [string, string] } | null;
 }
@@ -103,6 +104,7 @@ export const emptyFilter = (): Filter => ({
   change: '',
   class: '',
   storey: '',
+  axes: '',
   traits: null,
 });
 
@@ -144,8 +146,10 @@ const clashOf = (verdict: Verdict, a: Place, b: Place): Clash => ({
 function ofPair(report: Report, pair: Pair): Clash {
   const [first, second] = pair.inner === pair.b ? [pair.b, pair.a] : [pair.a, pair.b];
   const [depthLeast, depth] = depthOf(pair);
+  const clash = clashOf(pair.verdict, report.objects[first], report.objects[second]);
   return {
-    ...clashOf(pair.verdict, report.objects[first], report.objects[second]),
+    ...clash,
+    text: `${clash.text}\n${(pair.axes ?? '').toLowerCase()}`,
     pair,
     first,
     second,
@@ -252,6 +256,7 @@ function passes(clash: Clash, filter: Filter, words: string[]): boolean {
   if (filter.test && about.test !== filter.test) return false;
   if (filter.status && clash.pair?.status !== filter.status) return false;
   if (filter.assignee && clash.pair?.assignee !== filter.assignee) return false;
+  if (filter.axes && clash.pair?.axes !== filter.axes) return false;
   for (const trait of ['class', 'storey'] as const)
     if (filter[trait] && !clash.parts.some((part) => propertyOf(part, trait).includes(filter[trait]))) return false;
   const { traits } = filter;

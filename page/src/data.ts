@@ -73,6 +73,8 @@ export interface Pair {
   id?: string;
   test?: string | null;
   change?: string | null;
+  /** Those of a building's grid that cross by it: "B/3". */
+  axes?: string | null;
   /** The earlier verdict, with a previous run. */
   was?: Verdict | null;
   status?: string | null;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the chosen clash or part.
-import { type Clash, isWorse, newRegionsOf, propertyOf, verbOf } from './clashes';
+import { type Clash, isWorse, newRegionsOf, propertyOf, sorted, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
 import type { Decision, Decisions } from './decisions';
-import { byId, button, chooser, countOf, el, intervalOf, lengthOf, letterOf, nameOf, numberOf } from './dom';
+import { byId, button, chooser, countOf, el, intervalOf, lengthOf, letterOf, nameOf, numberOf, volumeOf } from './dom';
 import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
 import type { Store } from './store';
@@ -33,10 +33,12 @@ function failsBelowText({ failsBelow }: Clash): Value | null {
 const kPropertyNames: Record<string, string> = { class: 'Class', storey: 'Storey', building: 'Building', ObjectType: 'Type' };
 const kRegionsAtOnce = 60;
 
+const storeysOf = ({ parts }: Clash): string => sorted(parts.flatMap((part) => propertyOf(part, 'storey'))).join(' / ');
+
 const triple = (p: Vec3, last: HTMLElement): Value => [numberOf(p[0]), ', ', numberOf(p[1]), ', ', last];
 const point = (p: Vec3): Value => triple(p, lengthOf(p[2]));
 
-const measured = (value: number | null | undefined, power: 1 | 2 | 3 = 1): Value | null =>
+const measured = (value: number | null | undefined, power: 1 | 2 = 1): Value | null =>
   value == null ? null : [lengthOf(value, power)];
 
 const texts = (values: string[]): Value | null =>
@@ -110,6 +112,7 @@ export class Details {
       figures([
         ['Change', changeText(clash)],
         ['Test', about.test ? [nameOf(about.test)] : null],
+        ['Axes', clash.pair?.axes ? [nameOf([clash.pair.axes, storeysOf(clash)].filter(Boolean).join(', '))] : null],
       ]),
     );
     const span = clash.pair?.span;
@@ -200,7 +203,7 @@ export class Details {
       [
         'Volume in common',
         pair.overlap_volume != null
-          ? [lengthOf(pair.overlap_volume, 3), ' ± ', lengthOf(pair.overlap_volume_error, 3)]
+          ? [volumeOf(pair.overlap_volume, pair.overlap_volume_error ?? 0)]
           : null,
       ],
       ['Distance', pair.distance != null ? [lengthOf(pair.distance), ' ± ', lengthOf(pair.distance_error)] : null],
@@ -341,7 +344,7 @@ export class Details {
         ['Triangles turned', part.turned ? [countOf(part.turned)] : null],
         ['Self-crossings', part.self_crossings ? [countOf(part.self_crossings)] : null],
         ['First of them near', crossing ? point(crossing.near) : null],
-        ['Volume', measured(part.volume, 3)],
+        ['Volume', part.volume != null ? [volumeOf(part.volume)] : null],
         ['Area', measured(part.area, 2)],
         ['Inner radius', measured(part.inner_radius)],
       ]),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Making elements. All text goes in as text: nothing that a file says is ever read as markup.
-import { counted, nameText, rounded } from './format';
+import { counted, nameText, rounded, volumeText } from './format';
 
 type Child = Node | string | null | undefined | false;
 
@@ -30,8 +30,8 @@ export function numberOf(value: number | null | undefined): HTMLElement {
   return el('span', { class: 'number', title: String(value) }, rounded(value));
 }
 
-/** A length, or an area or a volume by its power, with the unit behind it where that is known (`sayUnit`). */
-export function lengthOf(value: number | null | undefined, power: 1 | 2 | 3 = 1): HTMLElement {
+/** A length, or an area by its power, with the unit behind it where that is known (`sayUnit`). */
+export function lengthOf(value: number | null | undefined, power: 1 | 2 = 1): HTMLElement {
   const number = numberOf(value);
   if (number.classList.contains('number')) number.classList.add(`in-unit-${power}`);
   return number;
@@ -41,10 +41,14 @@ export function lengthOf(value: number | null | undefined, power: 1 | 2 | 3 = 1)
 export const intervalOf = (low: number, high: number): (Node | string)[] =>
   rounded(low) === rounded(high) ? [lengthOf(high)] : [numberOf(low), ' to ', lengthOf(high)];
 
-/** What stands behind all lengths from now on, by the style sheet. */
+/** A volume in a unit of its size (`volumeText`), and how far it may be off; the run's own in the title. */
+export const volumeOf = (value: number, error?: number): HTMLElement =>
+  el('span', { class: 'number', title: String(value) }, volumeText(value, error));
+
+/** What stands behind all lengths and areas from now on, by the style sheet. */
 export function sayUnit(name: string): void {
   const style = document.documentElement.style;
-  ['', '²', '³'].forEach((power, i) => style.setProperty(`--unit-${i + 1}`, `"\u00a0${name}${power}"`));
+  ['', '²'].forEach((power, i) => style.setProperty(`--unit-${i + 1}`, `"\u00a0${name}${power}"`));
 }
 
 export const countOf = (value: number): HTMLElement =>

@@ -40,7 +40,7 @@ function numberField(id: string, value: number, onChange: (value: number) => voi
 const labelled = (label: string, input: HTMLInputElement): HTMLLabelElement =>
   el('label', { class: 'field' }, el('span', {}, label), input);
 
-const kChosen = ['test', 'status', 'assignee', 'change', 'class', 'storey'] as const;
+const kChosen = ['test', 'status', 'assignee', 'change', 'class', 'storey', 'axes'] as const;
 
 /** The values that something takes in the report: changes as they are counted, the others sorted. */
 function valuesOf(report: Report, key: (typeof kChosen)[number]): Choice[] {
@@ -57,7 +57,7 @@ function valuesOf(report: Report, key: (typeof kChosen)[number]): Choice[] {
   const values = new Set<string>();
   for (const pair of report.pairs) if (pair[key]) values.add(pair[key]);
   if (key === 'test') for (const resolved of report.resolved ?? []) if (resolved.test) values.add(resolved.test);
-  return [...values].sort().map((value) => [value, nameText(value, 60)]);
+  return sorted([...values]).map((value) => [value, nameText(value, 60)]);
 }
 
 export class Filters {
@@ -66,7 +66,7 @@ export class Filters {
   private readonly search = searchField(
     'clash-search',
     'Filter',
-    'Filter by names, classes, storeys, tags and GlobalIds of the parts',
+    'Filter by names, classes, storeys, tags and GlobalIds of the parts, and by axes',
     'clash-list',
     () => this.store.filterBy({ text: this.search.value }),
   );

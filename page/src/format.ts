@@ -20,6 +20,26 @@ export function rounded(value: number): string {
 /** The number that is read where a value stands rounded. */
 export const shown = (value: number): number => Number(rounded(value).replace(/−/g, '-'));
 
+const [kFoot, kInch] = [0.3048, 0.0254];
+/** Units of volume, the largest first, in cubic metres. */
+const kMetric: [string, number][] = [['m³', 1], ['L', 1e-3], ['cm³', 1e-6], ['mm³', 1e-9]]; // prettier-ignore
+const kImperial: [string, number][] = [['ft³', kFoot ** 3], ['in³', kInch ** 3]]; // prettier-ignore
+
+let metresInUnit = NaN;
+/** Metres in the run's unit of length, which the volumes that are written from now on are in. */
+export const setUnit = (metres: number): void => void (metresInUnit = metres);
+
+/** A volume in the largest unit that it has one of, as the command's table has it; in none where the run's is not known. */
+export function volumeText(value: number, error?: number): string {
+  const isImperial = [kFoot, kInch].some((unit) => Math.abs(metresInUnit - unit) < 1e-9 * unit);
+  const cubic = value * metresInUnit ** 3;
+  const units = isImperial ? kImperial : kMetric;
+  const [name, size] = units.find(([, one]) => Math.abs(cubic) >= one) ?? units[units.length - 1];
+  const figure = (volume: number) => rounded(Number.isNaN(metresInUnit) ? volume : (volume * metresInUnit ** 3) / size);
+  const text = error === undefined ? figure(value) : `${figure(value)} ± ${figure(error)}`;
+  return Number.isNaN(metresInUnit) ? text : `${text}\u00a0${name}`;
+}
+
 /** From when to when, in words as few as a row has room for. */
 export function spanText(span: PlacedSpan): string {
   const [start, end] = [rounded(span.start), rounded(span.end)];

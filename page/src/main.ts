@@ -11,7 +11,7 @@ import { Decisions } from './decisions';
 import { Details } from './details';
 import { byId, button, el } from './dom';
 import { Filters } from './filters';
-import { counted, nameText, plural } from './format';
+import { counted, nameText, plural, setUnit } from './format';
 import { listenForKeys, makeHelp, type Shortcut } from './keys';
 import { makeMatrix } from './matrix';
 import { type Motion, pairsOf, readMotion } from './motion';
@@ -187,6 +187,7 @@ function makePage(report: Report, scene: SceneBlock | null, motion: Motion | nul
 
 try {
   const report = readReport();
+  if (report.unit) setUnit(report.unit.metres);
   const scene = readOrTell(() => readScene(report.objects.length));
   if (!scene) byId('stage-note').textContent = 'There is no 3D view of this report.';
   makePage(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 //
-// The readers of the data blocks, without a page: what is wrong with a block is said in a sentence.
+// The readers of the data blocks, without a page: what is wrong with a block is said in a sentence. And figures.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -12,7 +12,7 @@ import { mechanism } from './mechanism.mjs';
 
 const { outputFiles } = await build({
   stdin: {
-    contents: "export * from './data'; export * from './geometry'; export * from './motion';",
+    contents: "export * from './data'; export * from './format'; export * from './geometry'; export * from './motion';",
     resolveDir: fileURLToPath(new URL('../src', import.meta.url)),
   },
   bundle: true,
@@ -98,4 +98,24 @@ test('tells of a motion that was cut short', async () => {
 
 test('blocks hold no sequence that ends them', () => {
   assert.equal(blocksOf({ report }).match(/<\/script/g).length, 1);
+});
+
+test('volumes are in a unit of their size', () => {
+  for (const [metres, value, text] of [
+    [0.001, 2.5e9, '2.5\u00a0m³'],
+    [0.001, 12_345_678, '12.35\u00a0L'],
+    [0.001, 999_999, '1000\u00a0cm³'],
+    [0.001, 0.5, '0.5\u00a0mm³'],
+    [1, 0.25, '250\u00a0L'],
+    [1, 0, '0\u00a0mm³'],
+    [0.3048, 2, '2\u00a0ft³'],
+    [0.3048, 0.5, '864\u00a0in³'], // 12³ / 2
+    [0.0254, 3456, '2\u00a0ft³'],
+    [NaN, 12_345, '12345'],
+  ]) {
+    readers.setUnit(metres);
+    assert.equal(readers.volumeText(value), text, `${value} of ${metres} m`);
+  }
+  readers.setUnit(0.001);
+  assert.equal(readers.volumeText(3e6, 3), '3 ± 3e−6\u00a0L');
 });

@@ -188,9 +188,9 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
     };
     pairs.push(pairOf(given));
   };
-  put(0, 3, 'penetrating', { depth: 0.51234567, volume: 0.125, areas: [2, 0.5] });
+  put(0, 3, 'penetrating', { depth: 0.51234567, volume: 0.125, areas: [2, 0.5], axes: 'B/10' });
   put(0, 1, 'touching', { areas: [1.5], note: 'they overlap by no more than the tolerance' });
-  put(1, 3, 'penetrating', { depth: 1.25, volume: 0.0625, areas: [0.25] });
+  put(1, 3, 'penetrating', { depth: 1.25, volume: 0.0625, areas: [0.25], axes: 'B/3' });
   put(2, 4, 'penetrating', { depth: 0.75, areas: [8] });
   put(3, 5, 'crossing', { fails_below: 0.6, areas: [3, 1] });
   put(4, 6, 'inside', { depth: 0.6, volume: 4.5, fails_below: 3, inner: 6, areas: [] });

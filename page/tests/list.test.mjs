@@ -71,7 +71,8 @@ describe('the list of clashes', () => {
     }
     const behind = (place) => page.locator(place).first().evaluate((span) => getComputedStyle(span, '::after').content);
     assert.equal(await behind('#facts .in-unit-1'), '"\u00a0mm"', 'a length has its unit');
-    assert.equal(await behind('#clash-list .in-unit-3'), '"\u00a0mm³"');
+    const told = await page.locator('#clash-list .side').allTextContents();
+    assert.ok(told.includes('volume 0.0625\u00a0mm³'), told);
   });
 
   test('says what fails: the words of the call, or the modes of the tests', async (t) => {
@@ -309,6 +310,16 @@ describe('the list of clashes', () => {
     }
   });
 
+  test('is found by the axes of the grid', async () => {
+    await page.fill('#clash-search', 'b/3');
+    await lists((pair) => pair.axes === 'B/3');
+    await clear();
+    assert.deepEqual(await page.locator('#filter-axes option').allTextContents(), ['any axes', 'B/3', 'B/10']);
+    await page.selectOption('#filter-axes', 'B/10');
+    await lists((pair) => pair.axes === 'B/10');
+    await clear();
+  });
+
   test('is filtered by a part of the tree', async () => {
     const row = page.locator('#parts-tree .row', { hasText: 'far bolt' });
     await row.click();
@@ -446,7 +457,7 @@ describe('the list of clashes', () => {
       assert.ok(text.includes(figure), `${figure} in ${text}`);
     }
     assert.equal(await page.locator('#details-body .number[title="0.51234567"]').count(), 1, 'all digits in the title');
-    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123, volume 0.125$/);
+    assert.match(await page.textContent('#live'), /^Clash \d+ of 14: bolt penetrates plate, depth 0.5123, volume 0.125\u00a0mm³$/);
     await page.locator('#details-body .part-link button').first().click();
     assert.match(await page.textContent('#details-body'), /materialbrick, mortar/);
     await choose(rankOf(report.pairs[1]));

@@ -73,7 +73,7 @@ describe('the 3D view', () => {
     assert.notDeepEqual(after[0].target, before[0].target);
     assert.ok(after[0].distance < before[0].distance);
     assert.ok(!after[1].png.equals(before[1].png));
-    assert.match(await page.textContent('#details-body'), /Depth of A in B.*Volume in common0\.0625 ± 1e−10/);
+    assert.match(await page.textContent('#details-body'), /AxesB\/3, Level 2Depth of A in B.*Volume in common0\.0625 ± 1e−10\u00a0mm³/);
     assert.equal(await page.textContent('#legend'), 'Abolt (2)Bplate');
     // The camera looks at the contact.
     const { report } = review();

@@ -10,6 +10,7 @@
 #include "report/bcf/bcf_xml.hpp"
 #include "report/identity.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 
 namespace impinge::report {
 namespace {
@@ -23,6 +24,7 @@ struct Topic {
   const Clash& clash;
   const Standing& standing;
   const std::string& id;
+  const std::string& axes;
   const std::string& date;
   std::string author;
   Conventions conventions;
@@ -57,12 +59,13 @@ std::vector<std::string> values_of(const Review& review, const Clash& clash, std
   return values;
 }
 
-/// "Duct DN200 x Beam B12, Level 3, 46 mm".
+/// "Duct DN200 x Beam B12, B/3, Level 3, 46 mm".
 std::string title(const Topic& topic) {
   const Clash& clash = topic.clash;
   const bool is_inside = clash.verdict == Verdict::inside && clash.inner >= 0;
   const int first = is_inside ? clash.inner : 0;
   std::string text = fmt::format("{} {} {}", topic.label(first), is_inside ? "inside" : "x", topic.label(1 - first));
+  if (!topic.axes.empty()) text += ", " + in_short(topic.axes);
   if (const auto storeys = values_of(topic.review, clash, "storey"); !storeys.empty())
     text += fmt::format(", {}", fmt::join(storeys, " / "));
   const bool overlaps = clash.verdict == Verdict::penetrating || clash.verdict == Verdict::crossing;
@@ -132,6 +135,7 @@ std::string about_files(const Assembly& assembly) {
 std::string description(const Topic& topic) {
   const Clash& clash = topic.clash;
   std::string text = fmt::format("Verdict: {}\n", name(clash.verdict)) + triage(topic);
+  if (!topic.axes.empty()) text += fmt::format("Axes: {}\n", printable(topic.axes));
   for (const int side : {0, 1})
     text += fmt::format("{}: {} ({})\n", side == 0 ? "A" : "B", topic.label(side),
                         file_name_of(topic.review, clash.objects[static_cast<std::size_t>(side)]));
@@ -142,8 +146,9 @@ std::string description(const Topic& topic) {
     text += fmt::format("Depth: A in B {}; B in A {}\n", interval(clash.overlap_depth->a_in_b),
                         interval(clash.overlap_depth->b_in_a));
   if (clash.overlap_volume)
-    text += fmt::format("Volume in common: {:.6g}{}\n", topic.cubic_metres(clash.overlap_volume->volume),
-                        topic.conventions.is_known ? " m³" : "");
+    text += fmt::format("Volume in common: {}\n",
+                        volume_text(topic.cubic_metres(clash.overlap_volume->volume),
+                                    topic.conventions.is_known ? std::optional(1.0) : std::nullopt, 6));
   if (std::isinf(clash.fails_below))
     text += "Fails at every tolerance\n";
   else if (clash.verdict < Verdict::touching)
@@ -211,6 +216,7 @@ std::vector<std::string> labels_of(const Review& review, std::size_t pair) {
   std::vector<std::string> labels{std::string(name(clash.verdict))};
   if (std::string test = test_of(review, clash); !test.empty()) labels.push_back(std::move(test));
   if (standing.change != Change::unknown) labels.push_back(change_text(clash, standing));
+  if (const std::string& axes = review.axes[pair]; !axes.empty()) labels.push_back(in_short(axes));
   for (const char* property : {"storey", "class"})
     for (std::string& value : values_of(review, clash, property)) labels.push_back(std::move(value));
   return labels;
@@ -252,6 +258,7 @@ std::string markup_of(const Review& review, std::size_t pair, std::size_t rank) 
                     review.clashes.pairs[pair],
                     review.standings[pair],
                     review.ids[pair],
+                    review.axes[pair],
                     review.options.date,
                     printable(review.options.author),
                     conventions_of(review.options, review.assembly)};

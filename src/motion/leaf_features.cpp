@@ -26,8 +26,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 //
 // Before the end the gap is g + t (h - g), of the gaps g and h at both ends. Coordinates are between -1 and 1 and, as
 // floats, off by 2^-25: with u = 2^-24 gaps are off by u, and by 2 u more for their own rounding; their difference, the
-// product and the sum take 4 u, 4 u and 2 u, the reach with that added 2 u more. That is less than 2^-19. Boxes of nothing
-// are farther from all than any reach.
+// product and the sum take 4 u, 4 u and 2 u, the reach with that added 2 u more. That is less than 2^-19. Boxes of
+// nothing are farther from all than any reach.
 template <int kOne, int kCount>
 HWY_INLINE std::uint32_t near(const PathBoxes<kOne>& one, int i, const PathBoxes<kCount>& boxes, int count,
                               Sought sought) {

@@ -68,7 +68,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
   EXPECT_NEAR(first.at("tolerance").get<double>(), 0x1p-20 * 4 * std::sqrt(3), 0x1p-30);  // of two cubes of 2
   first.erase("overlap_depth"), first.erase("fails_below"), first.erase("tolerance");
   json expected = json::parse(R"({"test":null,"change":null,"status":null,"comment":null,"assignee":null,"due":null,
-    "was":null,"a":0,"b":1,"verdict":"penetrating","inner":null,"note":null,"incomplete":null,"fails":true})");
+    "was":null,"a":0,"b":1,"verdict":"penetrating","inner":null,"note":null,"incomplete":null,"axes":null,"fails":true})");
   for (const char* const key : {"crossing", "touching", "coplanar"}) expected[key] = count.at(key);
   EXPECT_EQ(first, expected);
   EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");

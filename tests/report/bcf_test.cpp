@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // `impinge clash --bcf`, read back and held against the published schemas.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -424,6 +425,55 @@ TEST_F(Bcf, AnyNameIsHarmless) {
     EXPECT_TRUE(std::all_of(member.bytes.begin(), member.bytes.end(), [](unsigned char c) {
       return c == '\n' || (c >= 0x20 && c != 0x7F);
     })) << member.name;
+  }
+}
+
+TEST_F(Bcf, AndAllOutputsNameTheAxesOfTheGrid) {
+  // The clash is at (5.5, 3.5, 1.5) m: nearest are the axes at x = 5 m and y = 4 m.
+  std::string ifc = ifc_of_two_walls();
+  std::string lines, families[2];
+  int line = 100;
+  for (const auto& [tag, x, y, to_x, to_y] : {std::tuple("1", 0, -9000, 0, 9000),
+                                              {"2", 5000, -9000, 5000, 9000},
+                                              {"=3", 9000, -9000, 9000, 9000},
+                                              {"A", -9000, 0, 20000, 0},
+                                              {"B", -9000, 4000, 20000, 4000}}) {
+    lines += fmt::format(
+        "#{0}=IFCCARTESIANPOINT(({4}.,{5}.));\n#{1}=IFCCARTESIANPOINT(({6}.,{7}.));\n#{2}=IFCPOLYLINE((#{0},#{1}));\n"
+        "#{3}=IFCGRIDAXIS('{8}',#{2},.T.);\n",
+        line, line + 1, line + 2, line + 3, x, y, to_x, to_y, tag);
+    std::string& family = families[to_x == x ? 0 : 1];
+    family += fmt::format("{}#{}", family.empty() ? "" : ",", line + 3);
+    line += 4;
+  }
+  ifc.insert(ifc.find("ENDSEC;\nEND-"),
+             lines + fmt::format("#99=IFCGRID('3Qvf0xqDT4HXo8jI81mHB9',#2,$,$,$,#31,$,({}),({}"
+                                 "),$);\n",
+                                 families[0], families[1]));
+  folder.write("two.ifc", ifc);
+  folder.write("rod.off", off(box({89, -1, 5}, {91, 1, 30})));
+  folder.write("ring.off", off(box({88, -2, 10}, {92, 2, 15})));
+  const Ended run = impinge(folder, {"clash", "two.ifc", "rod.off", "ring.off", "--scale", "rod.off=100", "--scale",
+                                     "ring.off=100", "--bcf", "out.bcf", "--json", "out.json", "--csv", "out.csv"});
+  ASSERT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.out.find("B/2, Level 1, north"), std::string::npos) << run.out;
+  const json pairs = json::parse(folder.read("out.json")).at("pairs");
+  const std::vector<Row> rows = rows_of(folder.read("out.csv"));
+  ASSERT_EQ(pairs.size(), 2U);
+  for (const json& pair : pairs) {
+    const bool is_first = pair.at("a") == 0;
+    const std::string axes = is_first ? "B/2" : "=3/A";
+    EXPECT_EQ(pair.at("axes"), axes);
+    const auto row = std::ranges::find_if(rows, [&](const Row& one) { return one.at("id") == pair.at("id"); });
+    ASSERT_NE(row, rows.end());
+    EXPECT_EQ(row->at("axes"), is_first ? axes : "'" + axes) << "no formula";
+    for (const Topic& topic : topics()) {
+      if (topic.guid != pair.at("id")) continue;
+      const std::string title = topic.topic().child("Title").text().get();
+      EXPECT_NE(title.find(is_first ? "left x right, B/2, Level 1, north, " : ", =3/A, "), std::string::npos) << title;
+      EXPECT_NE(std::string_view(topic.topic().child("Description").text().get()).find("Axes: " + axes + "\n"),
+                std::string::npos);
+    }
   }
 }
 

@@ -23,7 +23,7 @@ const std::string kHead =
     "normal_z,crossing,touching,coplanar,tolerance,note,test,change,was,new_regions,region,status,comment,"
     "depth_m,distance_m,area_m2,length_m,x_m,y_m,z_m,fails_below,"
     "a_class,b_class,a_global_id,b_global_id,a_tag,b_tag,a_storey,b_storey,assignee,unit,incomplete,"
-    "volume,volume_error,volume_m3,depth_least,due\r\n";
+    "volume,volume_error,volume_m3,depth_least,due,axes\r\n";
 
 class Csv : public testing::Test {
  protected:

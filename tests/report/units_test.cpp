@@ -69,8 +69,14 @@ class Units : public testing::Test {
       EXPECT_LT(depths[least + 1], 1.1 * edge);
     }
     const double volume = edge * edge * edge;
-    EXPECT_NEAR(numbers(description, R"(Volume in common: (\S+))").at(0), volume, 1e-5 * volume);
     const bool is_known = description.find("Nobody said the unit") == std::string::npos;
+    // Of metres in metres, or else of cubic metres in the unit that stands behind.
+    std::smatch told;
+    ASSERT_TRUE(std::regex_search(description, told, std::regex(R"(Volume in common: (\S+)(?: (m³|L|cm³|mm³))?\n)")));
+    const std::map<std::string, double> sizes{{"", 1}, {"m³", 1}, {"L", 1e-3}, {"cm³", 1e-6}, {"mm³", 1e-9}};
+    EXPECT_NEAR(std::stod(told[1]) * sizes.at(told[2]), volume, 1e-5 * volume);
+    EXPECT_EQ(is_known, told[2].matched);
+    EXPECT_TRUE(!is_known || std::stod(told[1]) >= 1 || told[2] == "mm³") << told[0];
     EXPECT_NEAR(numbers(topic.topic().child("Title").text().get(), R"(, (\S+) (?:mm|\(unit unknown\))$)").at(0),
                 edge * (is_known ? 1000 : 1), 0.1 * edge * (is_known ? 1000 : 1));
     EXPECT_NEAR(number(row.at("x_m")), middle.x, 10 * near);
@@ -106,6 +112,20 @@ class Units : public testing::Test {
   Row row;
   json pair, region;
 };
+
+TEST(VolumeText, HasAUnitOfItsSize) {
+  for (const auto& [metres, volume, text] : {std::tuple(std::optional(0.001), 2.5e9, "2.5 m³"),
+                                             {0.001, 12'345'678., "12.35 L"},
+                                             {0.001, 1000., "1 cm³"},
+                                             {0.001, 0.5, "0.5 mm³"},
+                                             {1., 0.25, "250 L"},
+                                             {1., 0., "0 mm³"},
+                                             {0.3048, 2., "2 ft³"},
+                                             {0.3048, 0.5, "864 in³"},
+                                             {0.0254, 3456., "2 ft³"},
+                                             {std::nullopt, 12'345., "1.234e+04"}})
+    EXPECT_EQ(report::volume_text(volume, metres, 4), text);
+}
 
 TEST_F(Units, OfImportedFilesAreKnown) {
   folder.write("two.ifc", ifc_of_two_walls());
