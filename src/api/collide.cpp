@@ -34,11 +34,8 @@ Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std:
   return {};
 }
 
-/// Two meshes at their poses. Errors: `bad_pose`.
-Result<void> compute(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
-                     scene::PlacedBlock& block) {
-  block.add(mesh_a.state().data, pose_a), block.add(mesh_b.state().data, pose_b);
-  block.compute();
+/// Whether both poses of a block are valid. Errors: `bad_pose`.
+Result<void> check(const scene::PlacedBlock& block, const Pose& pose_a, const Pose& pose_b) {
   if (!block.is_valid(0) || !block.is_valid(1))
     for (const Pose* pose : {&pose_a, &pose_b})
       if (auto valid = scene::validate(*pose); !valid) return valid;
@@ -76,7 +73,9 @@ Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
     if (auto valid = validate(options); !valid) return valid.error();
     const QueryMemory memory(workspace);
     scene::PlacedBlock block;
-    if (auto valid = compute(mesh_a, pose_a, mesh_b, pose_b, block); !valid) return valid.error();
+    block.add(mesh_a.state().data, pose_a), block.add(mesh_b.state().data, pose_b);
+    block.compute();
+    if (auto valid = check(block, pose_a, pose_b); !valid) return valid.error();
     memory->placed.resize(2), memory->meshes.assign({&mesh_a.state(), &mesh_b.state()}), memory->pairs.clear();
     for (std::size_t i = 0; i < 2; ++i) block.write(i, memory->placed[i]), memory->placed[i].group = 0;
     pair_up(0, 1, false, *memory);
@@ -89,9 +88,11 @@ Result<bool> touches(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
                      const std::stop_token& stop, Workspace* workspace) {
   return guarded([&]() -> Result<bool> {
     scene::PlacedBlock block;
-    if (auto valid = compute(mesh_a, pose_a, mesh_b, pose_b, block); !valid) return valid.error();
+    block.add(mesh_a.state().data, pose_a), block.add(mesh_b.state().data, pose_b);
+    const bool are_apart = block.compute_apart();
+    if (auto valid = check(block, pose_a, pose_b); !valid) return valid.error();
     if (stop.stop_requested()) return cancelled();
-    if (block.are_clearly_apart()) return false;
+    if (are_apart) return false;
     scene::PlacedObject a, b;
     block.write(0, a), block.write(1, b);
     if (!a.in_domain) return out_of_domain("object 0");

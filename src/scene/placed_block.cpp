@@ -43,10 +43,19 @@ HWY_INLINE void read_four(Lanes d, const Structure* const* from, std::size_t fir
 #endif
 }
 
+/// Whether the first two certainly are, by their spheres and within the exact domain. Centres and radii are certain;
+/// the two sides of the comparison are off by less than 8 eps.
+HWY_INLINE bool are_spheres_apart(const PlacedLanes& s) {
+  double square = 0;
+  for (const PlacedLanes::Row& center : s.world_center) square += (center[0] - center[1]) * (center[0] - center[1]);
+  const double reach = s.world_radius[0] + s.world_radius[1];
+  return square > reach * reach * (1 + 0x1p-49) && (s.is_clear[0] & s.is_clear[1]) != 0;
+}
+
 // No product is fused with a sum: the numbers are the same on every machine, and a pose is valid on all or on none.
 template <class Lanes>
-HWY_INLINE void compute_by(Lanes d, const MeshData* const* meshes, const Pose* const* poses, std::size_t size,
-                           PlacedLanes& s) {
+HWY_INLINE bool compute_by(Lanes d, const MeshData* const* meshes, const Pose* const* poses, std::size_t size,
+                           bool ends_apart, PlacedLanes& s) {
   using V = hn::Vec<Lanes>;
   const auto number = [&](double x) HWY_ATTR { return hn::Set(d, x); };
   const V zero = hn::Zero(d), infinite = number(kInfinity);
@@ -102,6 +111,15 @@ HWY_INLINE void compute_by(Lanes d, const MeshData* const* meshes, const Pose* c
     // |R d|² = dᵀ RᵀR d <= (1 + 3 max|RᵀR - I|) |d|², sqrt(1 + x) <= 1 + x/2, and of a valid pose the defect is known.
     const V radius = hn::Add(hn::Mul(number(1 + 1.6 * kMostDefect), mesh_radius), hn::Mul(number(3), rounding));
     store(radius, s.world_radius);
+    const hn::RebindToUnsigned<Lanes> du;
+    hn::Store(hn::BitCast(du, hn::VecFromMask(d, valid)), du, s.is_valid + lane);
+    hn::Store(hn::BitCast(du, hn::VecFromMask(d, clear)), du, s.is_clear + lane);
+    const auto posed = [&](int i, const V* v) HWY_ATTR {
+      return hn::Add(sum(hn::Mul(R[3 * i], v[0]), hn::Mul(R[3 * i + 1], v[1]), hn::Mul(R[3 * i + 2], v[2])), t[i]);
+    };
+    V c[3];
+    for (int i = 0; i < 3; ++i) c[i] = posed(i, center), store(c[i], s.world_center[i]);
+    if (ends_apart && hn::Lanes(d) >= size && are_spheres_apart(s)) return true;
     V middle[3], half[3];
     for (int k = 0; k < 3; ++k) {
       const V lo = hn::Mul(number(0.5), box_lo[k]), hi = hn::Mul(number(0.5), box_hi[k]);
@@ -109,26 +127,21 @@ HWY_INLINE void compute_by(Lanes d, const MeshData* const* meshes, const Pose* c
     }
     for (int i = 0; i < 3; ++i) {
       const V &x = R[3 * i], &y = R[3 * i + 1], &z = R[3 * i + 2];
-      const auto posed = [&](const V* v) HWY_ATTR {
-        return hn::Add(sum(hn::Mul(x, v[0]), hn::Mul(y, v[1]), hn::Mul(z, v[2])), t[i]);
-      };
-      const V c = posed(center), m = posed(middle);
+      const V m = posed(i, middle);
       const V reach = hn::Add(
           sum(hn::Mul(hn::Abs(x), half[0]), hn::Mul(hn::Abs(y), half[1]), hn::Mul(hn::Abs(z), half[2])), rounding);
-      store(c, s.world_center[i]);
-      store(hn::Max(hn::Sub(m, reach), hn::Sub(c, radius)), s.world_lo[i]);
-      store(hn::Min(hn::Add(m, reach), hn::Add(c, radius)), s.world_hi[i]);
+      store(hn::Max(hn::Sub(m, reach), hn::Sub(c[i], radius)), s.world_lo[i]);
+      store(hn::Min(hn::Add(m, reach), hn::Add(c[i], radius)), s.world_hi[i]);
     }
-    const hn::RebindToUnsigned<Lanes> du;
-    hn::Store(hn::BitCast(du, hn::VecFromMask(d, valid)), du, s.is_valid + lane);
-    hn::Store(hn::BitCast(du, hn::VecFromMask(d, clear)), du, s.is_clear + lane);
   }
+  return false;
 }
 
 /// Two meshes take two lanes. Without `meshes`, their lanes are there.
-void compute(const MeshData* const* meshes, const Pose* const* poses, std::size_t size, PlacedLanes& s) {
-  size <= 2 ? compute_by(hn::CappedTag<double, 2>(), meshes, poses, size, s)
-            : compute_by(hn::CappedTag<double, 4>(), meshes, poses, size, s);
+bool compute(const MeshData* const* meshes, const Pose* const* poses, std::size_t size, bool ends_apart,
+             PlacedLanes& s) {
+  return size <= 2 ? compute_by(hn::CappedTag<double, 2>(), meshes, poses, size, ends_apart, s)
+                   : compute_by(hn::CappedTag<double, 4>(), meshes, poses, size, false, s);
 }
 
 }  // namespace impinge::scene::HWY_NAMESPACE
@@ -145,15 +158,18 @@ Vec3 get(const PlacedLanes::Row (&rows)[3], std::size_t lane) { return {rows[0][
 
 }  // namespace
 
-void PlacedBlock::compute() {
+bool PlacedBlock::run(bool ends_apart) {
   const std::size_t vector = size_ <= 2 ? 2 : 4;
   // What fills the last vector is as good as any.
   for (std::size_t i = size_; i % vector != 0; ++i) meshes_[i] = meshes_[0], poses_[i] = poses_[0];
-  HWY_DYNAMIC_DISPATCH(compute)(has_lanes_ ? nullptr : meshes_, poses_, size_, lanes_);
+  const bool are_apart =
+      HWY_DYNAMIC_DISPATCH(compute)(has_lanes_ ? nullptr : meshes_, poses_, size_, ends_apart, lanes_);
   has_lanes_ = true;
+  return are_apart;
 }
 
-bool PlacedBlock::are_clearly_apart() const {
+bool PlacedBlock::compute_apart() {
+  if (run(true)) return true;
   const auto box = [&](std::size_t i) { return Box{get(lanes_.world_lo, i), get(lanes_.world_hi, i)}; };
   return lanes_.is_clear[0] != 0 && lanes_.is_clear[1] != 0 && !overlap(box(0), box(1));
 }

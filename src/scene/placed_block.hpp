@@ -34,15 +34,18 @@ class PlacedBlock {
   }
   /// Gives member `i` another pose.
   void set_pose(std::size_t i, const Pose& pose) { poses_[i] = &pose; }
-  void compute();
+  void compute() { run(false); }
+  /// Of two members: whether they are apart for certain, by their bounds and within the exact domain, if their poses
+  /// are valid. Then there may be nothing to write.
+  [[nodiscard]] bool compute_apart();
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool is_valid(std::size_t i) const { return lanes_.is_valid[i] != 0; }
-  /// Whether the first two, of valid poses, are apart for certain: by their boxes, and within the exact domain.
-  [[nodiscard]] bool are_clearly_apart() const;
   /// The object, whose pose is valid, but for its group, which it keeps.
   void write(std::size_t i, PlacedObject& object) const;
 
  private:
+  bool run(bool ends_apart);
+
   std::size_t size_ = 0;
   bool has_lanes_ = false;  ///< of the meshes
   const MeshData* meshes_[kMost];

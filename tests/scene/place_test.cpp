@@ -60,6 +60,22 @@ TEST(Place, BoundsHoldWhereTheyAreTight) {
   }
 }
 
+/// Unit cubes at quarters of their size: they share a point where no coordinate differs by more than 1.
+TEST(Place, BlocksAreApartWhereNoPointIsShared) {
+  const Mesh cube = test::mesh_of(scenes::cube());
+  const Pose origin;
+  for (const std::int64_t set : test::instruction_sets()) {
+    const test::OnInstructionSet on(set);
+    for (int i = 0; i < 17 * 17 * 17; ++i) {
+      const Pose pose{.t = {0.25 * (i % 17) - 2, 0.25 * (i / 17 % 17) - 2, 0.25 * (i / 289) - 2}};
+      const double most = std::max({std::abs(pose.t[0]), std::abs(pose.t[1]), std::abs(pose.t[2])});
+      scene::PlacedBlock block;
+      block.add(test::numbers_of(cube), origin), block.add(test::numbers_of(cube), pose);
+      ASSERT_EQ(block.compute_apart(), most > 1) << pose.t[0] << ' ' << pose.t[1] << ' ' << pose.t[2];
+    }
+  }
+}
+
 /// Every lane of a block, full or not, has its own mesh and pose, on every instruction set.
 TEST(Place, BlocksKeepTheirLanesApart) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
