@@ -106,12 +106,22 @@ void measure_impacts(const Subject& subject, const std::vector<double>& to, cons
   const Mesh mesh = make_mesh(subject.data);
   const Moving moving{mesh, must(mesh.deformed(to))};
   const std::vector<FclFeatures> pairs = candidates(mesh, subject.data.xyz, to);
-  const auto ask = [&](bool earliest) { return must(find_impacts(moving, {.earliest = earliest, .threads = 1})); };
+  // As far apart as edges are long in the mean, and a tenth of that.
+  double length = 0;
+  for (const auto& [i, j] : mesh.edges()) {
+    const Point &p = mesh.vertices()[i], &q = mesh.vertices()[j];
+    length += std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) / static_cast<double>(mesh.edges().size());
+  }
+  const auto ask = [&](bool earliest, double separation = 0) {
+    return must(find_impacts(moving, {.earliest = earliest, .separation = separation, .threads = 1}));
+  };
   std::printf("%s: %zu pairs of features whose boxes meet, %zu impacts\n", subject.name.c_str(), pairs.size(),
               ask(false).impacts.size());
   add(subject, "impacts",
       {{"impinge", [&](std::size_t) { (void)ask(false); }},
        {"impinge for the first", [&](std::size_t) { (void)ask(true); }},
+       {"impinge, a tenth of an edge apart", [&](std::size_t) { (void)ask(false, length / 10); }},
+       {"impinge, an edge apart", [&](std::size_t) { (void)ask(false, length); }},
        {"FCL's tests alone", [&](std::size_t) { (void)FclImpacts::count(subject.data.xyz, to, pairs); }}},
       effort, table);
 }

@@ -421,6 +421,9 @@ void add_impacts(CLI::App& command, ImpactsArguments& to) {
   begin_group(command, "Answer");
   command.add_flag("--self", to.self, "test each part against itself too, but for features with a common vertex");
   command.add_flag("--earliest", to.earliest, "only the first impact of all; faster");
+  add_length(command, "--separation", to.separation,
+             "find what comes within D, and not only what meets: certified, and not exact as at 0")
+      ->type_name("D");
   add_number(command, "--limit", to.limit, std::uint64_t{0}, kMostWhole,
              "keep only the first N impacts, in order of states, parts and features");
   add_json(command, to.json, "impacts");

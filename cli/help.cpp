@@ -176,13 +176,16 @@ the other, as a simulation writes them. Between two of them every vertex goes on
 a straight line at constant speed. Finds each vertex and face, and each two
 edges, of two different parts that meet on the way, and when: no tolerance,
 nothing missed, nothing made up. A time is the step, from 0, and a number from 0
-to 1 within it.
+to 1 within it. With --separation D finds what comes within D: nothing is
+missed, nothing found that stays farther apart than D and a small tolerance.
 )",
     R"(Examples:
   impinge impacts before.ply after.ply --self
       Does this mesh pass through itself on the way?
   impinge impacts 'frame_####.ply' --self --earliest
       When does it first, in frame_0001.ply, frame_0002.ply and so on?
+  impinge impacts step0.obj step1.obj --separation 2mm --unit m
+      What comes nearer than two millimetres?
   impinge impacts step0.obj step1.obj --json impacts.json
       Every impact between the parts, as JSON.)" +
         exit_codes("nothing meets", "something meets")};

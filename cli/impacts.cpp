@@ -12,6 +12,7 @@
 #include "progress.hpp"
 #include "report/motion/impacts_report.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "scene_command.hpp"
 #include "table.hpp"
 #include "tables.hpp"
@@ -71,14 +72,18 @@ Table table_of(const std::vector<Meeting>& meetings, const Assembly& assembly) {
 std::string summary(const ImpactSequence& sequence, const ImpactsArguments& arguments) {
   std::string text;
   if (!sequence.earliest) {
-    text = "Nothing meets.\n";
+    text = sequence.separation > 0 ? fmt::format("Nothing comes within {}{}.\n", sequence.separation,
+                                                 unit_after(sequence.assembly.unit_in_metres))
+                                   : "Nothing meets.\n";
   } else {
     const auto& [frame, toi] = *sequence.earliest;
     text = fmt::format(
         "{} at {} of the step from {} to {}{}.\n",
         arguments.earliest ? "The first impact is" : counted(sequence.impacts.size(), "impact") + "; the first is",
         toi.lo, printable(arguments.files[frame]), printable(arguments.files[frame + 1]),
-        toi.hi == 0 ? ", which begins with contact" : "");
+        toi.hi > 0                ? ""
+        : sequence.separation > 0 ? ", which begins within the separation"
+                                  : ", which begins with contact");
   }
   if (sequence.truncated) text += fmt::format("Cut short by --limit {}: there are more.\n", grouped(arguments.limit));
   return text + fmt::format("{}, {}, {}.\n", counted(arguments.files.size(), "state"),

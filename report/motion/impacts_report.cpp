@@ -11,6 +11,7 @@
 #include "impinge/scene.hpp"
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
+#include "report/units.hpp"
 #include "report/writers.hpp"
 
 namespace impinge::report {
@@ -69,6 +70,10 @@ class Steps {
                                                  "--self",
                                                  options_.files.front())};
     found_.assembly = *std::move(first);
+    Length separation = options_.separation;
+    if (auto brought = bring_to_unit(separation, found_.assembly.unit_in_metres, "--separation"); !brought)
+      return brought.error();
+    found_.separation = separation.value;
     for (const io::Object& object : found_.assembly.objects) {
       auto id = scene_.add(object.mesh, object.pose);
       if (!id) return in_file(0, id.error());
@@ -110,6 +115,7 @@ class Steps {
   Result<void> look(std::uint32_t frame) {
     impinge::MotionOptions options;
     options.earliest = options_.earliest;
+    options.separation = found_.separation;
     options.limit = options_.limit - found_.impacts.size();
     options.threads = options_.threads;
     options.stop = options_.stop;
@@ -161,7 +167,8 @@ Result<void> write_impacts_json(Sink& sink, const ImpactSequence& sequence, cons
   document.member("version", 1);
   document.member("unit", json_unit(sequence.assembly.unit_in_metres));
   document.member("files", options.files);
-  document.member("settings", Json{{"self", options.self}, {"earliest", options.earliest}});
+  document.member("settings",
+                  Json{{"self", options.self}, {"earliest", options.earliest}, {"separation", sequence.separation}});
   document.list("objects", sequence.assembly.objects.size(),
                 [&](std::size_t i) { return json_identity(sequence.assembly, i); });
   write_missing(document, sequence.assembly);

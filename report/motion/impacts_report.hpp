@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "impinge/impacts.hpp"
+#include "impinge/report.hpp"
 #include "report/assembly.hpp"
 #include "report/sink.hpp"
 
@@ -21,6 +22,7 @@ struct ImpactOptions {
   std::vector<std::string> files;  ///< the states in order of time, two or more: all with the same parts and triangles
   bool self = false;               ///< test each part against itself, too
   bool earliest = false;           ///< only the first impact of all
+  Length separation = 0;           ///< what comes within it meets: certified, not exact as at 0
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();  ///< keep the first so many, in order
   std::optional<double> unit_in_metres{};                           ///< as `SceneOptions::unit_in_metres`
   std::uint64_t max_file_bytes = 2'000'000'000;                     ///< larger files are refused unread
@@ -43,6 +45,7 @@ struct SequenceImpact {
 
 struct ImpactSequence {
   Assembly assembly;                    ///< of the first state
+  double separation = 0;                ///< in its unit
   std::vector<SequenceImpact> impacts;  ///< by frame, objects, feature, a, b
   std::optional<SequenceTime> earliest;
   bool truncated = false;

@@ -224,6 +224,10 @@ struct Verdict {
   Lanes<D> apart, meet;  ///< `meet` where not `apart`
 };
 
+/// Four quadratics whose signs along an axis decide.
+template <class N>
+using Sides = std::array<Quadratic<N>, 4>;
+
 /// A vertex and a face: the face's corners as seen from the vertex.
 template <class D>
 struct RoundedFace {
@@ -236,31 +240,17 @@ struct RoundedFace {
   explicit HWY_INLINE RoundedFace(const Points<N>& p)
       : x(p[1] - p[0]), y(p[2] - p[0]), z(p[3] - p[0]), bounds(largest(x, y, z)), yz(cross(y, z)), volume(dot(x, yz)) {}
 
-  /// By the areas that the vertex spans with the edges, which add up to the face's: along an axis on which that is not
-  /// zero, the vertex is inside if and only if none has the other sign.
-  struct Sides {
-    Bounds<D> bounds;
-    std::array<Quadratic<N>, 3> sides;
-    Quadratic<N> normal;
-
-    explicit HWY_INLINE Sides(const RoundedFace& of)
-        : bounds(of.bounds),
-          sides{cross(of.x, of.y), of.yz, cross(of.z, of.x)},
-          normal(sum(sum(sides[0], sides[1]), sides[2])) {}
-
-    HWY_INLINE Verdict<D> during(const Part& part) const {
-      const Quadratic<N> whole = over(normal, part), one = over(sides[0], part), two = over(sides[1], part),
-                         three = over(sides[2], part);
-      Verdict<D> result{hn::FirstN(D(), 0), hn::FirstN(D(), 0)};
-      for (int k = 0; k < 3; ++k) {
-        const auto sign = [&](const Quadratic<N>& q) HWY_ATTR { return Signs<D>(q, bounds.quadratic, k); };
-        const Signs<D> way = sign(whole), a = sign(one), b = sign(two), c = sign(three);
-        result.apart = result.apart | opposite(way, a) | opposite(way, b) | opposite(way, c);
-        result.meet = result.meet | (equal(way, a) & equal(way, b) & equal(way, c));
-      }
-      return result;
-    }
-  };
+  /// The areas that the vertex spans with the edges, and before them the face's, their sum: along an axis on which that
+  /// is not zero, the vertex is inside if and only if none has the other sign.
+  HWY_INLINE Sides<N> sides() const {
+    const Quadratic<N> xy = cross(x, y), zx = cross(z, x);
+    return {sum(sum(xy, yz), zx), xy, yz, zx};
+  }
+  static HWY_INLINE Verdict<D> along_axis(const Signs<D>& face, const Signs<D>& a, const Signs<D>& b,
+                                          const Signs<D>& c) {
+    return {opposite(face, a) | opposite(face, b) | opposite(face, c),
+            equal(face, a) & equal(face, b) & equal(face, c)};
+  }
 };
 
 /// Two edges, and the way from the first to the second.
@@ -277,31 +267,27 @@ struct RoundedEdges {
 
   /// On which side of the first edge the ends of the second lie, seen along an axis; and of the second those of the
   /// first. The edges' projections meet only if neither pair is on one side, and certainly if both are on two.
-  struct Sides {
-    Bounds<D> bounds;
-    Quadratic<N> start_of_second, end_of_second, start_of_first, end_of_first;
-
-    explicit HWY_INLINE Sides(const RoundedEdges& of)
-        : bounds(of.bounds),
-          start_of_second(cross(of.x, of.z)),
-          end_of_second(sum(start_of_second, of.xy)),
-          start_of_first(cross(of.z, of.y)),
-          end_of_first(difference(start_of_first, of.xy)) {}
-
-    HWY_INLINE Verdict<D> during(const Part& part) const {
-      const Quadratic<N> a = over(start_of_second, part), b = over(end_of_second, part), c = over(start_of_first, part),
-                         e = over(end_of_first, part);
-      Verdict<D> result{hn::FirstN(D(), 0), hn::FirstN(D(), 0)};
-      for (int k = 0; k < 3; ++k) {
-        const auto sign = [&](const Quadratic<N>& q) HWY_ATTR { return Signs<D>(q, bounds.quadratic, k); };
-        const Signs<D> sa = sign(a), sb = sign(b), sc = sign(c), se = sign(e);
-        result.apart = result.apart | equal(sa, sb) | equal(sc, se);
-        result.meet = result.meet | (opposite(sa, sb) & opposite(sc, se));
-      }
-      return result;
-    }
-  };
+  HWY_INLINE Sides<N> sides() const {
+    const Quadratic<N> start_of_second = cross(x, z), start_of_first = cross(z, y);
+    return {start_of_second, sum(start_of_second, xy), start_of_first, difference(start_of_first, xy)};
+  }
+  static HWY_INLINE Verdict<D> along_axis(const Signs<D>& a, const Signs<D>& b, const Signs<D>& c, const Signs<D>& d) {
+    return {equal(a, b) | equal(c, d), opposite(a, b) & opposite(c, d)};
+  }
 };
+
+template <template <class> class Features, class D>
+HWY_INLINE Verdict<D> verdict_during(const Part& part, const Sides<Num<D>>& sides, const Bounds<D>& bounds) {
+  const Sides<Num<D>> now{over(sides[0], part), over(sides[1], part), over(sides[2], part), over(sides[3], part)};
+  Verdict<D> result{hn::FirstN(D(), 0), hn::FirstN(D(), 0)};
+  for (int k = 0; k < 3; ++k) {
+    const auto sign = [&](std::size_t i) HWY_ATTR { return Signs<D>(now[i], bounds.quadratic, k); };
+    const Verdict<D> along = Features<D>::along_axis(sign(0), sign(1), sign(2), sign(3));
+    result.apart = result.apart | along.apart;
+    result.meet = result.meet | along.meet;
+  }
+  return result;
+}
 
 template <template <class> class Features>
 HWY_INLINE std::uint32_t may_meet(const FourPointsBlock& block) {
@@ -310,7 +296,7 @@ HWY_INLINE std::uint32_t may_meet(const FourPointsBlock& block) {
   for (std::size_t lane = 0; lane < FourPointsBlock::kLanes; lane += hn::Lanes(d)) {
     const Features<Many> features(load(block, lane));
     Lanes<Many> avoid = one_sign(features.volume, features.bounds.cubic);
-    if (!avoid.all()) avoid = avoid | typename Features<Many>::Sides(features).during({0, 1, 0}).apart;
+    if (!avoid.all()) avoid = avoid | verdict_during<Features>({0, 1, 0}, features.sides(), features.bounds).apart;
     const Lanes<Many> certain = avoid & features.bounds.valid;
     bits |= (impinge::HWY_NAMESPACE::mask_bits(d, certain.m) ^ ((1u << hn::Lanes(d)) - 1)) << lane;
   }
@@ -322,12 +308,12 @@ HWY_INLINE bool avoid(const FourPoints& from, const FourPoints& to) {
   const Features<One> features(load(from, to));
   if (!features.bounds.valid.all()) return false;
   if (one_sign(features.volume, features.bounds.cubic).all()) return true;
-  const typename Features<One>::Sides sides(features);
+  const Sides<Num<One>> sides = features.sides();
   std::array<Part, kLevels + 1> parts{Part{0, 1, 0}};
   for (int count = 1; count > 0;) {
     const Part part = parts[--count];
     if (part.level > 0 && one_sign(over(features.volume, part), features.bounds.cubic).all()) continue;
-    if (sides.during(part).apart.all()) continue;
+    if (verdict_during<Features>(part, sides, features.bounds).apart.all()) continue;
     if (part.level == kLevels) return false;
     const double middle = (part.start + part.end) / 2;
     parts[count++] = {middle, part.end, part.level + 1};
@@ -340,7 +326,7 @@ template <template <class> class Features>
 HWY_INLINE int meet(const FourPoints& from, const FourPoints& to, const Interval& time) {
   const Features<One> features(load(from, to));
   if (!features.bounds.valid.all()) return 0;
-  const Verdict<One> verdict = typename Features<One>::Sides(features).during({time.lo, time.hi, 0});
+  const Verdict<One> verdict = verdict_during<Features>({time.lo, time.hi, 0}, features.sides(), features.bounds);
   return verdict.apart.all() ? -1 : int{verdict.meet.all()};
 }
 

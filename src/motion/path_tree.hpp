@@ -80,15 +80,15 @@ struct PathTree {
   /// The box of a feature, to be written as number i.
   template <int kCount, std::size_t kVertices>
   void bound(const std::array<std::uint32_t, kVertices>& vertices, PathBoxes<kCount>& boxes, int i) const {
-    for (int end = 0; end < 2; ++end)
+    for (int state = 0; state < 2; ++state)
       for (int axis = 0; axis < 3; ++axis) {
-        float lo = points[vertices[0]].at[end][axis], hi = lo;
+        float lo = points[vertices[0]].at[state][axis], hi = lo;
         for (std::size_t k = 1; k < kVertices; ++k) {
-          const float x = points[vertices[k]].at[end][axis];
+          const float x = points[vertices[k]].at[state][axis];
           lo = std::min(lo, x), hi = std::max(hi, x);
         }
-        boxes.bounds[6 * end + axis][i] = end == 0 ? lo : lo - margin;
-        boxes.bounds[6 * end + 3 + axis][i] = end == 0 ? hi : hi + margin;
+        boxes.bounds[6 * state + axis][i] = state == 0 ? lo : lo - margin;
+        boxes.bounds[6 * state + 3 + axis][i] = state == 0 ? hi : hi + margin;
       }
   }
 

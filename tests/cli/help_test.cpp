@@ -53,7 +53,7 @@ TEST(Help, ExamplesRun) {
       ++count;
     }
   }
-  EXPECT_EQ(count, 23U);
+  EXPECT_EQ(count, 24U);
   EXPECT_EQ(shell(folder, "impinge check robot.ply cell.off --first --quiet && echo free").out, "free\n");
 }
 

@@ -83,6 +83,26 @@ TEST_F(Impacts, ACubeFallsOnAPlateWhenItsHeightIsZero) {
   }
 }
 
+/// With a separation the time is that at which the height is it, but for a thousandth; a length in metres is the same.
+TEST_F(Impacts, ACubeComesWithinASeparationWhenItsHeightIsThat) {
+  for (const auto& [from, to] : {std::array{4, -4}, {5, 1}, {3, 2}}) {
+    write("from", from), write("to", to);
+    const json found = report({"from.obj", "to.obj", "--unit", "mm", "--separation", "1.5"});
+    EXPECT_EQ(found.at("settings").at("separation"), 1.5);
+    EXPECT_EQ(report({"from.obj", "to.obj", "--unit", "mm", "--separation", "0.0015m"}), found);
+    if (to > 1.5) {
+      EXPECT_TRUE(found.at("impacts").empty());
+      continue;
+    }
+    const double height = from + (to - from) * found.at("earliest").at("toi").at(0).get<double>();
+    EXPECT_GT(height, 1.5);
+    EXPECT_LT(height, 1.5 * (1 + 0x1p-9));
+  }
+  EXPECT_NE(run({"from.obj", "to.obj", "--separation", "2mm"}).err.find("--separation 2mm"), std::string::npos);
+  EXPECT_NE(run({"from.obj", "to.obj", "--separation", "1.5"}).out.find("Nothing comes within 1.5."),
+            std::string::npos);
+}
+
 using Flat = std::array<int, 2>;
 
 int side(const Flat& a, const Flat& b, const Flat& c) {
