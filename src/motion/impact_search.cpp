@@ -85,8 +85,8 @@ class Search {
   /// The part of the trees' time that is still of interest: rounded up.
   [[nodiscard]] float until() const {
     const double end = end_.load(std::memory_order_relaxed);
-    if (end >= a_.tree.end) return 1;
-    return std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f));
+    if (end >= a_.tree.end_time) return 1;
+    return std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end_time), 2.0f));
   }
 
   /// Calls `visit` with each pair of children that may meet.
