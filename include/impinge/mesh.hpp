@@ -77,9 +77,9 @@ class Mesh {
   Result<Mesh> transformed(const Affine& map) const;
 
   /// The same triangles with other vertices: `xyz` holds 3 finite coordinates for each vertex. Every answer is that of
-  /// a mesh created from these numbers, but the tree is this mesh's, refitted: it is made whole first, if it is not
-  /// yet. Parts that the deformation has made loose are made anew. (The backends "paper" and "raster" make their trees
-  /// anew.) Errors: `bad_mesh` (not as many coordinates, not finite).
+  /// a mesh created from these numbers. Where a third of this mesh's tree is made, by queries or `build_tree`, the rest
+  /// is made and the tree refitted, but for parts that have become loose; else queries make one as they need it, as the
+  /// backends "paper" and "raster" always do. Errors: `bad_mesh` (not as many coordinates, not finite).
   Result<Mesh> deformed(std::span<const double> xyz) const;
 
   [[nodiscard]] std::size_t vertex_count() const noexcept;

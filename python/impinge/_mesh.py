@@ -112,7 +112,8 @@ class Mesh:
     def deformed(self, vertices: ArrayLike, *, stop: _core.Stop | None = None) -> Mesh:
         """The same faces with other vertices, (V, 3), as many as there are, in your unit of length.
 
-        Answers are those of a new mesh of these numbers, but its tree is this one's, refitted, which is faster than making one.
+        Answers are those of a new mesh of these numbers, but where queries have made a third of
+        this one's tree, it is refitted, which is faster.
 
         Raises
         ------

@@ -19,14 +19,12 @@
 namespace impinge {
 namespace {
 
-std::vector<Vec3> used_vertices(const MeshData& mesh) {
-  std::vector<bool> used(mesh.vertices.size());
+/// Whether some triangle has each vertex.
+std::vector<std::uint8_t> used_vertices(const MeshData& mesh) {
+  std::vector<std::uint8_t> used(mesh.vertices.size());
   for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t v : triangle) used[v] = true;
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (used[i]) points.push_back(mesh.vertices[i]);
-  return points;
+    for (const std::uint32_t v : triangle) used[v] = 1;
+  return used;
 }
 
 /// 2^(-306 - min_bit), as far as there is such a double: a number's last place, at least that of a normal one, times
@@ -35,26 +33,46 @@ double least_entry(int min_bit) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(std::clamp(1023 - 306 - min_bit, 1, 2046)) << 52);
 }
 
-void measure_triangles(MeshData& mesh) {
-  mesh.hash = mix(mesh.vertices.size(), mesh.triangles.size());
-  for (const Vec3& v : mesh.vertices)
-    for (const double x : {v.x, v.y, v.z}) mesh.hash = mix(mesh.hash, number_bits(x));
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t v : triangle) mesh.hash = mix(mesh.hash, v);
+/// What depends on the triangles' corners alone.
+void measure_corners(MeshData& mesh) {
+  mesh.corners_hash = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    mesh.corners_hash += mix(mix(mix(i, a), b), c);
+  }
+  const auto used = used_vertices(mesh);
+  mesh.has_loose_vertices = std::find(used.begin(), used.end(), 0) != used.end();
+}
 
-  const std::vector<Vec3> points = used_vertices(mesh);
-  if (points.empty()) return;
+void measure_vertices(MeshData& mesh) {
+  std::uint64_t hash = 0;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3& v = mesh.vertices[i];
+    hash += mix(mix(mix(i, number_bits(v.x)), number_bits(v.y)), number_bits(v.z));
+  }
+  mesh.hash = mix(mix(mix(mesh.vertices.size(), mesh.triangles.size()), hash), mesh.corners_hash);
+
+  if (mesh.triangles.empty()) return;
+  std::vector<Vec3> some;
+  if (mesh.has_loose_vertices) {
+    const auto used = used_vertices(mesh);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (used[i] != 0) some.push_back(mesh.vertices[i]);
+  }
+  const std::vector<Vec3>& points = mesh.has_loose_vertices ? some : mesh.vertices;
   mesh.box = {points[0], points[0]};
   mesh.min_exponent = mesh.min_bit = std::numeric_limits<int>::max() / 4;  // as of a mesh of zeros
+  double least = kInfinity;
   for (const Vec3& p : points) {
     mesh.box = {min(mesh.box.lo, p), max(mesh.box.hi, p)};
-    mesh.max_abs = max(mesh.max_abs, abs(p));
     for (const double x : {p.x, p.y, p.z}) {
       if (x == 0) continue;
-      mesh.min_exponent = std::min(mesh.min_exponent, exponent(x));
+      least = std::min(least, std::abs(x));
       mesh.min_bit = std::min(mesh.min_bit, lowest_bit(x));
     }
   }
+  if (least < kInfinity) mesh.min_exponent = exponent(least);
+  mesh.max_abs = max(abs(mesh.box.lo), abs(mesh.box.hi));
   mesh.least_entry = least_entry(mesh.min_bit);
   mesh.sphere = scene::bounding_sphere(points);
 }
@@ -66,12 +84,18 @@ template <class T>
 Result<std::vector<Vec3>> read_vertices(std::span<const T> xyz) {
   std::vector<Vec3> vertices;
   vertices.reserve(xyz.size() / 3);
+  bool is_finite = true;
   for (std::size_t i = 0; i < xyz.size() / 3; ++i) {
-    const Vec3 v{static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]),
-                 static_cast<double>(xyz[3 * i + 2])};
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      return bad_mesh("vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
-    vertices.push_back(v);
+    vertices.push_back(
+        {static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]), static_cast<double>(xyz[3 * i + 2])});
+    const Vec3 size = abs(vertices.back());
+    is_finite &= size.x < kInfinity && size.y < kInfinity && size.z < kInfinity;
+  }
+  if (!is_finite) {
+    const auto bad = std::ranges::find_if(
+        vertices, [](const Vec3& v) { return !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z); });
+    return bad_mesh("vertex " + std::to_string(bad - vertices.begin()) +
+                    " has a coordinate that is not a finite number");
   }
   return vertices;
 }
@@ -151,7 +175,8 @@ Result<Mesh> Mesh::deformed(std::span<const double> xyz) const {
     mesh.precision = state_->data.precision;
     mesh.vertices = *std::move(vertices);
     mesh.triangles = state_->data.triangles;
-    measure_triangles(mesh);
+    mesh.corners_hash = state_->data.corners_hash, mesh.has_loose_vertices = state_->data.has_loose_vertices;
+    measure_vertices(mesh);
     return Mesh(std::make_shared<const MeshState>(std::move(mesh), *state_, on_threads(0)));
   });
 }
@@ -161,7 +186,8 @@ Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
     return Error{Code::bad_option, "leaf_size is " + std::to_string(config.leaf_size) +
                                        "; choose 1 to 256, or 0 for what each backend does best with"};
   if (!numbers) return numbers.error();
-  measure_triangles(*numbers);
+  measure_corners(*numbers);
+  measure_vertices(*numbers);
   return Mesh(std::make_shared<const MeshState>(*std::move(numbers), config));
 }
 

@@ -24,9 +24,11 @@ static_assert(sizeof(MeshBounds) == 14 * sizeof(double) && sizeof(Pose) == 12 * 
 struct MeshData : MeshBounds {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  int min_exponent = 0;    ///< of the smallest non-zero |coordinate|: floor(log2)
-  int min_bit = 0;         ///< of the lowest bit set in any coordinate: all are multiples of 2^min_bit
-  std::uint64_t hash = 0;  ///< of vertices and triangles (docs/hash.md)
+  int min_exponent = 0;             ///< of the smallest non-zero |coordinate|: floor(log2)
+  int min_bit = 0;                  ///< of the lowest bit set in any coordinate: all are multiples of 2^min_bit
+  std::uint64_t hash = 0;           ///< of vertices and triangles (docs/hash.md)
+  std::uint64_t corners_hash = 0;   ///< the triangles' part of it
+  bool has_loose_vertices = false;  ///< some that no triangle has
   Precision precision = Precision::whole;
 };
 

@@ -367,6 +367,12 @@ void WideTree::build(const ForEach& for_each) {
   });
 }
 
+double WideTree::made_share() const {
+  if (state_->root.load(std::memory_order_acquire) <= kBusy) return 0;
+  const auto all = static_cast<double>(state_->source.mesh.triangles.size());
+  return 1 - static_cast<double>(state_->not_in_leaves.load()) / all;
+}
+
 int WideTree::unit_exponent() const { return state_->unit_exponent; }
 
 std::size_t WideTree::bytes() const {

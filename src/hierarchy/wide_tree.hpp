@@ -86,6 +86,8 @@ class WideTree {
 
   /// Makes all that is not made yet.
   void build(const ForEach& for_each = {});
+  /// How much of the triangles is in leaves that are made: from 0 to 1.
+  [[nodiscard]] double made_share() const;
 
   [[nodiscard]] int unit_exponent() const;
   /// What the tree holds in memory now.

@@ -88,8 +88,8 @@ class Search {
   /// What is still of interest, of the trees' time rounded up.
   [[nodiscard]] Sought sought() const {
     const double end = end_.load(std::memory_order_relaxed);
-    if (end >= a_.tree.end) return {query_.reach, 1};
-    return {query_.reach, std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end), 2.0f))};
+    if (end >= a_.tree.end_time) return {query_.reach, 1};
+    return {query_.reach, std::min(1.0f, std::nextafter(static_cast<float>(end / a_.tree.end_time), 2.0f))};
   }
 
   /// Calls `visit` with each pair of children that may meet.

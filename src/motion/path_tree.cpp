@@ -130,7 +130,7 @@ float reach_of(double separation, const FloatFrame& frame) {
 // A point in between is computed from two coordinates below 1 and a time, each off by 2^-53 of itself, by three more
 // roundings to double and one to float: off by less than 2^-24 + 2^-50. Adding the margin is off by 2^-24 as much.
 PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan)
-    : end(plan.end), margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
+    : end_time(plan.end), margin(plan.end < 1 ? 0x1p-22f : 0), points(vertices.from.size()) {
   in_blocks(plan.for_each, 4096, points.size(), [&](std::size_t i) {
     if (i % 4096 == 0) throw_if_stopped(plan.stop);
     const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);

@@ -66,7 +66,7 @@ struct PathTree {
   struct Point {
     float at[2][3];
   };
-  double end;
+  double end_time;
   float margin;
   std::vector<Point> points;
   std::shared_ptr<const SpatialOrder> order;

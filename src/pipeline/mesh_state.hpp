@@ -23,12 +23,14 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
                    : data.triangles.size() <= kPlainDirect ? kPlainDirect
                                                            : kPlainLeafSize),
         wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize) {}
-  /// Of the same triangles as another, whose wide tree is refitted.
+  /// Of the same triangles as another, whose wide tree is refitted where so much of it is made that it is worth it.
   MeshState(MeshData numbers, const MeshState& source, const ForEach& for_each)
       : data(std::move(numbers)),
         config(source.config),
         tree(data, source.tree.leaf_size()),
-        wide_tree(source.wide_tree, data, for_each),
+        wide_tree(source.wide_tree.made_share() >= kRefitted
+                      ? hierarchy::WideTree(source.wide_tree, data, for_each)
+                      : hierarchy::WideTree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize)),
         features(source.features) {}
 
   // Where the cost function is least (tests/schedule by counts, docs/performance.md by the clock). The paper's way
@@ -36,6 +38,8 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // does so only up to its leaf size: beyond it collisions would gain as long as the tree is not made, and distances
   // lose.
   static constexpr std::uint32_t kPlainLeafSize = 4, kPlainDirect = 128, kWideLeafSize = 16;
+  // Refitting a whole tree takes about a third of the time of making one (docs/motion.md).
+  static constexpr double kRefitted = 1 / 3.0;
 
   const MeshData data;
   const TreeConfig config;

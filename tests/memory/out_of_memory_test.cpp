@@ -126,6 +126,7 @@ TEST(OutOfMemory, IsAnErrorOfDeformedAndSelfCollideThatHarmsNoMesh) {
   std::vector<double> flat = ball.xyz;
   for (std::size_t i = 2; i < flat.size(); i += 3) flat[i] *= 0x1p-60;
   const Mesh mesh = test::mesh_of(ball);
+  ASSERT_TRUE(mesh.build_tree(1));  // to be refitted
   const auto expected = test::listed(*self_collide(test::mesh_of({flat, ball.triangles})));
   int failures = 0;
   for (long allowed = 0;; ++allowed) {

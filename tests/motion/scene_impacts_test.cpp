@@ -177,11 +177,11 @@ std::uint64_t folded(std::uint64_t h, std::uint64_t w) { return mixed(h ^ mixed(
 std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
 std::uint64_t key_of(const Mesh& mesh, const Pose& pose) {
-  std::uint64_t h = folded(mesh.vertex_count(), mesh.triangle_count());
+  std::uint64_t vertices = 0, triangles = 0, i = 0, j = 0;
   for (const Point& p : mesh.vertices())
-    for (const double x : {p.x, p.y, p.z}) h = folded(h, bits_of(x));
-  for (const auto& triangle : mesh.triangles())
-    for (const std::uint32_t v : triangle) h = folded(h, v);
+    vertices += folded(folded(folded(i++, bits_of(p.x)), bits_of(p.y)), bits_of(p.z));
+  for (const auto& [a, b, c] : mesh.triangles()) triangles += folded(folded(folded(j++, a), b), c);
+  std::uint64_t h = folded(folded(folded(mesh.vertex_count(), mesh.triangle_count()), vertices), triangles);
   for (const double x : pose.R) h = folded(h, bits_of(x));
   for (const double x : pose.t) h = folded(h, bits_of(x));
   return h;

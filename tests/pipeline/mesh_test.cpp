@@ -135,11 +135,13 @@ TEST(Mesh, OfFloatsIsThatOfTheSameDoubles) {
   test::expect_same(expected, collide(of_floats, {}, of_floats, pose).value());
 }
 
-/// The mesh of these numbers, deformed from other ones.
-Mesh deformed_to(const scenes::MeshData& numbers, scenes::Random& random, std::uint32_t leaf_size = 0) {
+/// The mesh of these numbers, deformed from other ones, whose tree is there to be refitted or is not.
+Mesh deformed_to(const scenes::MeshData& numbers, bool has_tree, scenes::Random& random, std::uint32_t leaf_size = 0) {
   scenes::MeshData before = numbers;
   for (double& x : before.xyz) x = random.uniform(-1, 1);
-  return test::mesh_of(before, leaf_size).deformed(numbers.xyz).value();
+  const Mesh mesh = test::mesh_of(before, leaf_size);
+  if (has_tree) EXPECT_TRUE(mesh.build_tree(1));
+  return mesh.deformed(numbers.xyz).value();
 }
 
 TEST(Deformed, AnswersAsTheMeshOfTheSameNumbers) {
@@ -149,8 +151,8 @@ TEST(Deformed, AnswersAsTheMeshOfTheSameNumbers) {
     const auto &a = named.scene.objects[0], &b = named.scene.objects[1];
     for (const std::uint32_t leaf_size : {0u, 5u}) {
       const auto meshes = test::meshes_of(named.scene, leaf_size);
-      const Mesh mesh_a = deformed_to(named.scene.meshes[a.mesh], seeded.random, leaf_size),
-                 mesh_b = deformed_to(named.scene.meshes[b.mesh], seeded.random, leaf_size);
+      const Mesh mesh_a = deformed_to(named.scene.meshes[a.mesh], true, seeded.random, leaf_size),
+                 mesh_b = deformed_to(named.scene.meshes[b.mesh], leaf_size == 0, seeded.random, leaf_size);
       for (const char* const backend : {"simd", "paper"}) {
         const Options options{.threads = 1, .backend = backend};
         const auto expected = collide(meshes[a.mesh], a.pose, meshes[b.mesh], b.pose, options),
@@ -172,7 +174,9 @@ TEST(Deformed, MeasuresAndJudgesAsTheMeshOfTheSameNumbers) {
       scenes::MeshData before = ball;
       for (double& c : before.xyz) c += mild ? 0.1 * std::sin(9 * c) : seeded.random.uniform(-1, 1);
       const Mesh fresh = test::mesh_of(ball), other = test::mesh_of(knot);
-      const Mesh deformed = test::mesh_of(before).deformed(ball.xyz).value();
+      const Mesh source = test::mesh_of(before);
+      EXPECT_TRUE(source.build_tree(1));
+      const Mesh deformed = source.deformed(ball.xyz).value();
       const Pose pose{.t = {x, 0.1, 0.2}};
       const Nearest expected = distance(fresh, {}, other, pose).value(),
                     found = distance(deformed, {}, other, pose).value();

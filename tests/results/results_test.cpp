@@ -35,9 +35,10 @@ std::uint64_t fold(std::uint64_t h, std::uint64_t w) { return mix(h ^ mix(w)); }
 std::uint64_t number(double x) { return x == 0 ? 0 : std::bit_cast<std::uint64_t>(x); }
 
 std::uint64_t key(const Mesh& mesh, const Pose& pose) {
-  std::uint64_t h = fold(mesh.vertex_count(), mesh.triangle_count());
-  for (const Point& v : mesh.vertices()) h = fold(fold(fold(h, number(v.x)), number(v.y)), number(v.z));
-  for (const auto& t : mesh.triangles()) h = fold(fold(fold(h, t[0]), t[1]), t[2]);
+  std::uint64_t vertices = 0, triangles = 0, i = 0, j = 0;
+  for (const Point& v : mesh.vertices()) vertices += fold(fold(fold(i++, number(v.x)), number(v.y)), number(v.z));
+  for (const auto& t : mesh.triangles()) triangles += fold(fold(fold(j++, t[0]), t[1]), t[2]);
+  std::uint64_t h = fold(fold(fold(mesh.vertex_count(), mesh.triangle_count()), vertices), triangles);
   for (const double r : pose.R) h = fold(h, number(r));
   for (const double t : pose.t) h = fold(h, number(t));
   return h;
