@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// The JSON that `impinge clash` reads: configurations, clash sets of IfcClash, earlier reports and decisions.
+/// What `impinge clash` reads beside models: configurations, clash sets of IfcClash, earlier reports, and decisions as
+/// JSON and as a table.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -24,5 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!previous && !previous.error().message.starts_with("fuzz.json:")) std::abort();
   const auto decisions = impinge::report::parse_decisions("fuzz.json", text);
   if (!decisions && !decisions.error().message.starts_with("fuzz.json:")) std::abort();
+  const auto table = impinge::report::parse_decided_table("fuzz.csv", text);
+  if (!table && !table.error().message.starts_with("fuzz.csv")) std::abort();
   return 0;
 }

@@ -71,8 +71,8 @@ MeshData torus_knot(int p, int q, int along, int around) {
   const auto at = [&](int i, int j) { return static_cast<std::uint32_t>((i % along) * around + j % around); };
   for (int i = 0; i < along; ++i) {
     for (int j = 0; j < around; ++j) {
-      mesh.add_triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      mesh.add_triangle(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+      mesh.add_triangle(at(i, j), at(i, j + 1), at(i + 1, j + 1));
     }
   }
   return mesh;

@@ -61,7 +61,7 @@ Result<PointLocator> PointLocator::create(const Mesh& mesh, const Pose& pose, in
     if (auto made = mesh.build_tree(threads); !made) return made.error();
     const auto body = closed_body(mesh, pose);
     if (!body) return body.error();
-    return PointLocator(std::make_shared<const State>(mesh, solid::LocationGrid(*body)));
+    return PointLocator(std::make_shared<const State>(State{mesh, solid::LocationGrid(*body)}));
   });
 }
 

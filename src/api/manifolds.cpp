@@ -149,8 +149,8 @@ void ContactManifolds::State::add_row(const Scene::State& scene, const Contacts&
     now.push_back(keep(manifold, placed[0]->pose, generations));
   }
   const auto by_objects = [](const Kept& kept) { return kept.manifold.objects; };
-  const auto old = std::ranges::equal_range(before, objects, {}, by_objects);
-  go_on({old.begin(), old.end()}, begin);
+  const auto old = std::ranges::lower_bound(before, objects, {}, by_objects);
+  go_on({old, std::ranges::upper_bound(old, before.end(), objects, {}, by_objects)}, begin);
 }
 
 /// Gives the regions from `first` on the ids of the last call.

@@ -84,7 +84,7 @@ MeshData random_solid(Random& random) {
       return scenes::scaled(scenes::uv_sphere(random.integer(3, 16), random.integer(2, 9)), 0.5, random.uniform(0.1, 1),
                             random.uniform(0.1, 1));
     case 4:
-      return scenes::inverted(scenes::scaled(scenes::torus_knot_of(240), 0.3, 0.3, 0.3));  // which looks inwards
+      return scenes::scaled(scenes::torus_knot_of(240), 0.3, 0.3, 0.3);
     default: {
       std::vector<std::array<int, 3>> points;
       for (int i = 0; i < 20; ++i)

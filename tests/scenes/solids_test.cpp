@@ -7,6 +7,7 @@
 
 #include "scenes/plant.hpp"
 #include "scenes/plant_solids.hpp"
+#include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
 #include "tests/scenes/relation.hpp"
 
@@ -61,6 +62,15 @@ TEST(Solids, EveryMeshOfAPlantIsAProperSolid) {
     if (test::volume(mesh) < 0) ++inside_out;
   }
   EXPECT_LE(inside_out, 5u);  // those that were turned inside out on purpose
+}
+
+TEST(Solids, ClosedShapesLookOutwards) {
+  for (const scenes::MeshData& shape :
+       {scenes::cube(), scenes::box({-3, 1, 2}, {-1, 2, 9}, 3), scenes::uv_sphere(7, 5),
+        scenes::pipe(9, 3, 0.5, 4, true), scenes::torus_knot(3, -2, 40, 6), scenes::torus_knot_of(240)}) {
+    EXPECT_EQ(open_edges(shape), 0u);
+    EXPECT_GT(test::volume(shape), 0);
+  }
 }
 
 TEST(Solids, LayersFillWhatTheyAreTold) {
