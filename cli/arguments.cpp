@@ -11,7 +11,6 @@
 #include "command_options.hpp"
 #include "impinge/version.hpp"
 #include "report/text.hpp"
-#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

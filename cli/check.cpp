@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
-#include "report/assembly.hpp"
 #include "report/json_writer.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"

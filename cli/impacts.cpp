@@ -16,7 +16,6 @@
 #include "scene_command.hpp"
 #include "table.hpp"
 #include "tables.hpp"
-#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -9,7 +9,6 @@
 #include "report/units.hpp"
 #include "table.hpp"
 #include "tables.hpp"
-#include "terminal.hpp"
 
 namespace impinge::cli {
 namespace {

@@ -6,12 +6,10 @@
 #include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
-#include "report/assembly.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
 #include "report/writers.hpp"
 #include "scene_command.hpp"
-#include "terminal.hpp"
 
 namespace impinge::cli {
 

@@ -5,7 +5,6 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 
 #include "report/vector.hpp"

@@ -14,7 +14,6 @@
 #include <map>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include "report/text.hpp"
 

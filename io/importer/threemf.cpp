@@ -5,7 +5,6 @@
 #include <Common/NMR_ErrorConst.h>
 #include <Model/COM/NMR_DLLInterfaces.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
