@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
-"""The page's charts, each as SVG and PNG. Colours are Okabe and Ito's, which colour-blind readers tell apart; each
+"""The page's charts, as SVG. Colours are Okabe and Ito's, which colour-blind readers tell apart; each
 library has its marker as well."""
 import matplotlib
 
@@ -44,7 +44,6 @@ plt.rcParams.update({
 def save(figure, folder, name):
     # Without a date the same figures give the same files.
     figure.savefig(folder / f"{name}.svg", metadata={"Date": None}, bbox_inches="tight")
-    figure.savefig(folder / f"{name}.png", dpi=150, metadata={"Software": None}, bbox_inches="tight")
     plt.close(figure)
 
 
