@@ -27,17 +27,19 @@ py::object to_python(const std::optional<Interval>& time) {
   return time ? py::object(py::make_tuple(time->lo, time->hi)) : py::none();
 }
 
-/// `MotionOptions` as Python hands them over: (earliest, end, by_index, limit, threads).
+/// `MotionOptions` as Python hands them over: (earliest, end, by_index, separation, limit, threads).
 struct MotionChoice {
   bool earliest;
   double end;
   bool by_index;
+  double separation;
   std::uint64_t limit;
   int threads;
 
   [[nodiscard]] MotionOptions with(std::stop_token stop) const {
     return {.earliest = earliest,
             .end = end,
+            .separation = separation,
             .adjacency = by_index ? Adjacency::by_index : Adjacency::by_position,
             .limit = limit,
             .threads = threads,
@@ -151,8 +153,8 @@ void bind_impact(py::module_& module, const char* name, Predicate predicate) {
 void bind_motion(py::module_& module) {
   py::class_<Moving>(module, "Moving").def(py::init<Mesh, Mesh>());
   py::class_<MotionChoice>(module, "MotionOptions")
-      .def(py::init([](bool earliest, double end, bool by_index, std::uint64_t limit, int threads) {
-        return MotionChoice{earliest, end, by_index, limit, threads};
+      .def(py::init([](bool earliest, double end, bool by_index, double separation, std::uint64_t limit, int threads) {
+        return MotionChoice{earliest, end, by_index, separation, limit, threads};
       }));
   module.def("find_impacts", &impacts_of);
   module.def("impacts_of_scene", &impacts_of_scene);

@@ -65,8 +65,10 @@ class SceneImpacts(Impacts):
         return np.repeat(np.arange(len(self.objects)), np.diff(self.offsets))
 
 
-def make_motion_options(earliest: bool, end: float, by_index: bool, limit: int | None, threads: int) -> _core.MotionOptions:
-    return _core.MotionOptions(earliest, end, by_index, _arrays.limit(limit), threads)
+def make_motion_options(
+    earliest: bool, end: float, by_index: bool, separation: float, limit: int | None, threads: int
+) -> _core.MotionOptions:
+    return _core.MotionOptions(earliest, end, by_index, separation, _arrays.limit(limit), threads)
 
 
 def _fields(found: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -90,6 +92,7 @@ def find_impacts(
     limit: int | None = None,
     end: float = 1.0,
     by_index: bool = False,
+    separation: float = 0.0,
     threads: int = 0,
     stop: _core.Stop | None = None,
 ) -> Impacts:
@@ -100,6 +103,10 @@ def find_impacts(
     With `earliest` only the first impact is looked for; with `limit` the first so many in order are kept; times up to `end`, 0 to 1, are
     looked at. Of a mesh with itself features that share a vertex are left out; vertices count as one where they are equal at both ends,
     with `by_index` only where their index is.
+
+    With a `separation` above 0, in your unit, features meet where they come within it: none that does is missed, and none found that stays
+    farther apart than it and a tolerance of 2^-10 of it (and 2^-32 of the features' size). The numbers of each time are then equal: before it they
+    are farther apart than the separation.
 
     Raises
     ------
@@ -119,7 +126,7 @@ def find_impacts(
     [('VERTEX_FACE', [0, 0]), ('VERTEX_FACE', [1, 0]), ('VERTEX_FACE', [2, 0])]
     """
     first, second = _moving(a, "a"), None if b is None else _moving(b, "b")
-    options = make_motion_options(earliest, end, by_index, limit, threads)
+    options = make_motion_options(earliest, end, by_index, separation, limit, threads)
     return Impacts(*_fields(_core.find_impacts(first, second, options, stop)))
 
 
@@ -131,13 +138,18 @@ class Step(NamedTuple):
 
 
 def collision_free_step(
-    *meshes: Moving, end: float = 1.0, by_index: bool = False, threads: int = 0, stop: _core.Stop | None = None
+    *meshes: Moving,
+    end: float = 1.0,
+    by_index: bool = False,
+    separation: float = 0.0,
+    threads: int = 0,
+    stop: _core.Stop | None = None,
 ) -> Step:
     """How far meshes may go together, each a pair as in `find_impacts`, without meeting each other or themselves.
 
     On the way to the ends, where vertices were rounded to, there is no impact either. Where something would meet, the time is at least
     (1 - 2^-10) of that of the first impact, or if rounding would make things touch there, the first of some smaller parts of which it does
-    not: 0 where what meets is nearer than rounding can tell. What stands still is not tested against itself and what else stands still. `by_index` as in `find_impacts`.
+    not: 0 where what meets is nearer than rounding can tell. What stands still is not tested against itself and what else stands still. `by_index` and `separation`, which is kept, as in `find_impacts`.
 
     >>> import impinge
     >>> floor = impinge.Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -149,11 +161,11 @@ def collision_free_step(
     Raises
     ------
     ContactError
-        Something touches at the start.
+        Something touches at the start, or is within the separation.
     MeshError, RangeError, OptionError, Cancelled, OutOfMemoryError
     """
     moving = [_moving(mesh, f"meshes[{k}]") for k, mesh in enumerate(meshes)]
-    time, ends = _core.collision_free_step(moving, make_motion_options(False, end, by_index, None, threads), stop)
+    time, ends = _core.collision_free_step(moving, make_motion_options(False, end, by_index, separation, None, threads), stop)
     return Step(time, [Mesh._wrap(core) for core in ends])
 
 

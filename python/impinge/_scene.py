@@ -284,6 +284,7 @@ class Scene(SceneObjects):
         limit: int | None = None,
         end: float = 1.0,
         by_index: bool = False,
+        separation: float = 0.0,
         threads: int = 0,
         stop: _core.Stop | None = None,
     ) -> SceneImpacts:
@@ -312,7 +313,7 @@ class Scene(SceneObjects):
         >>> impacts.names, impacts.earliest
         ((('floor', 'lid'),), Interval(lo=0.75, hi=0.75))
         """
-        options = make_motion_options(earliest, end, by_index, limit, threads)
+        options = make_motion_options(earliest, end, by_index, separation, limit, threads)
         with _core.Reading(self._core):
             return make_scene_impacts(_core.impacts_of_scene(self._core, options, stop), self._name_of)
 

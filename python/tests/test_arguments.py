@@ -154,6 +154,7 @@ REFUSED = [
     (lambda: impinge.find_impacts((CUBES[0], (CUBE[:5], []))), impinge.MeshError, "8 vertices at the start and 5 at the end"),
     (lambda: impinge.find_impacts(CUBES, (CUBES[0], (CUBE, CUBE_FACES[::-1]))), impinge.MeshError, "the second mesh's triangle 0 has other vertices"),
     (lambda: impinge.find_impacts(CUBES, end=1.5), impinge.OptionError, "not 1.5"),
+    (lambda: impinge.find_impacts(CUBES, separation=-1), impinge.OptionError, "separation"),
     (lambda: impinge.find_impacts(CUBES, end=np.nan), impinge.OptionError, "end of the time"),
     (lambda: impinge.collision_free_step(CUBES, impinge.Mesh(*CUBES[0])), impinge.MeshError, r"meshes\[1\] is no pair of meshes"),
     (lambda: impinge.find_impacts(CUBES, limit=-1), impinge.OptionError, "limit is -1"),

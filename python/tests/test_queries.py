@@ -276,6 +276,22 @@ def test_a_step_ends_before_the_first_impact():
         step = impinge.collision_free_step((over, over.deformed(over.vertices - [0, 0, fall])), (cube, cube), threads=1)
         assert step.time == 1 if free is None else (1 - 2**-10) * free <= step.time < free
         assert step.ends[0].vertices == pytest.approx(over.vertices - [0, 0, step.time * fall]) and not impinge.touches(*step.ends)
+        near = 0.25  # is reached sooner by that height, and by no more than the tolerance
+        moving = (over, over.deformed(over.vertices - [0, 0, fall])), (cube, cube)
+        scene = impinge.Scene()
+        below, above = scene.add(cube), scene.add(over)
+        scene.step()
+        scene.set_vertices(above, moving[0][1].vertices)
+        for found in (impinge.find_impacts(*moving, separation=near), scene.find_impacts(separation=near)):
+            reached = (height - near) / fall
+            if reached > 1:
+                assert not found
+            else:
+                assert reached - near * 2**-9 / fall <= found.earliest.lo == found.earliest.hi <= reached
+        step = impinge.collision_free_step(*moving, separation=near)
+        assert impinge.distance(*step.ends).distance >= near and step.time > 0.99 * min(reached, 1)
+        with pytest.raises(impinge.ContactError):
+            impinge.collision_free_step(*moving, separation=height)
     with pytest.raises(impinge.ContactError):
         impinge.collision_free_step((cube, cube.deformed(CUBE + 1)), (cube, cube))
     assert impinge.collision_free_step((cube, cube.deformed(CUBE + 1)), end=0.5).time == 0.5
