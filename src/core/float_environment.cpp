@@ -16,7 +16,7 @@ constexpr unsigned kNearest = 0x1F80, kFlags = 0x3F;
 }  // namespace
 
 // Not written where it is so already, as it nearly always is: where a program has ever met a denormal number, that
-// takes up to 70 ns (Sapphire Rapids).
+// takes up to 70 ns (Emerald Rapids).
 FloatEnvironment::FloatEnvironment() : saved_(_mm_getcsr()) {
   if ((saved_ & ~kFlags) != kNearest) _mm_setcsr(kNearest);
 }
