@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include <cstdlib>
-#include <functional>
 #include <random>
 
 #include "support.hpp"

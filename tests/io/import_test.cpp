@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "animated_gltf.hpp"

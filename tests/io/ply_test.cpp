@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include <limits>
 
 #include "support.hpp"
 
