@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// What deforms and touches itself: refitted trees against built ones, with a query and without, self-collision, and
-/// impacts between two states. With IMPINGE_CCD_DIR in the environment, those of its steps too (docs/motion.md).
+/// What deforms and touches itself: refitted trees against built ones, with a query and without, and against those that
+/// queries make as they need them; self-collision; and impacts between two states. With IMPINGE_CCD_DIR in the
+/// environment, those of its steps too (docs/motion.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "bench/mesh_pairs.hpp"
 #include "bench/ours.hpp"
 #include "bench/peers/cgal.hpp"
+#include "bench/peers/embree.hpp"
 #include "bench/peers/fcl.hpp"
 #include "bench/peers/fcl_impacts.hpp"
 #include "impinge/impacts.hpp"
@@ -126,6 +128,25 @@ void measure_impacts(const Subject& subject, const std::vector<double>& to, cons
       effort, table);
 }
 
+/// A mesh that moves into another, which is at rest: from beside it, along x, to where most of it is inside.
+void measure_passage(const Subject& subject, const Effort& effort, Table& table) {
+  const Mesh mesh = make_mesh(subject.data);
+  double low = 0, high = 0;
+  for (const Point& p : mesh.vertices()) low = std::min(low, p.x), high = std::max(high, p.x);
+  const auto beside = [&](double share) {
+    std::vector<double> xyz = subject.data.xyz;
+    for (std::size_t i = 0; i < xyz.size(); i += 3) xyz[i] += share * (high - low);
+    return must(mesh.deformed(xyz));
+  };
+  const Moving resting{mesh, mesh}, moving{beside(1.1), beside(0.3)};
+  const auto ask = [&](bool earliest) {
+    (void)must(find_impacts(resting, moving, {.earliest = earliest, .threads = 1}));
+  };
+  add(subject, "impacts of two",
+      {{"impinge", [&](std::size_t) { ask(false); }}, {"impinge for the first", [&](std::size_t) { ask(true); }}},
+      effort, table);
+}
+
 /// Folders of scenes, each with a folder `frames` of meshes N.ply and N + 1.ply.
 void measure_public_steps(const std::filesystem::path& folder, const Effort& effort, Table& table) {
   std::vector<std::filesystem::path> scenes;
@@ -143,21 +164,25 @@ void measure_public_steps(const std::filesystem::path& folder, const Effort& eff
 
 void measure(const Subject& subject, const Effort& effort, Table& table) {
   const scenes::MeshData after = twisted(subject.data);
-  const Mesh mesh = built(subject.data);
+  const Mesh mesh = built(subject.data), sparse = make_mesh(subject.data);
   FclDebianMesh fcl(subject.data), fcl_other(subject.data);
   const scenes::PosePair poses = random_poses(mesh, Depth::light, 1).front();
+  EmbreeBody embree(subject.data, poses.a, EmbreeBody::Motion::moving),
+      embree_other(subject.data, poses.b, EmbreeBody::Motion::fixed);
   const auto ask = [&](const Mesh& deformed) { (void)must(collide(deformed, poses.a, mesh, poses.b, fast())); };
   add(subject, "refit",
       {{"impinge", [&](std::size_t) { (void)must(mesh.deformed(after.xyz)); }},
        {"impinge built anew", [&](std::size_t) { (void)built(after); }},
        {"impinge without tree", [&](std::size_t) { (void)make_mesh(after); }},
        {"FCL", [&](std::size_t) { fcl.refit(after); }},
+       {"Embree", [&](std::size_t) { embree.deform(after, poses.a); }},
        {"FCL built anew", [&](std::size_t) { (void)FclDebianMesh(after); }}},
       effort, table);
   add(subject, "refit and query",
       {{"impinge", [&](std::size_t) { ask(must(mesh.deformed(after.xyz))); }},
-       {"impinge built as far as needed", [&](std::size_t) { ask(make_mesh(after)); }},
-       {"FCL", [&](std::size_t) { fcl.refit(after), (void)fcl.collide(poses.a, fcl_other, poses.b); }}},
+       {"impinge as far as needed", [&](std::size_t) { ask(must(sparse.deformed(after.xyz))); }},
+       {"FCL", [&](std::size_t) { fcl.refit(after), (void)fcl.collide(poses.a, fcl_other, poses.b); }},
+       {"Embree", [&](std::size_t) { embree.deform(after, poses.a), (void)embree.collide(embree_other); }}},
       effort, table);
   const Mesh deformed = built(after);
   const CgalSurface cgal(after);
@@ -168,6 +193,7 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
       effort, table);
   if (ours != theirs) std::fprintf(stderr, "%s: %zu and %zu pairs\n", subject.name.c_str(), ours.size(), theirs.size());
   measure_impacts(subject, twisted(subject.data, 0.01).xyz, effort, table);
+  measure_passage(subject, effort, table);
 }
 
 }  // namespace

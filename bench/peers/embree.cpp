@@ -172,6 +172,11 @@ void EmbreeBody::move(const Pose& pose) {
   state_->commit();
 }
 
+void EmbreeBody::deform(const scenes::MeshData& data, const Pose& pose) {
+  state_->data = &data;
+  move(pose);
+}
+
 std::size_t EmbreeBody::collide(const EmbreeBody& b) {
   struct Query {
     State &a, &b;

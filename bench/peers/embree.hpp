@@ -27,6 +27,8 @@ class EmbreeBody {
 
   /// Places the vertices anew and refits the tree.
   void move(const Pose& pose);
+  /// The same triangles with other vertices.
+  void deform(const scenes::MeshData& data, const Pose& pose);
   /// `rtcCollide` and the triangle test. Keeps the pairs.
   std::size_t collide(const EmbreeBody& b);
   /// The pairs of the last `collide`, sorted.

@@ -38,7 +38,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // does so only up to its leaf size: beyond it collisions would gain as long as the tree is not made, and distances
   // lose.
   static constexpr std::uint32_t kPlainLeafSize = 4, kPlainDirect = 128, kWideLeafSize = 16;
-  // Refitting a whole tree takes about a third of the time of making one (docs/motion.md).
+  // Refitting a whole tree takes 0.4 of the time of making one (docs/motion.md), and of one in part more than its part.
   static constexpr double kRefitted = 1 / 3.0;
 
   const MeshData data;
