@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "impinge/report.hpp"
 #include "impinge/result.hpp"

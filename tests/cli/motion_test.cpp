@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>

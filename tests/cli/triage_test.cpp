@@ -3,7 +3,6 @@
 // Named tests and what changed since an earlier run, on boxes whose verdicts follow from their corners.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>

@@ -9,7 +9,6 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/meshes.hpp"
