@@ -264,7 +264,7 @@ TEST_F(Impacts, WrongStatesAreOneSentence) {
     std::swap(solid.triangles[4][0], solid.triangles[4][1]);
     return obj({{"plate", kPlate}, {"cube", solid}});
   }());
-  folder.write("reversed.obj", obj_of({{"cube", cube(0, 0, 3)}, {"plate", kPlate}}));
+  folder.write("reversed.obj", obj({{"cube", cube(0, 0, 3)}, {"plate", kPlate}}));
   std::filesystem::create_directory(folder.path() / "run_1");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{"from.obj", "reversed.obj"}, "part 'plate' stands where 'cube' is in the other"},
