@@ -108,7 +108,11 @@ Result<void> bring_to_unit(Length& length, const std::optional<double>& metres, 
         Code::bad_option,
         fmt::format("{} {}: no file says the unit of its coordinates; add --unit with theirs", name, text_of(length))};
   // Through a quotient of the units: 10 mm are 10 where millimetres are the unit.
-  length = length.value * (*length.unit_in_metres / *metres);
+  const double value = length.value * (*length.unit_in_metres / *metres);
+  if (!std::isfinite(value))
+    return Error{Code::bad_option, fmt::format("{} {}: is beyond every double in the unit of the coordinates, {}", name,
+                                               text_of(length), unit_name(*metres))};
+  length = value;
   return {};
 }
 

@@ -47,8 +47,9 @@ struct MotionOptions {
   /// does is missed, and none is found that stays farther apart than it and a tolerance: 2^-10 of it, and 2^-32 of the
   /// largest difference between coordinates of vertices of the two features at either end. Before `Impact::time`, whose
   /// ends are equal then, they are farther apart than the separation, and at that time by no more than the tolerance;
-  /// {0, 0} if they are within it at the start. Of a mesh with itself, features of triangles that have a vertex in
-  /// common are tested with 0.
+  /// {0, 0} if they are within it at the start, or beyond it by less than 2^-44 of that difference. Of a mesh with
+  /// itself, features of triangles that have a vertex in common are tested with 0; others of it are nearer than any
+  /// separation that is larger than its triangles.
   double separation = 0;
   /// Of a mesh with itself: features that share a vertex always meet, and are not reported. Of vertices or edges that
   /// are the same by position, the lowest index stands for all.
@@ -80,9 +81,10 @@ struct Moving {
   Mesh from, to;
 };
 
-/// All impacts between two meshes, or of a mesh with itself: none missed, none added. A mesh that is free of
-/// self-collision at time 0 and has no impact is free of it throughout (docs/motion.md).
-/// Culls by a tree of boxes at both ends: features that an axis separates at both ends, in the same order, never meet.
+/// All impacts between two meshes, or of a mesh with itself: without a separation none missed, none added. A mesh that
+/// is free of self-collision at time 0 and has no impact is free of it throughout (docs/motion.md).
+/// Culls by a tree of boxes at both ends: features that an axis separates at both ends by more than the separation, in
+/// the same order, never meet.
 /// Coordinates may be any finite doubles.
 /// Errors: `bad_mesh` (the two ends have different triangles or numbers of vertices), `bad_option`, `cancelled`.
 Result<Impacts> find_impacts(const Moving& a, const Moving& b, const MotionOptions& options = {});

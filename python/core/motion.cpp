@@ -36,6 +36,8 @@ struct MotionChoice {
   std::uint64_t limit;
   int threads;
 
+  /// For `run`: with a separation a single pair can take long.
+  [[nodiscard]] std::size_t size_of(std::size_t triangles) const { return separation > 0 ? kMayTakeLong : triangles; }
   [[nodiscard]] MotionOptions with(std::stop_token stop) const {
     return {.earliest = earliest,
             .end = end,
@@ -69,14 +71,15 @@ py::tuple impacts_tuple(const Found& found) {
 
 py::tuple impacts_of(const Moving& a, const Moving* b, const MotionChoice& options, const Stop* stop) {
   const std::size_t size = a.from.triangle_count() + (b != nullptr ? b->from.triangle_count() : 0);
-  return impacts_tuple(unwrap(run(stop, size, [&](std::stop_token token) {
+  return impacts_tuple(unwrap(run(stop, options.size_of(size), [&](std::stop_token token) {
     return b != nullptr ? find_impacts(a, *b, options.with(token)) : find_impacts(a, options.with(token));
   })));
 }
 
 py::tuple impacts_of_scene(SharedScene& shared, const MotionChoice& options, const Stop* stop) {
-  SceneImpacts found = unwrap(run(
-      stop, shared.triangles, [&](std::stop_token token) { return shared.scene->find_impacts(options.with(token)); }));
+  SceneImpacts found = unwrap(run(stop, options.size_of(shared.triangles), [&](std::stop_token token) {
+    return shared.scene->find_impacts(options.with(token));
+  }));
   const auto rows = static_cast<py::ssize_t>(found.objects.size());
   const py::tuple impacts = impacts_tuple(found);
   return py::make_tuple(array_of(std::move(found.objects), "i", 4, {rows, 2}),
@@ -86,8 +89,8 @@ py::tuple impacts_of_scene(SharedScene& shared, const MotionChoice& options, con
 py::tuple step_of(const std::vector<Moving>& meshes, const MotionChoice& options, const Stop* stop) {
   std::size_t size = 0;
   for (const Moving& mesh : meshes) size += mesh.from.triangle_count();
-  Step found =
-      unwrap(run(stop, size, [&](std::stop_token token) { return collision_free_step(meshes, options.with(token)); }));
+  Step found = unwrap(run(stop, options.size_of(size),
+                          [&](std::stop_token token) { return collision_free_step(meshes, options.with(token)); }));
   return py::make_tuple(found.time, found.ends);
 }
 

@@ -63,10 +63,10 @@ class Together {
     const double until = options_.end;
     const SceneImpacts first = find(until);
     if (first.earliest && first.earliest->hi == 0)
-      return in_contact(first.objects[0],
-                        options_.separation > 0
-                            ? "features are within the separation"
-                            : "vertices that are at one place there, and go different ways, count as two");
+      return options_.separation > 0
+                 ? too_near(first.objects[0], first.impacts[0])
+                 : in_contact(first.objects[0],
+                              "vertices that are at one place there, and go different ways, count as two");
     if (!first.earliest && certify(until)) return end(until);
     const double latest = first.earliest ? first.earliest->lo : until;
     for (const double share : kShares)
@@ -135,6 +135,21 @@ class Together {
                                     : "meshes " + std::to_string(i) + " and " + std::to_string(j) + " touch";
     return {Code::in_contact,
             what + " at the start (counted from 0): " + where + "; a step starts from where all is apart"};
+  }
+
+  static Error too_near(const std::array<std::uint32_t, 2>& pair, const Impact& impact) {
+    const bool edges = impact.feature == Feature::edge_edge;
+    const auto feature = [&](Feature face, std::uint32_t index, std::uint32_t mesh) {
+      return (edges                    ? "edge "
+              : impact.feature == face ? "triangle "
+                                       : "vertex ") +
+             std::to_string(index) + " of mesh " + std::to_string(mesh);
+    };
+    return {Code::in_contact, feature(Feature::face_vertex, impact.a, pair[0]) + " and " +
+                                  feature(Feature::vertex_face, impact.b, pair[1]) +
+                                  " (counted from 0) are within the separation at the start; a step starts from where "
+                                  "all is farther apart: choose a smaller separation, also than a mesh's own triangles "
+                                  "without a common vertex are apart"};
   }
 
   /// Impacts are of features, so that what goes through something at the start need not have one there.

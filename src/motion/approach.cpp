@@ -151,9 +151,10 @@ std::optional<Approach> approach(const FourPoints& from, const FourPoints& to, d
   // they are then alone, so that each motion that was found free may be followed by any other one.
   if (!(start.gap > d + 2 * kFloor * largest_component(local.from) && d < 4 * local.size)) return found();
   // Features that start within the tolerance are found where they have come nearer: else none could ever part. At the
-  // end they are far enough apart to start from there.
+  // end they are far enough apart to start from there: the gap is off by kFloor `size` here and there, and twice that
+  // is asked for then.
   const double tolerance = kRelative * d + kAbsolute * local.size;
-  const double near = std::min(d + tolerance / 2, (start.gap + d) / 2 + 2 * kFloor * local.size);
+  const double near = std::min(d + tolerance / 2, (start.gap + d) / 2 + 4 * kFloor * local.size);
   for (double step = 1; free_until < end;) {
     // A step that moves all points by less than tolerance / 8 is free, unless they were that near at the start.
     if (step < 0x1p-50) {

@@ -74,7 +74,8 @@ bool Neighbours::vertex_and_face(std::uint32_t vertex, std::uint32_t face) const
 
 bool Neighbours::edges(std::uint32_t one, std::uint32_t other) const {
   const auto any_triangle = [&](std::uint32_t edge, const auto& is) {
-    const auto& [start, end] = features_.edges[edge];
+    auto [start, end] = features_.edges[edge];
+    if (triangles_of(end).size() < triangles_of(start).size()) std::swap(start, end);
     return std::ranges::any_of(triangles_of(start), [&, end](std::uint32_t i) {
       return std::ranges::find(features_.corners[i], end) != features_.corners[i].end() && is(i);
     });

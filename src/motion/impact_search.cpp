@@ -174,6 +174,7 @@ class Search {
   void test_separation(Feature feature, FeaturePairs::List& list, Found& found) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < list.count; ++i) {
+      throw_if_stopped(query_.stop);  // one pair may take thousands of parts of the time
       const auto pair = list.pairs[i];
       if (are_neighbours(feature, pair)) {
         list.pairs[left++] = pair;
@@ -271,8 +272,15 @@ class Search {
     if (impact.feature == Feature::edge_edge) {
       const auto& e = a_.features.edges[impact.a];
       const auto& f = b_.features.edges[impact.b];
-      const Vec3 a = at(a_.vertices, e[0], t), u = at(a_.vertices, e[1], t) - a;
-      const Vec3 b = at(b_.vertices, f[0], t), v = at(b_.vertices, f[1], t) - b;
+      FourPoints points{at(a_.vertices, e[0], t), at(a_.vertices, e[1], t), at(b_.vertices, f[0], t),
+                        at(b_.vertices, f[1], t)};
+      // Times a power of two, so that products neither overflow nor vanish.
+      double largest = 0;
+      for (const Vec3& p : points) largest = std::max(largest, max_component(abs(p)));
+      const double scale = largest > 0 ? std::ldexp(1.0, std::clamp(-2 - exponent(largest), -1000, 1000)) : 1;
+      const Vec3 start = points[0], end = points[1];
+      for (Vec3& p : points) p = scale * p;
+      const Vec3 a = points[0], u = points[1] - a, b = points[2], v = points[3] - b;
       normal = cross(u, v);
       // The points of two lines that are nearest to each other; where they are parallel, that of `a` nearest to b's
       // middle.
@@ -281,7 +289,7 @@ class Search {
       s = s >= 0 ? std::min(s, 1.0) : 0;  // far from 1 it may be no number
       if (const double vv = dot(v, v); query_.separation > 0 && uu > 0 && vv > 0)
         s = std::clamp(dot(b + std::clamp(dot(a + s * u - b, v) / vv, 0.0, 1.0) * v - a, u) / uu, 0.0, 1.0);
-      impact.point = a + s * u;
+      impact.point = (1 - s) * start + s * end;
       way = at(a_.vertices, e[0], 0) - at(b_.vertices, f[0], 0);
     } else {
       const bool swapped = impact.feature == Feature::face_vertex;

@@ -3,6 +3,8 @@
 #include "pipeline/impacts_of_pairs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -15,6 +17,12 @@
 namespace impinge {
 namespace {
 
+/// With as few digits as tell it from all others.
+std::string shortest(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
 bool sooner(const Interval& x, const Interval& y) { return std::tie(x.lo, x.hi) < std::tie(y.lo, y.hi); }
 
 }  // namespace
@@ -24,9 +32,9 @@ Result<void> validate(const MotionOptions& options) {
     return Error{Code::bad_option,
                  "a number of threads is 0 (all there are) or more, not " + std::to_string(options.threads)};
   if (!(options.end >= 0 && options.end <= 1))
-    return Error{Code::bad_option, "the end of the time looked at is from 0 to 1, not " + std::to_string(options.end)};
+    return Error{Code::bad_option, "the end of the time looked at is from 0 to 1, not " + shortest(options.end)};
   if (!(options.separation >= 0 && options.separation < kInfinity))
-    return Error{Code::bad_option, "the separation is a length, 0 or more, not " + std::to_string(options.separation)};
+    return Error{Code::bad_option, "the separation is a length, 0 or more, not " + shortest(options.separation)};
   return {};
 }
 
