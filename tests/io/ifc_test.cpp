@@ -486,6 +486,38 @@ TEST(Ifc, GridsStandWhereTheirAxesAre) {
     }
 }
 
+/// Composite curves of shared segments: 8 million points in a small file, and a curve of itself.
+TEST(Ifc, GridsOfEndlessCurvesAreRefused) {
+  Step step;
+  step.solid("box", step.extruded(step.rectangle(1, 1), 1));
+  const std::string at = step.placement("$", step.origin);
+  const auto grid = [&](const std::string& name, const std::string& curve) {
+    const std::string axis = step.line("IFCGRIDAXIS('A'," + curve + ",.T.)");
+    step.line("IFCGRID('" + step.guid() + "',$,'" + name + "',$,$," + at + ",$,(" + axis + "),(" + axis + "),$,$)");
+  };
+  const auto composite = [&](const std::string& part) {
+    std::string parts = part;
+    for (int i = 1; i < 200; ++i) parts += "," + part;
+    return "IFCCOMPOSITECURVE((" + parts + "),.U.)";
+  };
+  const auto segment = [](const std::string& curve) {
+    return "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.," + curve + ")";
+  };
+  std::string curve = step.line("IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(1, 0) + "))");
+  grid("small", curve);
+  for (int level = 0; level < 3; ++level) curve = step.line(composite(step.line(segment(curve))));
+  grid("shared", curve);
+  grid("loop", "#9000");
+  std::string text = step.text();
+  text.replace(text.find("ENDSEC;\nEND-"), 0, "#9000=" + composite("#9001") + ";\n#9001=" + segment("#9000") + ";\n");
+  const Model model = read_text(text, "case.ifc");
+  ASSERT_EQ(model.grids.size(), 1u);
+  EXPECT_EQ(model.grids[0].name, "small");
+  EXPECT_THAT(model.warnings, testing::UnorderedElementsAre(
+                                  HasSubstr("'shared': its axes have more than 20000 points"),
+                                  HasSubstr("'loop': its axis 'A' is a curve that is not read (IfcCompositeCurve)")));
+}
+
 std::string good_text() {
   Step step;
   step.solid("box", step.extruded(step.rectangle(1, 1), 1));
