@@ -22,7 +22,7 @@ function axesOf(model, grid, placements, options) {
   const lines = attributes.slice(7, 10).flatMap((list, family) => referencesOf(list).map((line) => ({ line, family })));
   if (lines.length > kMostAxes) return `it has ${lines.length} axes, more than ${kMostAxes}`;
   const place = placements.matrixOf(referenceOf(attributes[5]));
-  if (!place) return 'its placement is none that is known';
+  if (!place) return 'its placement is on another grid or an alignment, or a line of it is missing or broken';
   const axes = [];
   for (const { line, family } of lines) {
     const [tag, curve] = model.attributes(line);
