@@ -446,6 +446,19 @@ TEST(IfcShape, FacesWithoutAnAreaTakeNothingFromAClosedBody) {
   EXPECT_THAT(model.missing, ElementsAre(HasSubstr("'open' (")));
 }
 
+/// Each of the first four vertices is within rounding of an edge between two others: cutting the triangles there makes
+/// the same triangles again.
+TEST(IfcShape, CuttingNearlyCollinearVerticesEnds) {
+  Step s;
+  const std::string points = s.line(
+      "IFCCARTESIANPOINTLIST3D(((1000.,0.,0.),(1010.,0.0001,0.),(1020.,0.,0.),(1030.,0.,0.),(1005.,5000.,0.),"
+      "(1005.,0.,5000.)))");
+  s.solid("sliver", s.line("IFCTRIANGULATEDFACESET(" + points + ",$,$,((1,2,4),(1,3,5),(1,4,6)),$)"));
+  const Model model = read_ifc(s);
+  ASSERT_EQ(model.objects.size(), 1u);
+  EXPECT_FALSE(is_closed(model.objects[0]));
+}
+
 TEST(IfcShape, PlacesMayBeLeftOut) {
   Step step;
   step.solid("p", step.line("IFCEXTRUDEDAREASOLID(" + step.line("IFCRECTANGLEPROFILEDEF(.AREA.,$,$,4.,3.)") + ",$," +

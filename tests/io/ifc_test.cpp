@@ -86,6 +86,44 @@ TEST(Ifc, OpeningsAreCutAndTheyAndRoomsAreNoParts) {
   EXPECT_THAT(model.missing, IsEmpty());
 }
 
+/// Of what projects nothing is drawn where its placement is not known, nor where web-ifc traps on it: the walls stay.
+TEST(Ifc, ProjectionsThatAreNotDrawnAreSaid) {
+  Step step;
+  // Each wall has a mesh of its own, so that none is known from an earlier one.
+  const auto own_box = [&] { return step.shape(step.shown(step.extruded(step.rectangle(1, 1), 1))); };
+  const std::string box = own_box();
+  const std::string on_grid =
+      step.line("IFCGRIDPLACEMENT(" + step.line("IFCVIRTUALGRIDINTERSECTION(($,$),(0.,0.,0.))") + ",$)");
+  const std::string at = step.placement("$", step.axes({100, 0, 0}));
+  // A thing that shows itself, on which web-ifc traps.
+  const std::string item =
+      step.line("IFCMAPPEDITEM(#9000," +
+                step.line("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$," + step.point({0, 0, 0}) + ",$,$)") + ")");
+  const std::string endless = step.shape(step.shown(item));
+  for (const auto& [name, place, shape] : {std::array{"good", at.c_str(), box.c_str()},
+                                           {"on grid", on_grid.c_str(), box.c_str()},
+                                           {"looping", "#9002", box.c_str()},
+                                           {"endless", at.c_str(), endless.c_str()}}) {
+    const std::string wall = step.product(name, at, own_box(), "IFCWALL", ",$,$");
+    const std::string part = step.product("part", place, shape, "IFCPROJECTIONELEMENT", ",$,$");
+    step.line("IFCRELPROJECTSELEMENT('" + step.guid() + "',$,$,$," + wall + "," + part + ")");
+  }
+  std::string text = step.text();
+  text.replace(text.find("ENDSEC;\nEND-"), 0,
+               "#9000=IFCREPRESENTATIONMAP(" + step.origin + ",#9001);\n#9001=IFCSHAPEREPRESENTATION(" + step.context +
+                   ",'Body','MappedRepresentation',(" + item + "));\n#9002=IFCLOCALPLACEMENT(#9003," + step.origin +
+                   ");\n#9003=IFCLOCALPLACEMENT(#9002," + step.origin + ");\n");
+  const Model model = read_text(text, "case.ifc");
+  ASSERT_EQ(names_of(model), (std::vector<std::string>{"good", "on grid", "looping", "endless"}));
+  for (const Object& object : model.objects) {
+    const bool is_whole = object.name == "good";
+    EXPECT_EQ(object.incomplete, is_whole ? "" : "what projects from it is not drawn") << object.name;
+    EXPECT_NEAR(volume_of(object), is_whole ? 2 : 1, 1e-6) << object.name;
+    expect_box(object, {{99.5, -0.5, 0}, {100.5, 0.5, 1}}, 1e-6);
+  }
+  EXPECT_THAT(model.missing, Contains(HasSubstr("what projects from 'endless' (IfcWall")));
+}
+
 TEST(Ifc, MappedItemsAreInstances) {
   Step step;
   const std::string item = step.shown(step.extruded(step.rectangle(2, 1), 3));
@@ -484,6 +522,73 @@ TEST(Ifc, GridsStandWhereTheirAxesAre) {
       EXPECT_EQ(closed.points.front().x, closed.points.back().x);
       EXPECT_EQ(closed.points.front().y, closed.points.back().y);
     }
+}
+
+/// Composite curves of shared segments: 8 million points in a small file, and a curve of itself.
+TEST(Ifc, GridsOfEndlessCurvesAreRefused) {
+  Step step;
+  step.solid("box", step.extruded(step.rectangle(1, 1), 1));
+  const std::string at = step.placement("$", step.origin);
+  const auto grid = [&](const std::string& name, const std::string& curve) {
+    const std::string axis = step.line("IFCGRIDAXIS('A'," + curve + ",.T.)");
+    step.line("IFCGRID('" + step.guid() + "',$,'" + name + "',$,$," + at + ",$,(" + axis + "),(" + axis + "),$,$)");
+  };
+  const auto composite = [&](const std::string& part) {
+    std::string parts = part;
+    for (int i = 1; i < 200; ++i) parts += "," + part;
+    return "IFCCOMPOSITECURVE((" + parts + "),.U.)";
+  };
+  const auto segment = [](const std::string& curve) {
+    return "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.," + curve + ")";
+  };
+  std::string curve = step.line("IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(1, 0) + "))");
+  grid("small", curve);
+  for (int level = 0; level < 3; ++level) curve = step.line(composite(step.line(segment(curve))));
+  grid("shared", curve);
+  grid("loop", "#9000");
+  std::string text = step.text();
+  text.replace(text.find("ENDSEC;\nEND-"), 0, "#9000=" + composite("#9001") + ";\n#9001=" + segment("#9000") + ";\n");
+  const Model model = read_text(text, "case.ifc");
+  ASSERT_EQ(model.grids.size(), 1u);
+  EXPECT_EQ(model.grids[0].name, "small");
+  EXPECT_THAT(model.warnings, testing::UnorderedElementsAre(
+                                  HasSubstr("'shared': its axes have more than 20000 points"),
+                                  HasSubstr("'loop': its axis 'A' is a curve that is not read (IfcCompositeCurve)")));
+}
+
+/// A wall is placed there too: web-ifc says what is wrong with a placement only when it first meets it.
+TEST(Ifc, GridsWithBrokenPlacementsAreRefused) {
+  Step step;
+  const std::string box = step.shape(step.shown(step.extruded(step.rectangle(1, 1), 1)));
+  const std::string axis = step.line(
+      "IFCGRIDAXIS('A'," + step.line("IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(1, 0) + "))") + ",.T.)");
+  const auto linear = [&](const std::string& curve) {
+    const std::string point = step.line("IFCPOINTBYDISTANCEEXPRESSION(IFCLENGTHMEASURE(3.),$,$,$," + curve + ")");
+    return step.line("IFCLINEARPLACEMENT($," + step.line("IFCAXIS2PLACEMENTLINEAR(" + point + ",$,$)") + ",$)");
+  };
+  const std::string lacking = step.placement("$", "#9999");
+  const std::vector<std::string> broken{"#9999",
+                                        lacking,
+                                        step.placement(lacking, step.origin),
+                                        step.placement("$", step.line("IFCAXIS2PLACEMENT3D(#9999,$,$)")),
+                                        step.placement("$", step.line("IFCAXIS2PLACEMENT3D(" + step.point({0, 0, 0}) +
+                                                                      "," + step.point({0, 0, 1}) + ",$)")),
+                                        step.origin,
+                                        linear("#9999")};
+  for (const std::string& place : broken) {
+    step.product("wall", place, box);
+    step.line("IFCGRID('" + step.guid() + "',$,'broken',$,$," + place + ",$,(" + axis + "),(" + axis + "),$,$)");
+  }
+  step.line("IFCGRID('" + step.guid() + "',$,'good',$,$," + step.placement("$", step.origin) + ",$,(" + axis + "),(" +
+            axis + "),$,$)");
+  step.solid("box", step.extruded(step.rectangle(1, 1), 1));
+  const Model model = read_ifc(step);
+  ASSERT_EQ(model.grids.size(), 1u);
+  EXPECT_EQ(model.grids[0].name, "good");
+  EXPECT_EQ(model.warnings.size(), broken.size());
+  EXPECT_THAT(model.warnings,
+              testing::Each(HasSubstr("'broken': its placement is on another grid or an alignment, or a "
+                                      "line of it is missing or broken.")));
 }
 
 std::string good_text() {

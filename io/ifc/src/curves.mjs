@@ -94,11 +94,7 @@ function trimmedPoints(model, [basis, trim1, trim2, sense], options) {
   return circlePoints(model, line, ends, sense?.value !== false, options);
 }
 
-// The points of a curve of lines and arcs; undefined of other curves. `options`: how many chords a circle becomes, how many
-// radians an angle of the file has, how far a line goes that has no ends (without this one it is another curve), and a set that
-// circles are added to.
-export function curvePoints(model, line, options, steps = kDeepest) {
-  if (!line || steps === 0) return undefined;
+function partOf(model, line, options, steps) {
   const attributes = model.attributes(line);
   const kind = model.classOf(line);
   if (kind === 'IfcPolyline') return [attributes[0] ?? []].flat().map((point) => pointOf(model, point));
@@ -121,6 +117,25 @@ export function curvePoints(model, line, options, steps = kDeepest) {
     return attributes[1]?.value === false ? points?.reverse() : points;
   }
   if (kind !== 'IfcCompositeCurve') return undefined;
-  const parts = referencesOf(attributes[0]).map((segment) => curvePoints(model, segment, options, steps - 1));
-  return parts.every(Boolean) ? parts.flat() : undefined;
+  const parts = [];
+  for (const segment of referencesOf(attributes[0])) {
+    const part = curvePoints(model, segment, options, steps - 1);
+    if (!part) return undefined;
+    parts.push(part);
+  }
+  return parts.flat();
+}
+
+// The points of a curve of lines and arcs; undefined of other curves and of those with too many points. `options`: how many
+// chords a circle becomes, how many radians an angle of the file has, how far a line goes that has no ends (without this one
+// it is another curve), a set that circles are added to, and `left`, how many points may yet be made: curves that share their
+// segments can be exponentially larger than the file. It is counted down, by composite curves and segments too, below 0
+// where it is not enough.
+export function curvePoints(model, line, options, steps = kDeepest) {
+  if (!line || steps === 0 || options.left < 0) return undefined;
+  const isLeaf = !model.classOf(line).startsWith('IfcCompositeCurve');
+  if (!isLeaf) --options.left;
+  const points = partOf(model, line, options, steps);
+  if (isLeaf) options.left -= points?.length ?? 0;
+  return options.left < 0 ? undefined : points;
 }

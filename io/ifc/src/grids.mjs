@@ -22,7 +22,7 @@ function axesOf(model, grid, placements, options) {
   const lines = attributes.slice(7, 10).flatMap((list, family) => referencesOf(list).map((line) => ({ line, family })));
   if (lines.length > kMostAxes) return `it has ${lines.length} axes, more than ${kMostAxes}`;
   const place = placements.matrixOf(referenceOf(attributes[5]));
-  if (!place) return 'its placement is none that is known';
+  if (!place) return 'its placement is on another grid or an alignment, or a line of it is missing or broken';
   const axes = [];
   for (const { line, family } of lines) {
     const [tag, curve] = model.attributes(line);
@@ -34,8 +34,7 @@ function axesOf(model, grid, placements, options) {
     const points = flat.flatMap(([x, y]) => [0, 1, 2].map((k) => place[k] * x + place[4 + k] * y + place[12 + k]));
     axes.push({ tag: textOf(tag), family, points });
   }
-  const count = axes.reduce((sum, { points }) => sum + points.length / 3, 0);
-  return count > kMostPoints ? `its axes have ${count} points, more than ${kMostPoints}` : axes;
+  return axes;
 }
 
 // Writes all grids but those of which some axis is not known, since the next one to it would be named in its place.
@@ -45,15 +44,20 @@ export function writeGrids(model, structure, placements, metres) {
   let left = kMostPointsOfAll;
   for (const grid of model.ofClass('IFCGRID')) {
     const name = structure.nameOf(grid);
+    const most = Math.min(kMostPoints, left);
+    const own = { ...options, left: most };
     let axes;
     try {
-      axes = axesOf(model, grid, placements, options);
+      axes = axesOf(model, grid, placements, own);
     } catch {
       axes = 'a line of it is broken';
     }
-    if (Array.isArray(axes)) {
-      left -= axes.reduce((sum, { points }) => sum + points.length / 3, 0);
-      if (left < 0) axes = `the grids before it have ${kMostPointsOfAll} points already`;
+    left -= most - Math.max(own.left, 0);
+    if (own.left < 0) {
+      axes =
+        most < kMostPoints
+          ? `it and the grids before it have more than ${kMostPointsOfAll} points`
+          : `its axes have more than ${kMostPoints} points`;
     }
     if (Array.isArray(axes)) frames.grid(name, structure.storeyOf(grid), axes);
     else frames.warning(`Clashes are not named by the axes of the grid '${name}': ${axes}.`);

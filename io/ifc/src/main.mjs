@@ -132,6 +132,29 @@ class Importer {
     return known([product, ...representations]) ?? plain ?? known(bodies.map(({ geometry }) => geometry));
   }
 
+  // The bodies of a product and of what projects from it, and what keeps them from being complete; undefined where web-ifc
+  // traps on the product itself.
+  async #drawn(line, shape, label) {
+    const bodies = await this.#bodiesOf(line, label);
+    if (!bodies) return undefined;
+    let complaint = this.#complaintAbout(line, shape, bodies);
+    for (const projection of this.#structure.projectionsOf(line)) {
+      const attributes = this.#model.attributes(projection);
+      const added = referenceOf(attributes[6]);
+      const isKnown = added && this.#placements.isKnown(referenceOf(attributes[5])) && keepBodies(this.#model, added);
+      const more = isKnown ? await this.#bodiesOf(projection, `what projects from ${label}`) : undefined;
+      complaint ??= more ? this.#complaintAbout(projection, added, more) : 'what projects from it is not drawn';
+      if (isKnown && !more) {
+        // The module that the bodies were made in is gone.
+        keepBodies(this.#model, shape);
+        const own = await this.#bodiesOf(line, label);
+        return own && { bodies: own, complaint };
+      }
+      bodies.push(...(more ?? []));
+    }
+    return { bodies, complaint };
+  }
+
   // In the words of who wrote the file: web-ifc names a line that it does not draw by its number.
   #plain(said) {
     const words = said.replace(/^(\[[^\]]*\])+ */, '');
@@ -173,16 +196,11 @@ class Importer {
       this.#remarks.add('without a body', label);
       return;
     }
-    const bodies = await this.#bodiesOf(line, label);
-    if (!bodies) return;
+    const made = await this.#drawn(line, referenceOf(attributes[6]), label);
+    if (!made) return;
+    const { bodies } = made;
+    let { complaint } = made;
     const lost = [];
-    let complaint = this.#complaintAbout(line, referenceOf(attributes[6]), bodies);
-    for (const projection of this.#structure.projectionsOf(line)) {
-      const shape = referenceOf(this.#model.attributes(projection)[6]);
-      const added = shape && keepBodies(this.#model, shape) ? await this.#bodiesOf(projection, label) : undefined;
-      complaint ??= added ? this.#complaintAbout(projection, shape, added) : 'what projects from it is not drawn';
-      bodies.push(...(added ?? []));
-    }
     if (bodies.length === 0) {
       this.#remarks.add('without a body that web-ifc can draw', complaint ? `${label} (${complaint})` : label);
       return;

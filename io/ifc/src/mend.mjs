@@ -7,6 +7,8 @@ import { kChords, kEnum, kReal, kReference, numberOf, referenceOf, referencesOf,
 import { alongCentreLine, kParametrised, outlineOf } from './profiles.mjs';
 import { radiansInAngle } from './units.mjs';
 
+// Of a centre line.
+const kMostPoints = 100_000;
 const kSolidsOfProfiles = [
   'IFCEXTRUDEDAREASOLID',
   'IFCEXTRUDEDAREASOLIDTAPERED',
@@ -155,7 +157,7 @@ function replacements(model, reasons) {
   }
   for (const line of model.ofClass('IFCCENTERLINEPROFILEDEF')) {
     const [, , curve, thickness] = model.attributes(line);
-    const points = curvePoints(model, referenceOf(curve), { chords: kChords, radians });
+    const points = curvePoints(model, referenceOf(curve), { chords: kChords, radians, left: kMostPoints });
     const outlines = points?.flat().every(Number.isFinite) && alongCentreLine(points, numberOf(thickness));
     if (outlines) made.set(line, appendProfile(model, outlines));
   }

@@ -162,7 +162,8 @@ function verticesOn(vertices, a, b, among, near) {
 }
 
 // The corners of triangles whose edges are cut at vertices that lie on them, as they are where windows of a wall stand in one
-// line: web-ifc leaves out the flat triangles between. Undefined where that does not close the surface.
+// line: web-ifc leaves out the flat triangles between. Undefined where that does not close the surface, or where nearly
+// collinear vertices lie on each other's edges, so that cutting would never end.
 function cutAtVertices(vertices, corners, numbers) {
   const open = new Map(); // edges that run more often one way than the other: both ends, and by how much
   const keyOf = (a, b) => a * numbers.length + b;
@@ -184,11 +185,15 @@ function cutAtVertices(vertices, corners, numbers) {
     if (on.length > 0) cuts.set(key, on);
   }
   if (cuts.size === 0) return undefined;
+  // A cut at n vertices replaces one triangle by n + 1, so each edge cut once visits fewer triangles than this.
+  let steps = corners.length / 3;
+  for (const on of cuts.values()) steps += 3 * on.length;
   const cut = [];
   const left = [];
   for (let t = 0; t + 2 < corners.length; t += 3) {
     left.push([0, 1, 2].map((k) => numbers[corners[t + k]]));
     while (left.length > 0) {
+      if (--steps < 0) return undefined;
       const [a, b, c] = left.pop();
       const turns = [[a, b, c], [b, c, a], [c, a, b]]; // prettier-ignore
       const [p, q, r] = turns.find(([v, w]) => cuts.has(keyOf(v, w))) ?? [];

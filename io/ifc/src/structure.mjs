@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Where products belong: in storeys, assemblies and so on, up to the project.
-import { referenceOf, referencesOf, textOf } from './model.mjs';
+import { numberOf, referenceOf, referencesOf, textOf } from './model.mjs';
 
 // Relationships, with the places of the whole and of its parts.
 const kRelationships = [
@@ -106,9 +106,33 @@ export class Placements {
     return known;
   }
 
-  // The 16 numbers of the placement's matrix, column after column, to the file's axes; undefined where it is not known.
+  #hasNumbers(line, name) {
+    const list = line && this.#model.classOf(line) === name ? this.#model.attributes(line)[0] : undefined;
+    return Array.isArray(list) && list.length >= 2 && list.every((value) => Number.isFinite(numberOf(value)));
+  }
+
+  // Whether the placement and all that it is relative to are local ones, with points and directions that the file has. web-ifc
+  // takes others for the origin, and complains of each once alone.
+  #isLocal(placement) {
+    for (let at = placement; at; ) {
+      const [parent, position] = this.#model.attributes(at);
+      const axes = referenceOf(position);
+      if (this.#model.classOf(at) !== 'IfcLocalPlacement' || !axes) return false;
+      if (!/^IfcAxis2Placement[23]D$/.test(this.#model.classOf(axes))) return false;
+      const [location, ...directions] = this.#model.attributes(axes);
+      if (!this.#hasNumbers(referenceOf(location), 'IfcCartesianPoint')) return false;
+      if (!directions.every((axis) => !axis || this.#hasNumbers(referenceOf(axis), 'IfcDirection'))) return false;
+      at = referenceOf(parent);
+    }
+    return true;
+  }
+
+  // The 16 numbers of the matrix of a local placement, column after column, to the file's axes; undefined where it is not known
+  // or of another kind.
   matrixOf(placement) {
-    if (!this.isKnown(placement)) return undefined;
-    return placement ? this.#model.placementMatrix(placement) : [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    if (!placement) return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    if (!this.isKnown(placement) || !this.#isLocal(placement)) return undefined;
+    const matrix = this.#model.placementMatrix(placement);
+    return matrix.every(Number.isFinite) ? matrix : undefined;
   }
 }
