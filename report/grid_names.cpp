@@ -18,6 +18,8 @@ namespace {
 constexpr double kSlack = 1e-3;
 // Two axes at a smaller angle, as its sine, do not cross.
 constexpr double kParallel = 1e-3;
+// Crossings of an axis are in one place if they are no further apart, as a part of what is between its first and last.
+constexpr double kSamePlace = 1e-6;
 
 double cross_product(const auto& a, const auto& b) { return a.x * b.y - a.y * b.x; }
 double distance(const auto& a, const auto& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -110,17 +112,21 @@ void GridNames::consider(const PlanGrid& grid, const Flat& at, std::vector<Neare
   const std::array<double, 2> step{cross_product(way, b) / sine, cross_product(a, way) / sine};
   std::array<std::optional<double>, 2> bay;
   std::array<bool, 2> is_between{};
+  const auto along_of = [](const auto& one) { return one.first; };
   for (std::size_t k = 0; k < 2; ++k) {
     const Axis &axis = grid.axes[nearest->axes[k]], &other = grid.axes[nearest->axes[1 - k]];
     const auto& line = axis.crossings[other.family];
-    const auto here = std::ranges::lower_bound(line, nearest->along[k], {}, [](const auto& one) { return one.first; });
+    // Axes that lie on each other cross it in one place, but for rounding; the bay is to the next one beyond.
+    const double near = kSamePlace * (line.back().first - line.front().first);
+    const auto before = std::ranges::lower_bound(line, nearest->along[k] - near, {}, along_of);
+    const auto after = std::ranges::upper_bound(line, nearest->along[k] + near, {}, along_of);
     const auto bay_to = [&](auto neighbour) { return distance(neighbour->second, nearest->at); };
-    const bool is_last = std::next(here) == line.end(), is_first = here == line.begin();
-    is_between[k] = (axis.is_closed && line.size() > 1) || !(step[k] > 0 ? is_last : is_first);
+    const bool is_last = after == line.end(), is_first = before == line.begin();
+    is_between[k] = (axis.is_closed && !(is_last && is_first)) || !(step[k] > 0 ? is_last : is_first);
     if (!is_last && (step[k] > 0 || is_first))
-      bay[k] = bay_to(std::next(here));
+      bay[k] = bay_to(after);
     else if (!is_first)
-      bay[k] = bay_to(std::prev(here));
+      bay[k] = bay_to(std::prev(before));
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const std::optional<double> size = bay[k] ? bay[k] : bay[1 - k];
