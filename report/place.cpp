@@ -27,10 +27,12 @@ std::vector<Bounds> boxes_of(const Review& review) {
   return boxes;
 }
 
-std::vector<std::string> axes_of(const Review& review) {
+std::vector<std::string> axes_of(Review& review) {
   std::vector<std::string> axes(review.clashes.pairs.size());
   if (review.assembly.grids.empty()) return axes;
-  const GridNames grids(review.assembly.grids, conventions_of(review.options, review.assembly).y_up);
+  const GridNames grids(review.assembly.grids, conventions_of(review.options, review.assembly).y_up,
+                        review.options.stop);
+  review.warnings.insert(review.warnings.end(), grids.warnings().begin(), grids.warnings().end());
   const std::vector<Bounds> boxes = boxes_of(review);
   share(axes.size(), review.options.threads, [&](std::size_t i) {
     if (review.options.stop.stop_requested()) return;

@@ -26,7 +26,8 @@ Place place_of(const Review& review, std::span<const Bounds> boxes, std::size_t 
 
 /// For each pair the axes that cross by its place, as `GridNames` and in the storeys of its parts; none without grids,
 /// or where no place is found. After a stop some are missing.
-std::vector<std::string> axes_of(const Review& review);
+/// Adds a warning for each grid that names nothing.
+std::vector<std::string> axes_of(Review& review);
 
 /// For each object the box of all of it in the world; empty without triangles, and for some objects after a stop.
 std::vector<Bounds> boxes_of(const Review& review);

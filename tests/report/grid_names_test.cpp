@@ -133,6 +133,21 @@ TEST(GridNames, WhereAnAxisIsDrawnTwice) {
     }
 }
 
+TEST(GridNames, AreNoneOfAGridWhoseAxesCrossTooOften) {
+  // A zigzag about the axis A, and the axis itself.
+  const auto zigzag = [](int crossings) {
+    io::Grid grid{"Zigzag", "", {{"A", 1, {{0, 0, 0}, {400, 0, 0}}}, {"1", 0, {}}}};
+    for (int i = 0; i <= crossings; ++i) grid.axes[1].points.push_back({10. * i, i % 2 == 0 ? -5. : 5., 0});
+    return grid;
+  };
+  const GridNames most(std::vector{zigzag(16)}, false), more(std::vector{zigzag(17), zigzag(1)}, false);
+  EXPECT_EQ(most.name_at({155, 1, 0}, Strings{}), "A/1");
+  EXPECT_EQ(most.warnings(), std::vector<std::string>{});
+  EXPECT_EQ(more.name_at({155, 1, 0}, Strings{}), "");
+  EXPECT_EQ(more.warnings(),
+            std::vector<std::string>{"no axes are named by the grid 'Zigzag': two of them cross more than 16 times"});
+}
+
 TEST(GridNames, OfTheStoreyOrElseOfTheBuildingOrElseWhereAllStoreysAgree) {
   const auto shifted = [](double by, const std::string& storey) {
     return rectangular({by, by, 0}, {0, 6, 12}, {0, 6, 12}, storey);
