@@ -230,12 +230,13 @@ std::string without_defusing(std::string_view cell) {
 Result<void> write_csv(Sink& sink, const Review& review) {
   const Conventions conventions = conventions_of(review.options, review.assembly);
   sink.write(line([](const Column& column) { return column.name; }));
+  const std::vector<Bounds> boxes = boxes_of(review);
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
     const Row row{review,         conventions, review.clashes.pairs[i], review.standings[i],
-                  review.axes[i], ++rank,      review.ids[i],           place_of(review, i).at};
+                  review.axes[i], ++rank,      review.ids[i],           place_of(review, boxes, i).at};
     sink.write(line([&](const Column& column) { return column.text(row); }));
   }
   const Assembly& assembly = review.assembly;

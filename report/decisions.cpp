@@ -166,9 +166,14 @@ Result<void> check_replaced(const std::string& name, const Decisions& given, con
     return std::any_of(given.by_names.begin(), given.by_names.end(),
                        [&](const Decisions::ByNames& entry) { return same(decision, entry.decision); });
   };
+  // A day alone is most often that of an earlier run's `--due`.
+  const auto is_day_alone = [](const Decision& decision) {
+    return decision.status.empty() && decision.comment.empty() && decision.assignee.empty();
+  };
   std::size_t lost = 0;
   std::string first;
   for (const auto& [id, decision] : earlier->by_id) {
+    if (is_bcf(name) && is_day_alone(decision)) continue;
     const auto pair = shown.find(id);
     if (pair != shown.end() ? same(decision, *pair->second) : is_given(id, decision)) continue;
     if (lost++ == 0) first = id;

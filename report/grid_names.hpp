@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,7 +22,11 @@ namespace impinge::report {
 /// the two bays; beyond the last crossing half of the last bay counts.
 class GridNames {
  public:
-  GridNames(std::span<const io::Grid> grids, bool y_up);
+  /// After a stop some crossings are missing.
+  GridNames(std::span<const io::Grid> grids, bool y_up, const std::stop_token& stop = {});
+
+  /// A sentence on each grid that names nothing, because two of its axes cross more often than axes do.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// By the grids of these storeys; else by those of no storey; else, if these storeys have none, by those of other
   /// storeys, if they agree. Empty: the place is by no crossing, or an axis there has no tag.
@@ -43,6 +48,7 @@ class GridNames {
     std::uint32_t family;
     bool is_closed;
     std::vector<Flat> points;
+    std::vector<double> along;  ///< for each point how far along the axis it is
     /// Where it crosses axes of each family, in order: how far along it and where.
     std::array<std::vector<std::pair<double, Flat>>, 3> crossings;
   };
@@ -57,13 +63,14 @@ class GridNames {
     std::string name;
   };
 
-  static void cross(PlanGrid& grid, std::uint32_t i, std::uint32_t j);
+  static bool cross(PlanGrid& grid, std::uint32_t i, std::uint32_t j);
   static void consider(const PlanGrid& grid, const Flat& at, std::vector<Nearest>& found);
   template <class IsWanted>
   std::optional<std::string> name_by(const Flat& at, IsWanted is_wanted) const;
 
   bool y_up_;
   std::vector<PlanGrid> grids_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace impinge::report

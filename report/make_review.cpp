@@ -208,6 +208,7 @@ Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<C
   assign_ids(previous, review);
   review.types = types_of(review.assembly);
   review.axes = axes_of(review);
+  if (review.options.stop.stop_requested()) return interrupted();
   compare_with_previous(previous, review);
   if (previous && previous->unit_in_metres && previous->unit_in_metres != review.assembly.unit_in_metres)
     review.warnings.push_back(

@@ -112,7 +112,7 @@ export function readMotion(parts: number): Motion | null {
 export function pairsOf({ spans, times }: Motion): Pair[] {
   const [first, last] = [times[0], times[times.length - 1]];
   const within = (time: number) => Math.min(last, Math.max(first, time));
-  const isPassage = ({ from, to }: Span) => from !== null && to !== null && times[frameAt(times, to[0])] < from[1];
+  const isPassage = ({ from, to }: Span) => !!from && !!to && times[frameAt(times, to[0])] < from[1];
   const pairs = spans.map((span): Pair & { span: PlacedSpan } => ({
     a: span.a,
     b: span.b,

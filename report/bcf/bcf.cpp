@@ -87,7 +87,7 @@ void add_surroundings(const Review& review, std::span<const Bounds> boxes, const
 std::array<Member, 3> files_of(const Review& review, std::span<const Bounds> boxes, std::size_t pair,
                                std::size_t rank) {
   const Clash& clash = review.clashes.pairs[pair];
-  const Place place = place_of(review, pair);
+  const Place place = place_of(review, boxes, pair);
   Scenery scenery = scenery_of(review, clash, place);
   const Conventions conventions = conventions_of(review.options, review.assembly);
   const auto radius = [&](std::size_t side) {
@@ -117,8 +117,7 @@ Result<void> write_bcf(Sink& sink, const Review& review, const Topics& topics, c
   const std::stop_token& stop = review.options.stop;
   const BcfVersion version = review.options.bcf_version;
   std::vector<Member> members(3 * topics.pairs.size());
-  std::vector<Bounds> boxes(topics.pairs.empty() ? 0 : review.assembly.objects.size());
-  share(boxes.size(), review.options.threads, [&](std::size_t i) { boxes[i] = bounds_of(review.assembly.objects[i]); });
+  const std::vector<Bounds> boxes = topics.pairs.empty() ? std::vector<Bounds>() : boxes_of(review);
   share(topics.pairs.size(), review.options.threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
     std::array<Member, 3> files = files_of(review, boxes, topics.pairs[i], i + 1);

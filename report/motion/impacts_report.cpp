@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "impinge/scene.hpp"
@@ -40,11 +42,12 @@ Result<void> compare(const Assembly& from, const Assembly& to, const std::string
                  fmt::format("{} does not say its unit, and {} does; say with --unit what it is", from_file, to_file)};
   if (from.objects.size() != to.objects.size())
     return differ(fmt::format("they have {} and {} parts", from.objects.size(), to.objects.size()));
+  const std::unordered_set<std::string_view> labels(to.labels.begin(), to.labels.end());
   for (std::size_t i = 0; i < from.objects.size(); ++i) {
     const Mesh &a = from.objects[i].mesh, &b = to.objects[i].mesh;
     const std::string& part = from.labels[i];
     // A part may be called otherwise in each state, but not as another one is.
-    if (to.labels[i] != part && std::ranges::find(to.labels, part) != to.labels.end())
+    if (to.labels[i] != part && labels.contains(part))
       return differ(fmt::format("part '{}' stands where '{}' is in the other", part, to.labels[i]));
     if (a.triangle_count() != b.triangle_count())
       return differ(fmt::format("part '{}' has {} and {} triangles", part, a.triangle_count(), b.triangle_count()));

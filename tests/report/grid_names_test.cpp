@@ -116,6 +116,38 @@ TEST(GridNames, WithoutATagOrAnAxisToCrossThereIsNone) {
   EXPECT_EQ(GridNames(std::vector<io::Grid>{}, false).name_at({0, 0, 0}, Strings{}), "");
 }
 
+TEST(GridNames, WhereAnAxisIsDrawnTwice) {
+  // The second one once more, the other way round, with what rounding may add.
+  for (const double by : {0., 1e-9, -1e-9})
+    for (const std::vector<double>& u : {std::vector<double>{0, 10}, {10, 20}, {0, 10, 20}}) {
+      io::Grid grid = rectangular({}, {0, 6}, u);
+      const auto name = [](double at) { return at == 0 ? "1" : at == 10 ? "2" : "3"; };
+      for (std::size_t i = 0; i < u.size(); ++i) grid.axes[2 + i].tag = name(u[i]);
+      grid.axes.push_back({"2", 0, {{10 + by, -5, 0}, {10 + by, 11, 0}}});
+      const GridNames names(std::vector{grid}, false);
+      for (const double x : {-100000., -5.1, -4.9, 0., 4.9, 5.1, 9., 11., 14.9, 15.1, 24.9, 25.1, 100000.}) {
+        const double row = std::nearbyint(x / 10) * 10;
+        const bool is_by_one = std::ranges::find(u, row) != u.end();
+        EXPECT_EQ(names.name_at({x, 1, 0}, Strings{}), is_by_one ? std::string("A/") + name(row) : "") << x;
+      }
+    }
+}
+
+TEST(GridNames, AreNoneOfAGridWhoseAxesCrossTooOften) {
+  // A zigzag about the axis A, and the axis itself.
+  const auto zigzag = [](int crossings) {
+    io::Grid grid{"Zigzag", "", {{"A", 1, {{0, 0, 0}, {400, 0, 0}}}, {"1", 0, {}}}};
+    for (int i = 0; i <= crossings; ++i) grid.axes[1].points.push_back({10. * i, i % 2 == 0 ? -5. : 5., 0});
+    return grid;
+  };
+  const GridNames most(std::vector{zigzag(16)}, false), more(std::vector{zigzag(17), zigzag(1)}, false);
+  EXPECT_EQ(most.name_at({155, 1, 0}, Strings{}), "A/1");
+  EXPECT_EQ(most.warnings(), std::vector<std::string>{});
+  EXPECT_EQ(more.name_at({155, 1, 0}, Strings{}), "");
+  EXPECT_EQ(more.warnings(),
+            std::vector<std::string>{"no axes are named by the grid 'Zigzag': two of them cross more than 16 times"});
+}
+
 TEST(GridNames, OfTheStoreyOrElseOfTheBuildingOrElseWhereAllStoreysAgree) {
   const auto shifted = [](double by, const std::string& storey) {
     return rectangular({by, by, 0}, {0, 6, 12}, {0, 6, 12}, storey);
