@@ -43,8 +43,9 @@ struct Manifold {
 ///     the patch of b leaves that of a: a plane lies between the two.
 ///   - The normal is the contour's vector area (half the integral of r x dr, turned so that b leaves a), or the outward
 ///     normal of the triangle of a or of b (reversed) in contact that is nearest to it in direction: of these three the
-///     one with the least extent. That is a local separation, not the least of all directions. A contour without area
-///     has the normal that `Region` has without area.
+///     one with the least extent. That is a local separation, not the least of all directions. The direction that
+///     `Region` has without area stands in for that of an area where there is none, or where sides are flush and the
+///     contour, which then has the lines of both patches there, does not close; of open meshes it is the normal.
 ///   - The depth of the manifold is that extent. So it is exact, but for rounding, for a box on a box or on a plane, a
 ///     ball on a plane, and two edges that cross.
 ///   - The patch that is thinner along the normal is the reference: a plane touches it at its farthest. Points are

@@ -214,25 +214,27 @@ class Pipeline {
   void work_with_device() {
     const bool are_shared = options_.backend != "gpu", are_many = pairs().size() >= kManyPairs;
     const bool are_whole = are_many || !are_shared;
-    std::vector<std::vector<DevicePiece>> opened(pairs().size());
+    std::vector<DevicePiece> pieces;
+    std::vector<std::vector<DevicePiece>> opened(are_whole ? 0 : pairs().size());
     run_each(are_whole ? ForEach() : on_threads(options_.threads), pairs().size(), [&](std::size_t i) {
       const auto object_pair = static_cast<std::uint32_t>(i);
       if (is_apart(pairs()[i])) return report_done();
       if (is_for_cpu(i)) return;
-      if (are_whole) return opened[i].push_back({object_pair});
+      if (are_whole) return pieces.push_back({object_pair});  // on this thread alone
       Worker<Stages>& worker = crew_.take(options_);
       open_up(object_pair, worker, opened[i]);
       crew_.give_back(worker);
     });
-    std::vector<DevicePiece> pieces;
     for (const auto& some : opened) pieces.insert(pieces.end(), some.begin(), some.end());
     // The costs of what has been done predict the rest; where nothing has been done yet, the last pairs are done first.
-    Worker<Stages>& worker = crew_.take(options_);
-    while (are_shared && are_many && pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
-      run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
-      pieces.pop_back();
+    if (are_shared && are_many) {
+      Worker<Stages>& worker = crew_.take(options_);
+      while (pieces.size() > kManyPairs / 2 && worker.statistics.box_tests < kEnoughForAMix) {
+        run(pieces.back().object_pair, worker, [](std::uint32_t, Worker<Stages>&) {});
+        pieces.pop_back();
+      }
+      crew_.give_back(worker);
     }
-    crew_.give_back(worker);
     Statistics mix;
     for (const Worker<Stages>* one : crew_.at_work()) add(mix, one->statistics);
     share_with_device(std::move(pieces), are_shared ? options_.device_share : 1, mix);

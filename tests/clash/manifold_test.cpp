@@ -54,6 +54,31 @@ std::vector<Vec3> corners(double x0, double x1, double y0, double y1, double z) 
   return {{x0, y0, z}, {x1, y0, z}, {x0, y1, z}, {x1, y1, z}};
 }
 
+/// Boxes one in the other by a tenth, whose sides are flush with each other's: some, all, at either end.
+std::vector<Pair> flush_pairs() {
+  const MeshData cube = scenes::cube(), wide = scenes::box({0, 0, 0}, {2, 2, 1});
+  const auto upon = [](std::string name, MeshData a, MeshData b, double x0, double x1, double y0, double y1) {
+    const Pose pose{.t = {x0, y0, 0.9}};
+    return Pair{std::move(name), std::move(a), std::move(b), {}, pose, {0, 0, 1}, 0.1, corners(x0, x1, y0, y1, 0.9), 4};
+  };
+  Pair nearly = upon("all sides but for 1e-19", cube, cube, 0, 1, 0, 1);
+  nearly.pose_b.t = {1e-19, 1e-19, 0.9};
+  return {
+      upon("a flush side", wide, cube, 0.5, 1.5, 0, 1),
+      upon("a flush side at the far end", wide, cube, 0.5, 1.5, 1, 2),
+      upon("two flush sides", wide, cube, 0, 1, 0, 1),
+      upon("two flush sides at the far end", wide, cube, 1, 2, 1, 2),
+      upon("two flush sides at different ends", wide, cube, 0, 1, 1, 2),
+      upon("two flush sides that face away", wide, scenes::box({0, 0, 0}, {1, 2, 1}), 0.5, 1.5, 0, 2),
+      upon("three flush sides", wide, scenes::box({0, 0, 0}, {1, 2, 1}), 0, 1, 0, 2),
+      upon("all sides", cube, cube, 0, 1, 0, 1),
+      upon("flush sides, one beyond", cube, cube, 0.25, 1, 0, 1),
+      upon("flush sides of many cells", wide, scenes::box({0, 0, 0}, {1, 1, 1}, 5), 0.5, 1.5, 0, 1),
+      upon("flush with lines of cells", scenes::box({0, 0, 0}, {2, 2, 1}, 4), cube, 0.5, 1.5, 0, 1),
+      std::move(nearly),
+  };
+}
+
 /// Normals, depths and points by elementary geometry.
 std::vector<Pair> known_pairs() {
   const double half = std::sqrt(0.5), tilt = 0.1;
@@ -163,7 +188,9 @@ Manifold only(const std::vector<Manifold>& found) {
 }
 
 TEST(Manifolds, AreThoseOfElementaryGeometry) {
-  for (const Pair& pair : known_pairs())
+  std::vector<Pair> pairs = known_pairs();
+  for (Pair& pair : flush_pairs()) pairs.push_back(std::move(pair));
+  for (const Pair& pair : pairs)
     for (const Frame& frame : frames())
       for (const bool swapped : {false, true}) {
         SCOPED_TRACE(pair.name + ", " + frame.name + (swapped ? ", swapped" : ""));

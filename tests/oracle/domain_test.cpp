@@ -238,12 +238,14 @@ TEST(Environment, OfTheCallerChangesNoAnswerAndIsRestored) {
     for (const int rounding : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
       for (const bool flush : {false, true}) {
         for (const bool pair : {false, true}) {
-          SCOPED_TRACE("rounding mode " + std::to_string(rounding) + (flush ? ", denormals flushed" : ""));
-          const Answer answer =
-              answer_under(scene, rounding, flush, pair, {.backend = flush == pair ? "simd" : "paper"});
-          EXPECT_TRUE(answer.unchanged) << "The caller's floating-point environment was not restored.";
-          ASSERT_TRUE(answer.contacts) << answer.contacts.error().message;
-          expected::expect_same(set, expected::listed(*answer.contacts));
+          for (const char* backend : {"simd", "paper"}) {
+            SCOPED_TRACE("rounding mode " + std::to_string(rounding) + (flush ? ", denormals flushed, " : ", ") +
+                         (pair ? "two meshes, " : "a scene, ") + backend);
+            const Answer answer = answer_under(scene, rounding, flush, pair, {.backend = backend});
+            EXPECT_TRUE(answer.unchanged) << "The caller's floating-point environment was not restored.";
+            ASSERT_TRUE(answer.contacts) << answer.contacts.error().message;
+            expected::expect_same(set, expected::listed(*answer.contacts));
+          }
         }
       }
     }

@@ -12,6 +12,12 @@ namespace {
 /// Lines that a way meets within this share of it are met at once.
 constexpr double kTogether = 0x1p-20;
 
+bool is_on(const SharedPoints& line, const Vec3& p) {
+  const Vec3 along = line.points[line.size - 1] - line.points[0], way = p - line.points[0];
+  const double square = dot(along, along), at = square > 0 ? std::clamp(dot(way, along) / square, 0.0, 1.0) : 0;
+  return norm(way - at * along) <= kRounding;
+}
+
 }  // namespace
 
 void InnerVertices::restart(const std::array<PlacedSurface, 2>& surfaces, std::span<const Touch> touches) {
@@ -38,12 +44,13 @@ void InnerVertices::restart(const std::array<PlacedSurface, 2>& surfaces, std::s
 
 // The way from a corner to a point of one of the lines of contact: the first line that it meets tells on which side of
 // the other surface the corner is. Where it meets several at once, at a joint or at an edge of the other surface that
-// lies in the triangle, all must tell the same.
+// lies in the triangle, all must tell the same. A corner on a line
+// is a point of the contour, and which side it is on is lost in rounding: beyond it surfaces may lead out.
 void InnerVertices::find_seeds(int side, std::span<const std::uint32_t> of_one_triangle) {
   const auto s = static_cast<std::size_t>(side);
   const Touch* aim = nullptr;
   for (const std::uint32_t i : of_one_triangle) {
-    if (touches_[i].is_flush()) return;
+    if (touches_[i].is_parallel()) return;  // there lines are missing
     if (aim == nullptr && touches_[i].has_length()) aim = &touches_[i];
   }
   if (aim == nullptr) return;
@@ -60,6 +67,10 @@ void InnerVertices::find_seeds(int side, std::span<const std::uint32_t> of_one_t
     bool is_inside = false, is_outside = false;
     for (const std::uint32_t i : of_one_triangle) {
       const Touch& touch = touches_[i];
+      if (is_on(touch.shared, from)) {
+        is_inside = false;
+        break;
+      }
       if (!touch.has_length()) continue;
       const Vec3 start = touch.shared.points[0] - from, along = touch.shared.points[1] - touch.shared.points[0];
       const double across = turn(way, along);

@@ -123,7 +123,7 @@ void ManifoldMaker::append(const ContactRow& row, std::vector<Manifold>& manifol
             [&](std::uint32_t i, std::uint32_t j) { return std::pair(region(i), i) < std::pair(region(j), j); });
   for (std::size_t begin = 0, end = 0; begin < order_.size(); begin = end) {
     while (end < order_.size() && region(order_[end]) == region(order_[begin])) ++end;
-    manifolds.push_back(measure(std::span(order_).subspan(begin, end - begin), row.surfaces[0].frame));
+    manifolds.push_back(measure(std::span(order_).subspan(begin, end - begin), row.surfaces));
   }
 }
 
@@ -164,7 +164,8 @@ void ManifoldMaker::group(const std::array<PlacedSurface, 2>& surfaces) {
   for (std::uint32_t i = 0; i < touches_.size(); ++i) touches_[i].region = groups_.find(i);
 }
 
-Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const LocalFrame& frame) {
+Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const std::array<PlacedSurface, 2>& surfaces) {
+  const LocalFrame& frame = surfaces[0].frame;
   contour_.clear();
   bool by_length = false;
   for (const std::uint32_t i : region) {
@@ -198,13 +199,15 @@ Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const Loc
   const Vec3 area = contour.flush_area + (is_closed ? 0.5 * twice_area : Vec3{0, 0, 0});
   const bool has_area = norm(area) > kRounding * contour.length;
 
+  // Along sides that are flush the lines of both patches are listed, so that those of two solids need not close.
+  const bool is_bound = is_closed || (surfaces[0].topology->closed && surfaces[1].topology->closed);
   Patches patches{contour_, {}};
-  if (is_closed)
+  if (is_bound)
     for (const int side : {0, 1})
       patches.inner[static_cast<std::size_t>(side)] = inner_.patch(touches_[region.front()].region, side);
   Vec3 normal = has_area ? unit_or_zero(area) : direction_without_area(contour);
   double extent = patches.extent(normal);
-  if (has_area) {
+  if (has_area || is_bound) {
     // The facets nearest in direction. They are exact, so that the area is taken only where it is better for certain.
     std::array<Vec3, 2> nearest{normal, normal};
     std::array<double, 2> cosine{0, 0};

@@ -43,7 +43,7 @@ class ManifoldMaker {
   void list_touches(const ContactRow& row);
   void group(const std::array<PlacedSurface, 2>& surfaces);
   std::uint32_t first_at(std::uint64_t key, std::uint32_t touch);
-  Manifold measure(std::span<const std::uint32_t> region, const LocalFrame& frame);
+  Manifold measure(std::span<const std::uint32_t> region, const std::array<PlacedSurface, 2>& surfaces);
 
   std::vector<Touch> touches_;
   std::vector<Slot> slots_;  ///< an open hash table of pairs of positions

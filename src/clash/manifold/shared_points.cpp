@@ -20,13 +20,16 @@ struct Stretch {
   }
 };
 
-/// What of a triangle lies in the other's plane; the corner nearest to it where rounding leaves nothing.
+/// What of a triangle lies in the other's plane, corners as far as rounding too: where sides are flush, whole edges do.
+/// The corner nearest to it where that leaves nothing.
 Stretch in_plane(const Triangle& t, const Facet& plane, const Vec3& way) {
   std::array<double, 3> height{};
   std::size_t nearest = 0;
+  const double rounding = kRounding * norm(way);
   for (std::size_t i = 0; i < 3; ++i) {
     height[i] = dot(plane.normal, t[i] - plane.corners[0]);
     if (std::abs(height[i]) < std::abs(height[nearest])) nearest = i;
+    if (std::abs(height[i]) <= rounding) height[i] = 0;
   }
   Stretch stretch;
   const auto add = [&](const Vec3& p) { stretch.add(dot(way, p), p); };
@@ -70,14 +73,14 @@ SharedPoints shared_points(const Facet& a, const Facet& b) {
   const bool are_proper = dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0;
   const Box box = intersection(box_of(a.corners), box_of(b.corners));
   SharedPoints result;
-  if (are_proper && dot(way, way) <= 0x1p-60) {
+  if (are_proper && are_parallel(a.normal, b.normal)) {
     result = flush_part(a, b);
   } else if (are_proper) {
     const Stretch of_a = in_plane(a.corners, b, way), of_b = in_plane(b.corners, a, way);
     const double low = std::max(of_a.low, of_b.low), high = std::min(of_a.high, of_b.high);
     result.points[0] = of_a.low > of_b.low ? of_a.from : of_b.from;
     result.points[1] = of_a.high < of_b.high ? of_a.to : of_b.to;
-    result.size = low < high ? 2 : 1;
+    result.size = low < high && norm(result.points[1] - result.points[0]) > kRounding ? 2 : 1;
   }
   if (result.size == 0) result = {{0.5 * box.lo + 0.5 * box.hi}, 1};
   // What is shared lies in both boxes, whatever rounding made of it.

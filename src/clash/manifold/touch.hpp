@@ -13,10 +13,6 @@
 
 namespace impinge::clash {
 
-/// What is no longer than this in the local frame is nothing: points there are off by a few 2^-53 of the largest world
-/// coordinate, which is below 2 in local units.
-inline constexpr double kRounding = 0x1p-46;
-
 /// A placed mesh as manifolds see it.
 struct PlacedSurface {
   const MeshData* mesh;
@@ -50,6 +46,7 @@ struct Touch {
 
   [[nodiscard]] bool has_length() const { return shared.size == 2; }
   [[nodiscard]] bool is_flush() const { return shared.size > 2; }
+  [[nodiscard]] bool is_parallel() const { return are_parallel(normals[0], normals[1]); }
 };
 
 }  // namespace impinge::clash
