@@ -80,7 +80,7 @@ Result<FileFacts> facts_of(const std::string& file, const InfoArguments& argumen
     if (!about) return about.error();
     if (!about->part)
       facts.warnings.push_back(
-          fmt::format("object '{}' has coordinates on which no answer is exact (not below 2^300, or "
+          fmt::format("object '{}' has coordinates on which verdicts are not exact (not below 2^300, or "
                       "not a multiple of 2^-358); check will refuse it",
                       about->name));
     facts.objects.push_back(std::move(*about));

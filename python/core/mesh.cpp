@@ -225,7 +225,11 @@ void bind_meshes(py::module_& module) {
       .def("deformed",
            [](const Mesh& mesh, py::handle vertices, const Stop* stop) {
              const View xyz(vertices);
-             return unwrap(with_tree(mesh, 0, stop, [&] { return mesh.deformed(xyz.as<double>()); }));
+             // No `with_tree`: only a tree that is largely made already is worth a refit, and `deformed` sees to that.
+             return unwrap(run(stop, mesh.triangle_count(), [&](const std::stop_token& token) -> Result<Mesh> {
+               if (token.stop_requested()) return kStopped;
+               return mesh.deformed(xyz.as<double>());
+             }));
            })
       .def("build_tree",
            [](const Mesh& mesh, int threads) {

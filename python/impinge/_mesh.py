@@ -112,8 +112,8 @@ class Mesh:
     def deformed(self, vertices: ArrayLike, *, stop: _core.Stop | None = None) -> Mesh:
         """The same faces with other vertices, (V, 3), as many as there are, in your unit of length.
 
-        Answers are those of a new mesh of these numbers, but where queries have made a third of
-        this one's tree, it is refitted, which is faster.
+        Answers are those of a new mesh of these numbers, but where queries or `build_tree` have made a
+        third of this one's tree, it is refitted, which is faster.
 
         Raises
         ------
@@ -132,7 +132,8 @@ class Mesh:
         return self._wrap(self._core.deformed(points, stop), self._leaf_size)
 
     def build_tree(self, threads: int = 0) -> Mesh:
-        """Makes the whole tree now, on so many threads (0: all), and returns the mesh. Queries else make what they need of it."""
+        """Makes the whole tree now, on so many threads (0: all), and returns the mesh. Queries else make what they need of it; a child
+        process that is forked just then may wait for ever when it asks about the mesh, so make trees before forking."""
         self._core.build_tree(threads)
         return self
 

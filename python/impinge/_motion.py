@@ -39,7 +39,7 @@ class Impacts:
     times: NDArray[np.float64]  #: (K, 2): hold the first time at which they meet between equal or neighbouring doubles
     points: NDArray[np.float64]  #: (K, 3): where, up to rounding
     normals: NDArray[np.float64]  #: (K, 3): unit, up to rounding: of the face or at right angles to both edges; to where the first comes from
-    earliest: Interval | None  #: the first time of all, those beyond the limit too; (0, 0) if and only if something touches at the start
+    earliest: Interval | None  #: the first time of all, those beyond the limit too; (0, 0) if and only if something touches, or is within `separation`, at the start
     truncated: bool  #: there are more than `limit`
 
     def __bool__(self) -> bool:

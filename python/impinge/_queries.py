@@ -176,7 +176,7 @@ def collide(
     ------
     MeshError, PoseError, OptionError, Cancelled, OutOfMemoryError
     RangeError
-        A world coordinate is not below 2^300 or not a multiple of 2^-358.
+        A world coordinate is not below 2^300, or the mesh's largest is neither 0 nor at least 2^-300.
     NoDeviceError
         The backend needs a device, and there is none.
     """

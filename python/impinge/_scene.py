@@ -297,7 +297,7 @@ class Scene(SceneObjects):
         Raises
         ------
         RangeError
-            A world coordinate, at either end, is not below 2^300 or not a multiple of 2^-358.
+            At either end a world coordinate is not below 2^300, or the mesh's largest is neither 0 nor at least 2^-300.
         OptionError, Cancelled, OutOfMemoryError
 
         Examples

@@ -197,6 +197,19 @@ def test_what_is_refused_and_why(call, error, sentence):
     assert type(again) is error and str(again) == str(caught.value) and again.code == error.code != ""
 
 
+def test_deformed_makes_no_tree_that_nobody_asked_for():
+    grid = np.stack(np.meshgrid(np.arange(40.0), np.arange(40.0), [0.0]), -1).reshape(-1, 3)
+    corner = (np.arange(39)[:, None] * 40 + np.arange(39)).reshape(-1, 1)
+    mesh = impinge.Mesh(grid, np.concatenate([corner + [0, 1, 40], corner + [1, 41, 40]]))
+    scene = impinge.Scene()
+    scene.add(mesh, name="sheet")
+    before = mesh.nbytes
+    bent = mesh.deformed(grid + [0, 0, 1])
+    scene.set_vertices("sheet", grid + [0, 0, 2])
+    assert mesh.nbytes == bent.nbytes == scene.mesh("sheet").nbytes == before
+    assert before < mesh.build_tree().nbytes <= mesh.deformed(grid).nbytes + before  # which has a tree too
+
+
 def test_errors_are_built_in_ones_too():
     assert issubclass(impinge.OutOfMemoryError, MemoryError) and issubclass(impinge.NoDeviceError, RuntimeError)
     assert issubclass(impinge.UnknownObjectError, KeyError) and str(impinge.UnknownObjectError("so")) == "so"

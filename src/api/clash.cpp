@@ -47,7 +47,7 @@ Result<void> validate(const ClashOptions& options) {
 Result<void> check_domain(const std::vector<Placed>& objects) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].mesh == nullptr || in_exact_domain(objects[i].pose, objects[i].mesh->state().data)) continue;
-    return out_of_domain("object " + std::to_string(i));
+    return not_in_exact_domain("object " + std::to_string(i));
   }
   return {};
 }

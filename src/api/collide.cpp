@@ -95,8 +95,8 @@ Result<bool> touches(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b,
     if (are_apart) return false;
     scene::PlacedObject a, b;
     block.write(0, a), block.write(1, b);
-    if (!a.in_domain) return out_of_domain("object 0");
-    if (!b.in_domain) return out_of_domain("object 1");
+    if (!a.in_domain) return not_in_range("object 0");
+    if (!b.in_domain) return not_in_range("object 1");
     if (!broad::bounds_meet(a, b)) return false;
     const QueryMemory memory(workspace);
     memory->touch.restart(stop);

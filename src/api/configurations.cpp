@@ -305,7 +305,7 @@ Result<bool> Scene::touches_with(const Mesh& mesh, const Pose& pose, const Confi
     if (auto valid = validate(s, options.threads); !valid) return valid.error();
     if (auto valid = scene::validate(pose); !valid) return valid.error();
     const scene::PlacedObject guest = scene::place(mesh.state().data, pose, 0);
-    if (!guest.in_domain) return out_of_domain("the mesh");
+    if (!guest.in_domain) return not_in_range("the mesh");
     if (guest.mesh == nullptr) return false;
     const QueryMemory memory(workspace);
     constexpr std::array<std::uint32_t, 1> kOne{0};

@@ -24,7 +24,7 @@ namespace {
 Result<solid::Body> closed_body(const Mesh& mesh, const Pose& pose) {
   if (auto valid = scene::validate(pose); !valid) return valid.error();
   const MeshState& state = mesh.state();
-  if (!in_range(pose, state.data)) return out_of_domain("the mesh");
+  if (!in_range(pose, state.data)) return not_in_range("the mesh");
   solid::Body body = solid::make_body({&state.data, &state.wide_tree, pose});
   const solid::Topology topology = solid::examine(body);
   if (topology.closed) return body;
@@ -43,7 +43,7 @@ Location location(std::optional<bool> winds_around) {
 
 Result<Location> locate(const Point& point, const Mesh& mesh, const Pose& pose) {
   return guarded([&]() -> Result<Location> {
-    if (!in_range(point)) return out_of_domain("the point");
+    if (!in_range(point)) return not_in_range("the point");
     const auto body = closed_body(mesh, pose);
     if (!body) return body.error();
     const auto winding = solid::winding_number(body->placed, point);
@@ -69,7 +69,7 @@ Result<std::vector<Location>> PointLocator::locate(std::span<const Point> points
   return guarded([&]() -> Result<std::vector<Location>> {
     if (auto valid = validate(Options{.threads = options.threads}); !valid) return valid.error();
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (!in_range(points[i])) return out_of_domain("points[" + std::to_string(i) + "]");
+      if (!in_range(points[i])) return not_in_range("points[" + std::to_string(i) + "]");
     std::vector<Location> found(points.size());
     constexpr std::size_t kAtOnce = 1024;
     const std::size_t pieces = (points.size() + kAtOnce - 1) / kAtOnce;

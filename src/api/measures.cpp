@@ -36,7 +36,7 @@ Result<void> validate(const Measured& placed) {
   if (placed.mesh.triangle_count() == 0)
     return Error{Code::bad_mesh, placed.title() + " has no triangles, and no distance"};
   const MeshData& numbers = placed.mesh.state().data;
-  if (!in_exact_domain(placed.pose, numbers) && !in_range(placed.pose, numbers)) return out_of_domain(placed.title());
+  if (!in_exact_domain(placed.pose, numbers) && !in_range(placed.pose, numbers)) return not_in_range(placed.title());
   return {};
 }
 

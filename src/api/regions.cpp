@@ -63,7 +63,7 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     auto found = find(is_exact ? Options::Find::all : Options::Find::first);
     if (!found) return found.error();
     for (const auto& [mesh, pose, name] : {std::tuple(&mesh_a, &pose_a, "object 0"), {&mesh_b, &pose_b, "object 1"}})
-      if (!in_exact_domain(*pose, mesh->state().data)) return out_of_domain(name);
+      if (!in_exact_domain(*pose, mesh->state().data)) return not_in_exact_domain(name);
     if (is_exact && found->triangles.empty()) return std::vector<Region>{};
     const solid::Part part_a = part_of(mesh_a, pose_a), part_b = part_of(mesh_b, pose_b);
     const auto tolerance = tolerance_for(part_a.body, part_b.body, options);

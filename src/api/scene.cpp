@@ -25,7 +25,7 @@ constexpr std::uint32_t kGuest = 0xFFFFFFFF;
 Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, std::uint32_t index,
                              const Options& options, Workspace* workspace) {
   if (auto valid = scene.check_domain(); !valid) return valid.error();
-  if (!one.object.in_domain) return out_of_domain("the mesh");
+  if (!one.object.in_domain) return not_in_range("the mesh");
   const QueryMemory memory(workspace);
   broad::BoxTree::Search near;
   const CurrentPairs near_pairs(scene.near_pairs, options.threads);

@@ -58,7 +58,7 @@ class SceneMotion {
       if (!is_same_mesh && before.data.triangles != now.mesh->triangles) continue;
       starts_.back() = {&before, scene::place(before.data, pose, now.group), true};
       if (!starts_.back().placed.in_domain)
-        return out_of_domain("object " + std::to_string(i) + ", at the start of its motion,");
+        return not_in_range("object " + std::to_string(i) + ", at the start of its motion,");
     }
     return {};
   }

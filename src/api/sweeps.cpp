@@ -50,7 +50,7 @@ Result<void> validate(const Swept& swept) {
   if (auto valid = validate(swept.sweep, name); !valid) return valid;
   if (swept.mesh.triangle_count() == 0) return Error{Code::bad_mesh, name + " has no triangles, and meets nothing"};
   for (const Pose* const pose : {&swept.sweep.from, &swept.sweep.to})
-    if (!in_exact_domain(*pose, swept.mesh.state().data)) return out_of_domain(name);
+    if (!in_exact_domain(*pose, swept.mesh.state().data)) return not_in_exact_domain(name);
   return {};
 }
 
@@ -112,8 +112,8 @@ Result<std::optional<TimeOfImpact>> on_screws(const Swept& a, const Swept& b, do
   const measure::SearchMeans means{on_threads(options.threads), options.stop, &memory->nearest};
   for (double time = 0;;) {
     const hierarchy::PlacedTree now_a = placed(a, screw_a, time), now_b = placed(b, screw_b, time);
-    if (!in_exact_domain(now_a.pose, *now_a.mesh)) return out_of_domain(std::string("the ") + a.name + " mesh");
-    if (!in_exact_domain(now_b.pose, *now_b.mesh)) return out_of_domain(std::string("the ") + b.name + " mesh");
+    if (!in_exact_domain(now_a.pose, *now_a.mesh)) return not_in_exact_domain(std::string("the ") + a.name + " mesh");
+    if (!in_exact_domain(now_b.pose, *now_b.mesh)) return not_in_exact_domain(std::string("the ") + b.name + " mesh");
     approach.within = 1 - time;
     const measure::SafeTime safe = measure::safe_time({now_a, twist_a}, {now_b, twist_b}, approach, last, means);
     throw_if_stopped(options.stop);

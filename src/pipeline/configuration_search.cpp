@@ -46,7 +46,7 @@ Result<void> PlacedMovers::place(std::span<const Pose> poses) {
       if (!block.is_valid(i))
         if (auto valid = scene::validate(poses[first + i]); !valid) return valid;
       block.write(i, placed_[first + i]);
-      if (!placed_[first + i].in_domain) return out_of_domain("object " + std::to_string(movers_.object(first + i)));
+      if (!placed_[first + i].in_domain) return not_in_range("object " + std::to_string(movers_.object(first + i)));
     }
     first += block.size();
   }

@@ -101,7 +101,7 @@ void make_meshes(const Mesh& mesh, std::uint64_t turned, MeshPieces& result) {
 Result<std::shared_ptr<const MeshPieces>> pieces_of(const Mesh& mesh, int threads, const std::stop_token& stop) {
   MeshPiecesCache& cache = mesh.state().pieces_cache;
   if (auto known = cache.find()) return known;
-  if (!in_exact_domain(Pose{}, mesh.state().data)) return out_of_domain("the mesh");
+  if (!in_exact_domain(Pose{}, mesh.state().data)) return not_in_exact_domain("the mesh");
   const solid::Body body = placed_body(mesh, {});
   const solid::Topology topology = solid::examine(body);
   solid::Classification found = solid::classify(body, topology, stop);

@@ -515,7 +515,7 @@ Result<void> validate(const Options& options) {
 Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
   for (std::size_t i = 0; i < query.view.objects.size(); ++i) {
     if (query.view.objects[i].in_domain) continue;
-    return out_of_domain("object " + std::to_string(i));
+    return not_in_range("object " + std::to_string(i));
   }
   memory.warnings.clear(), memory.asks_device = false;
   memory.plain.device = nullptr;

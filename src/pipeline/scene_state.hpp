@@ -77,7 +77,7 @@ struct Scene::State {
   [[nodiscard]] Result<void> check_domain() const {
     if (fine == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (!objects[i].in_domain) return out_of_domain("object " + std::to_string(i));
+      if (!objects[i].in_domain) return not_in_range("object " + std::to_string(i));
     return {};
   }
   /// Puts an object, or nothing, where another one or nothing was.

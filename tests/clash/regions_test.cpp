@@ -188,6 +188,9 @@ TEST(Regions, NamesWhatIsWrong) {
   far.t = {0x1p301, 0, 0};
   EXPECT_EQ(code_of(contact_regions(cube, bad, cube, {})), Code::bad_pose);
   EXPECT_EQ(code_of(contact_regions(cube, {}, cube, far)), Code::out_of_range);
+  const auto fine = contact_regions(cube, {}, cube, {.t = {0x1p-359, 0, 0}});
+  EXPECT_EQ(code_of(fine), Code::out_of_range);
+  EXPECT_TRUE(fine.error().message.starts_with("object 1 has coordinates on which this answer would not be exact"));
   EXPECT_EQ(code_of(contact_regions(cube, {}, cube, {}, {.threads = -1})), Code::bad_option);
   std::stop_source stopped;
   stopped.request_stop();

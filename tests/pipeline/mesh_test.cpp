@@ -271,7 +271,7 @@ TEST(Collide, RefusesBadPosesAndWorldsOutOfRange) {
   expect_error(collide(cube, far, cube, {}), Code::out_of_range, {"object 0", "2^300"});
   EXPECT_TRUE(collide(cube, fine, cube, {}));
   const Mesh small = cube.transformed({{0x1p-359, 0, 0, 0, 0x1p-359, 0, 0, 0, 0x1p-359}, {}}).value();
-  expect_error(collide(small, {}, cube, {}), Code::out_of_range, {"object 0", "2^-358"});
+  expect_error(collide(small, {}, cube, {}), Code::out_of_range, {"object 0 is out of range", "2^-300"});
   Pose beside;
   beside.t = {1, 1, 1};  // where all of it is in the world, which is in the domain
   EXPECT_EQ(collide(small, beside, cube, {})->objects.size(), 1u);
