@@ -46,12 +46,12 @@ struct Manifold {
 ///     one with the least extent. That is a local separation, not the least of all directions. The direction that
 ///     `Region` has without area stands in for that of an area where there is none, or where sides are flush and the
 ///     contour, which then has the lines of both patches there, does not close; of open meshes it is the normal.
-///   - The depth of the manifold is that extent. So it is exact, but for rounding, for a box on a box or on a plane, a
-///     ball on a plane, and two edges that cross.
+///   - The depth of the manifold is that extent. So it is exact, but for rounding, for a box on a box or on a plane,
+///     with sides flush or not, a ball on a plane, and two edges that cross.
 ///   - The patch that is thinner along the normal is the reference: a plane touches it at its farthest. Points are
 ///     those of the other patch, and their depths how far they lie beyond that plane. Up to four are chosen: the
 ///     deepest one, and others far from it and from each other, deep ones before shallow ones.
-/// Of an open mesh the side that its normals look to counts as outside. Where a contour does not close, as along the
+/// Of an open mesh the side that its normals look to counts as outside. Where its contour does not close, as along the
 /// rim of a sheet, surfaces have no inside: patches are the contour alone, and the depth says how far that is from
 /// plane. What goes right through something, a bolt through a plate, has a manifold at either face, of which neither
 /// knows how to pull it out.

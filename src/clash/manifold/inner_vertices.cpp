@@ -44,8 +44,8 @@ void InnerVertices::restart(const std::array<PlacedSurface, 2>& surfaces, std::s
 
 // The way from a corner to a point of one of the lines of contact: the first line that it meets tells on which side of
 // the other surface the corner is. Where it meets several at once, at a joint or at an edge of the other surface that
-// lies in the triangle, all must tell the same. A corner on a line
-// is a point of the contour, and which side it is on is lost in rounding: beyond it surfaces may lead out.
+// lies in the triangle, all must tell the same. A corner on a line is a
+// point of the contour; whether the surface beyond it leads in is lost in rounding.
 void InnerVertices::find_seeds(int side, std::span<const std::uint32_t> of_one_triangle) {
   const auto s = static_cast<std::size_t>(side);
   const Touch* aim = nullptr;

@@ -207,7 +207,7 @@ Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const std
       patches.inner[static_cast<std::size_t>(side)] = inner_.patch(touches_[region.front()].region, side);
   Vec3 normal = has_area ? unit_or_zero(area) : direction_without_area(contour);
   double extent = patches.extent(normal);
-  if (has_area || is_bound) {
+  if (has_area || (is_bound && extent > kRounding)) {
     // The facets nearest in direction. They are exact, so that the area is taken only where it is better for certain.
     std::array<Vec3, 2> nearest{normal, normal};
     std::array<double, 2> cosine{0, 0};
