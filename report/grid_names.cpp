@@ -28,7 +28,11 @@ constexpr std::size_t kMostCrossings = 16;
 constexpr double kSamePlace = 1e-6;
 
 double cross_product(const auto& a, const auto& b) { return a.x * b.y - a.y * b.x; }
-double distance(const auto& a, const auto& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double length_in_plan(const auto& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+template <class Flat>
+double distance(const Flat& a, const Flat& b) {
+  return length_in_plan(Flat{a.x - b.x, a.y - b.y});
+}
 
 /// "B/3": letters stand before numbers, and else the axis of the earlier family first.
 std::string name_of(const std::string& first, const std::string& second) {
@@ -73,7 +77,7 @@ bool GridNames::cross(PlanGrid& grid, std::uint32_t i, std::uint32_t j) {
   const std::size_t first = grid.crossings.size();
   for (std::size_t k = 1; k < a.points.size(); ++k) {
     const Flat &p = a.points[k - 1], r{a.points[k].x - p.x, a.points[k].y - p.y};
-    const double r_length = std::hypot(r.x, r.y);
+    const double r_length = length_in_plan(r);
     for (std::size_t m = 1; m < b.points.size(); ++m) {
       const Flat &q = b.points[m - 1], s{b.points[m].x - q.x, b.points[m].y - q.y};
       const double sine = cross_product(r, s);
@@ -81,7 +85,7 @@ bool GridNames::cross(PlanGrid& grid, std::uint32_t i, std::uint32_t j) {
       const double t = cross_product(between, s) / sine, u = cross_product(between, r) / sine;
       const auto is_on = [](double part) { return part >= -kSlack && part <= 1 + kSlack; };
       if (!is_on(t) || !is_on(u)) continue;
-      const double s_length = std::hypot(s.x, s.y);
+      const double s_length = length_in_plan(s);
       if (!(std::abs(sine) > kParallel * r_length * s_length)) continue;
       const Flat at{p.x + t * r.x, p.y + t * r.y};
       // At a joint both pieces cross.

@@ -140,7 +140,9 @@ Mesh deformed_to(const scenes::MeshData& numbers, bool has_tree, scenes::Random&
   scenes::MeshData before = numbers;
   for (double& x : before.xyz) x = random.uniform(-1, 1);
   const Mesh mesh = test::mesh_of(before, leaf_size);
-  if (has_tree) EXPECT_TRUE(mesh.build_tree(1));
+  if (has_tree) {
+    EXPECT_TRUE(mesh.build_tree(1));
+  }
   return mesh.deformed(numbers.xyz).value();
 }
 
