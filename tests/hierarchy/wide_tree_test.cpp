@@ -389,7 +389,7 @@ TEST(WideTree, TakesLittleMemoryOnceItIsWhole) {
     hierarchy::MadeNodes made;
     tree.root(made);
     EXPECT_EQ(made.nodes, 0u);
-    EXPECT_LT(tree.bytes(), 80 * mesh.triangle_count()) << triangles;
+    EXPECT_LT(tree.bytes(), 80 * mesh.triangle_count() + 4096) << triangles;  // 4096: its arena's last block
   }
 }
 
