@@ -122,8 +122,8 @@ void measure_impacts(const Subject& subject, const std::vector<double>& to, cons
   add(subject, "impacts",
       {{"impinge", [&](std::size_t) { (void)ask(false); }},
        {"impinge for the first", [&](std::size_t) { (void)ask(true); }},
-       {"impinge, a tenth of an edge apart", [&](std::size_t) { (void)ask(false, length / 10); }},
-       {"impinge, an edge apart", [&](std::size_t) { (void)ask(false, length); }},
+       {"impinge a tenth of an edge apart", [&](std::size_t) { (void)ask(false, length / 10); }},
+       {"impinge an edge apart", [&](std::size_t) { (void)ask(false, length); }},
        {"FCL's tests alone", [&](std::size_t) { (void)FclImpacts::count(subject.data.xyz, to, pairs); }}},
       effort, table);
 }

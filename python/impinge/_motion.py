@@ -36,9 +36,9 @@ class Impacts:
 
     features: NDArray[np.uint8]  #: (K,): `Feature`
     ids: NDArray[np.int32]  #: (K, 2): a vertex or a face by its index, an edge by its row in `Mesh.edges`
-    times: NDArray[np.float64]  #: (K, 2): hold the first time at which they meet between equal or neighbouring doubles
+    times: NDArray[np.float64]  #: (K, 2): hold the first time at which they meet, or come within `separation`, between equal or neighbouring doubles
     points: NDArray[np.float64]  #: (K, 3): where, up to rounding
-    normals: NDArray[np.float64]  #: (K, 3): unit, up to rounding: of the face or at right angles to both edges; to where the first comes from
+    normals: NDArray[np.float64]  #: (K, 3): unit, up to rounding: of the face or at right angles to both edges, to where the first comes from; with `separation` from the nearest point of the second to that of the first
     earliest: Interval | None  #: the first time of all, those beyond the limit too; (0, 0) if and only if something touches, or is within `separation`, at the start
     truncated: bool  #: there are more than `limit`
 
@@ -96,7 +96,7 @@ def find_impacts(
     threads: int = 0,
     stop: _core.Stop | None = None,
 ) -> Impacts:
-    """All impacts between two moving meshes, or without `b` of a mesh with itself, exactly: none missed, none added.
+    """All impacts between two moving meshes, or without `b` of a mesh with itself, exactly without a `separation`: none missed, none added.
 
     Each mesh is a pair: itself at time 0, and at time 1 with the same faces (`Mesh.deformed`). Every vertex moves on a straight line at
     constant speed, (1 - t) x0 + t x1 in real arithmetic; coordinates, in your unit of length, may be any finite numbers. Touching counts.
@@ -106,7 +106,7 @@ def find_impacts(
 
     With a `separation` above 0, in your unit, features meet where they come within it: none that does is missed, and none found that stays
     farther apart than it and a tolerance of 2^-10 of it (and 2^-32 of the features' size). The numbers of each time are then equal: before it they
-    are farther apart than the separation.
+    are farther apart than the separation. Of a mesh with itself, features of triangles with a common vertex are tested with 0.
 
     Raises
     ------

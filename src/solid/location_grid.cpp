@@ -59,8 +59,8 @@ void LocationGrid::occupy(const Body& body) {
   }
 }
 
-/// Asks whether a cell is inside, and says the same of all unknown cells that hang together with it by sides. A cell
-/// whose middle, as computed, lies outside of the cell counts as occupied.
+/// Asks whether a cell is inside, and marks all unknown cells that are connected to it through common sides alike. A
+/// cell whose middle, as computed, lies outside of the cell counts as occupied.
 void LocationGrid::fill(const Place& at, std::vector<Place>& ahead) {
   const auto middle = [](std::size_t i, double from, double per_length) {
     return per_length > 0 ? from + (static_cast<double>(i) + 0.5) / per_length : from;
