@@ -24,19 +24,20 @@ namespace {
 constexpr const char* kHelp = R"(Measures impinge on the CPU, on a GPU and on both at once, and prints one table; the
 paper's experiment in image space too.
 
-  impinge-gpu-figures [--quick] [--software] [--device DEVICE] [--only TEXT]
+  impinge-gpu-figures [--quick] [--software] [--device DEVICE] [--only TEXT] [--detail]
 
   --quick          small cases and few repeats: to see whether it works, in under a minute
   --software       measure a software driver (lavapipe, SwiftShader) too; its times say nothing about a GPU
   --device DEVICE  its number among the devices, or part of its name; without it IMPINGE_DEVICE, or the first
   --only TEXT      the cases whose name contains it
+  --detail         a second table: where a query's time on the GPU goes, and who answered the hybrid ones
 
 Nothing but a Vulkan driver need be installed. Progress goes to standard error if that is a terminal.
 Exit status: 0, or 2 if something failed, an answer that differs between two backends above all.
 )";
 
 struct Wishes {
-  bool is_quick = false, allows_software = false;
+  bool is_quick = false, allows_software = false, is_detailed = false;
   std::string device, only, command;
 };
 
@@ -58,6 +59,8 @@ Wishes parse(int argc, char** argv) {
       wishes.is_quick = true;
     } else if (word == "--software") {
       wishes.allows_software = true;
+    } else if (word == "--detail") {
+      wishes.is_detailed = true;
     } else if (word == "--device") {
       wishes.device = value();
     } else if (word == "--only") {
@@ -113,8 +116,15 @@ std::vector<std::string> sides(const std::vector<Statistics>& queries) {
 struct Measured {
   std::vector<double> seconds, device_seconds;  ///< a repeat each
   Answer answer;                                ///< of the last repeat
+  std::string ways;                             ///< of each repeat's last query, the warm-up's too
   Workspace workspace;
 };
+
+/// Who did a query's work: d for the device, c for the CPU, b for both.
+char way_of(const Statistics& query) {
+  if (query.device_seconds == 0) return 'c';
+  return query.cpu_seconds == 0 ? 'd' : 'b';
+}
 
 class Report {
  public:
@@ -148,6 +158,7 @@ class Report {
     for (const std::string& side : is_whole ? predicted(question) : std::vector<std::string>(4, "-"))
       cells.push_back(side);
     line(cells);
+    if (is_whole) add_detail(entry, question, measured);
     if (entry.is_rated) rates(entry, measured, question.triangles);
   }
 
@@ -162,6 +173,12 @@ class Report {
       std::printf("The answers of all backends are the same in every case.\n");
     }
     for (const std::string& note : notes_) std::printf("Note: %s.\n", note.c_str());
+    if (!wishes_.is_detailed) return;
+    std::printf(
+        "\nWhere the time of a gpu query goes, and who answered each hybrid one in turn: c(pu), d(evice), b(oth).\n\n");
+    line({"case", "triangles", "gpu ms", "device's part", "of it waiting", "taking in", "hybrid ways"});
+    line({"---", "---:", "---:", "---:", "---:", "---:", "---"});
+    for (const auto& cells : details_) line(cells);
   }
 
  private:
@@ -195,6 +212,7 @@ class Report {
         Measured& backend = measured[i];
         backend.answer = question.ask(options(kBackends[i]), backend.workspace);
         compare(entry.name, measured[0].answer, backend.answer, kBackends[i]);
+        backend.ways += way_of(backend.answer.statistics.back());
         if (!counts) continue;
         backend.seconds.push_back(backend.answer.seconds);
         backend.device_seconds.push_back(sum(backend.answer.statistics, &Statistics::device_seconds));
@@ -218,6 +236,14 @@ class Report {
     with.predict_cost = true;
     Workspace workspace;
     return sides(question.ask(with, workspace).statistics);
+  }
+
+  void add_detail(const Case& entry, const Question& question, const std::vector<Measured>& measured) {
+    std::vector<std::string> cells{entry.name, question.triangles, milliseconds(time(measured, 1) / question.queries)};
+    for (const auto part : {&Statistics::device_seconds, &Statistics::device_wait_seconds, &Statistics::exact_seconds})
+      cells.push_back(milliseconds(sum(measured[1].answer.statistics, part) / question.queries));
+    cells.push_back(measured[2].ways);
+    details_.push_back(std::move(cells));
   }
 
   void rates(const Case& entry, const std::vector<Measured>& measured, const std::string& triangles) const {
@@ -263,6 +289,7 @@ class Report {
   TargetDevice target_;
   std::size_t cases_, case_ = 0;
   std::set<std::string> notes_;
+  std::vector<std::vector<std::string>> details_;
   bool is_watched_ = isatty(STDERR_FILENO) == 1;
 };
 

@@ -3,6 +3,8 @@
 #include "gpu/device.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace impinge::gpu {
 namespace {
@@ -70,8 +72,18 @@ void Device::submit(VkCommandBuffer commands, VkFence fence) {
   check(result, "submitting work");
 }
 
+// Most submissions end sooner than a sleeping thread is woken: for a while the caller looks by itself, unless the
+// device is a program that needs the processor.
 void Device::wait(VkFence fence) {
-  const VkResult result = vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX);
+  constexpr std::chrono::milliseconds kPatience{2};
+  const bool is_program = physical_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !limits_.trusts_software;
+  VkResult result = VK_NOT_READY;
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (!is_program && result == VK_NOT_READY && std::chrono::steady_clock::now() < until) {
+    result = vkGetFenceStatus(device_, fence);
+    if (result == VK_NOT_READY) std::this_thread::yield();
+  }
+  if (result == VK_NOT_READY) result = vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX);
   if (result == VK_ERROR_DEVICE_LOST) is_lost_ = true;
   check(result, "waiting for the device");
 }

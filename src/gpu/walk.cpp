@@ -97,17 +97,23 @@ DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
   bindings_.set(kAgain, again_);
 }
 
+WalkRelations DeviceWalk::room_for(std::size_t relations) {
+  commands_.wait();  // a walk that was left before its end
+  relation_count_ = relations;
+  grow(upload_, device_, relations * (sizeof(DeviceRelation) + pose_bytes()), Buffer::Use::upload);
+  grow(relations_, device_, relations * sizeof(DeviceRelation), Buffer::Use::device);
+  grow(poses_, device_, relations * pose_bytes(), Buffer::Use::device);
+  grow(settled_, device_, relations * sizeof(uint), Buffer::Use::device);
+  // The poses come first: they have doubles, and a relation is an odd number of words.
+  auto* const poses = upload_.mapped<DevicePoses>();
+  auto* const after_poses = reinterpret_cast<DeviceRelation*>(upload_.mapped<char>() + relations * pose_bytes());
+  return {{after_poses, relations}, {poses, kernels_.with_doubles ? relations : 0}};
+}
+
 void DeviceWalk::prepare(const WalkInput& input) {
-  const std::uint64_t relation_bytes = input.relations.size_bytes(), item_bytes = input.items.size_bytes();
-  const std::uint64_t pose_bytes = input.poses.size_bytes();
   if (input.items.size() > most_items()) throw Failure("more is to be walked at once than the device's lists hold");
-  grow(upload_, device_, relation_bytes + item_bytes + pose_bytes, Buffer::Use::upload);
-  grow(relations_, device_, relation_bytes, Buffer::Use::device);
-  grow(poses_, device_, pose_bytes, Buffer::Use::device);
-  grow(settled_, device_, input.relations.size() * sizeof(uint), Buffer::Use::device);
-  std::memcpy(upload_.mapped<char>(), input.relations.data(), relation_bytes);
-  std::memcpy(upload_.mapped<char>() + relation_bytes, input.items.data(), item_bytes);
-  if (pose_bytes > 0) std::memcpy(upload_.mapped<char>() + relation_bytes + item_bytes, input.poses.data(), pose_bytes);
+  grow(upload_items_, device_, input.items.size_bytes(), Buffer::Use::upload);
+  std::memcpy(upload_items_.mapped<char>(), input.items.data(), input.items.size_bytes());
   const auto &a = input.a->buffers, &b = input.b->buffers;
   bindings_.set(kNodesA, a[kNodes]), bindings_.set(kNodesB, b[kNodes]);
   bindings_.set(kLeavesA, a[kLeaves]), bindings_.set(kLeavesB, b[kLeaves]);
@@ -119,9 +125,8 @@ void DeviceWalk::prepare(const WalkInput& input) {
 }
 
 void DeviceWalk::start(const WalkInput& input) {
-  commands_.wait();  // a walk that was left before its end
   prepare(input);
-  relation_count_ = input.relations.size(), item_count_ = input.items.size(), pose_count_ = input.poses.size();
+  item_count_ = input.items.size();
   config_.first_only = input.first_only ? 1 : 0;
   // Breadth first a step takes a level; where the lists are short, or the beginning is broad, a level takes several.
   const std::uint32_t pieces = static_cast<std::uint32_t>(item_count_ / (config_.stack_capacity / (2 * kChildren) + 1));
@@ -166,13 +171,11 @@ void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
     barrier(commands);
   };
   if (is_first) {
-    const std::uint64_t relation_bytes = relation_count_ * sizeof(DeviceRelation);
-    copy(commands, upload_, 0, relations_, 0, relation_bytes);
-    const std::uint64_t item_bytes = item_count_ * sizeof(WorkItem);
-    copy(commands, upload_, relation_bytes, stack_, 0, item_bytes);
-    if (pose_count_ > 0)
-      copy(commands, upload_, relation_bytes + item_bytes, poses_, 0, pose_count_ * sizeof(DevicePoses));
-    vkCmdFillBuffer(commands, settled_.handle(), 0, settled_.bytes(), 0);
+    const std::uint64_t all_poses = relation_count_ * pose_bytes();
+    copy(commands, upload_, 0, poses_, 0, all_poses);
+    copy(commands, upload_, all_poses, relations_, 0, relation_count_ * sizeof(DeviceRelation));
+    copy(commands, upload_items_, 0, stack_, 0, item_count_ * sizeof(WorkItem));
+    vkCmdFillBuffer(commands, settled_.handle(), 0, relation_count_ * sizeof(uint), 0);
   } else {
     copy(commands, again_, 0, leaf_pairs_, 0, next_.leaf_pairs * sizeof(WorkItem));
   }

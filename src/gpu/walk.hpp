@@ -19,14 +19,18 @@ struct WalkKernels {
   Kernel plan, walk, fill, sweep;
 };
 
-/// What is to be walked: pairs of nodes of trees of two pages.
+/// What is to be walked: pairs of nodes of trees of two pages, of the relations written before.
 struct WalkInput {
-  std::span<const DeviceRelation> relations;
   std::span<const WorkItem> items;  ///< no more than `most_items`
   const Page *a, *b;
-  std::uint32_t levels;                     ///< of the deeper tree
-  bool first_only;                          ///< one crossing a relation is enough
-  std::span<const DevicePoses> poses = {};  ///< a relation's; only with doubles
+  std::uint32_t levels;  ///< of the deeper tree
+  bool first_only;       ///< one crossing a relation is enough
+};
+
+/// Memory from which the device takes the relations of a walk. It may be slow to read.
+struct WalkRelations {
+  std::span<DeviceRelation> relations;
+  std::span<DevicePoses> poses;  ///< a relation's; none on a device without doubles
 };
 
 struct WalkWork {
@@ -41,7 +45,9 @@ class DeviceWalk {
 
   [[nodiscard]] std::uint32_t most_items() const { return config_.stack_capacity - config_.stack_reserve; }
 
-  /// Sends the input and starts to work on it.
+  /// Where the caller writes so many relations before `start`.
+  [[nodiscard]] WalkRelations room_for(std::size_t relations);
+  /// Sends relations and input and starts to work on them.
   void start(const WalkInput& input);
   /// Waits for the work under way, and starts on what it left, if anything: then true.
   bool advance();
@@ -52,16 +58,17 @@ class DeviceWalk {
   [[nodiscard]] const WalkWork& work() const { return work_; }
 
  private:
+  [[nodiscard]] std::uint64_t pose_bytes() const { return kernels_.with_doubles ? sizeof(DevicePoses) : 0; }
   void prepare(const WalkInput& input);
   void record(VkCommandBuffer commands, bool is_first);
 
   Device& device_;
   const WalkKernels& kernels_;
   WalkConfig config_;
-  Buffer upload_, relations_, poses_, settled_;
+  Buffer upload_, upload_items_, relations_, poses_, settled_;
   Buffer control_, read_control_, stack_, leaf_pairs_, again_, hit_buffers_[2];
   Bindings bindings_;
-  std::uint64_t item_count_ = 0, relation_count_ = 0, pose_count_ = 0;
+  std::uint64_t item_count_ = 0, relation_count_ = 0;
   std::uint32_t steps_ = 0;
   Control next_{};  ///< what the control block is to be before the next part
   unsigned part_ = 0;

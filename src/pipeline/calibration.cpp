@@ -275,6 +275,10 @@ class Known {
     const auto found = constants_.find(name);
     return found != constants_.end() ? found->second : constants_[name] = measure();
   }
+  bool has(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    return constants_.contains(name);
+  }
   template <class Change>
   void change(const std::string& name, const Change& change) {
     const std::lock_guard lock(mutex_);
@@ -352,6 +356,8 @@ constexpr std::string_view kCalibrationTitle = "impinge calibration 2";
 schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevice>& device) {
   return known_devices().get(name_of(*device), [&] { return calibrate(device); });
 }
+
+bool is_calibrated(const std::shared_ptr<gpu::ReadyDevice>& device) { return known_devices().has(name_of(*device)); }
 
 void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds) {
   if (!(predicted_seconds > 0) || !(seconds > 0)) return;

@@ -46,8 +46,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 void DeviceDriver::drive(const DevicePart::Sink& sink) {
   const FloatEnvironment nearest;
   try {
-    if (reserved_) {
-      taken_ = reserved_->end;  // also where the device cannot be opened
+    if (reserved_) taken_ = reserved_->end;  // also where the device cannot be opened
+    if (is_all_) {
       if (open()) run(*reserved_, sink);
     } else {
       drive_by_cost(sink);
@@ -89,14 +89,15 @@ bool DeviceDriver::open() {
   return device_ != nullptr;
 }
 
-// The CPU begins at once; the device joins when the CPU has done enough for its speed to be known, and when what is
-// then left would take it longer than the constant time of a portion on the device.
+// The CPU begins at once; the device joins, unless it has a portion from the beginning, when the CPU has done enough
+// for its speed to be known, and when what is then left would take it longer than the constant time of a portion on the
+// device.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
-  if (!is_worth_asking(query_.options.device)) return;
+  if (!reserved_ && !is_worth_asking(query_.options.device)) return;
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatientSeconds && !is_over())
     std::this_thread::sleep_for(kPause);
   if (!device_) seconds_without.fetch_add(seconds_since(work_.start));
-  if (is_over()) return;
+  if (!reserved_ && is_over()) return;
   if (!open()) {
     if (query_.options.backend == "auto") help_for_auto = Help::none, complaint_.clear();
     return;
@@ -108,6 +109,12 @@ void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
   const std::size_t to_bring = part_->triangles_to_bring(work_.pieces);
   schedule::DevicePortions portions(mix_cpu / mix_device, constants.question,
                                     static_cast<double>(to_bring) * constants.mesh_triangle);
+  const auto run_portion = [&](const schedule::TwoEnded::Range& range) {
+    const Clock::time_point start = Clock::now();
+    run(range, sink);
+    portions.done(range.weight, seconds_since(start));
+  };
+  if (reserved_ && !reserved_->empty()) run_portion(*reserved_);
   while (!is_over()) {
     const double elapsed = seconds_since(work_.start), cpu_done = work_.cpu_done;
     if (portions.is_early(cpu_done, elapsed)) {
@@ -116,9 +123,7 @@ void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
     }
     const auto range = work_.row.take_front(portions.next(work_.row.left(), cpu_done, elapsed));
     if (range.empty()) break;
-    const Clock::time_point start = Clock::now();
-    run(range, sink);
-    portions.done(range.weight, seconds_since(start));
+    run_portion(range);
   }
   if (to_bring == 0) refine_calibration(device_, predict_seconds(), statistics_.device_seconds);
 }

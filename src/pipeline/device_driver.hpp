@@ -39,9 +39,11 @@ class DeviceDriver {
   /// One took so long on the CPU alone.
   static void count_without_help(double seconds);
 
-  /// Sets so much of all work aside for the device, before others take from it. Without it, the device takes what it
-  /// sees fit.
-  void reserve(double share) { reserved_ = work_.row.take_front(share * work_.row.total()); }
+  /// Sets so much of all work aside for the device, before others take from it. `is_all`: and no more; else the device
+  /// takes what it sees fit after that, and must be open.
+  void reserve(double share, bool is_all) {
+    reserved_ = work_.row.take_front(share * work_.row.total()), is_all_ = is_all;
+  }
 
   /// Returns when the device's part is done. Whatever goes wrong is in `complaint`.
   void drive(const DevicePart::Sink& sink);
@@ -54,6 +56,8 @@ class DeviceDriver {
   /// As it may be spoken of.
   [[nodiscard]] std::string device_name() const;
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  /// Whether the device has got meshes that it did not have.
+  [[nodiscard]] bool has_brought_meshes() const { return part_ && part_->has_brought_meshes(); }
   /// What the device's part should have taken by the cost function, with the constants of now.
   [[nodiscard]] double predict_seconds() const;
 
@@ -70,6 +74,7 @@ class DeviceDriver {
   std::optional<DevicePart> part_;
   const Statistics& mix_;
   std::optional<schedule::TwoEnded::Range> reserved_;
+  bool is_all_ = false;
   std::size_t taken_ = 0;
   unsigned portions_ = 0;
   std::vector<DevicePiece> left_;

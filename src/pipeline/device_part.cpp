@@ -3,6 +3,8 @@
 #include "pipeline/device_part.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -17,10 +19,13 @@ namespace impinge {
 
 /// Pieces whose meshes lie in the same two pages.
 struct DevicePart::Batch {
+  /// A pair of objects, and the meshes of its first and second tree.
+  struct Relation {
+    std::uint32_t object_pair;
+    const gpu::Resident *a, *b;
+  };
   std::uint32_t levels = 0;
-  std::vector<gpu::DeviceRelation> relations;
-  std::vector<gpu::DevicePoses> poses;      ///< a relation's; none on a device without doubles
-  std::vector<std::uint32_t> object_pairs;  ///< a relation's
+  std::vector<Relation> relations;
   std::vector<gpu::WorkItem> items;
 };
 
@@ -62,51 +67,41 @@ class DevicePart::Sorter {
   /// False if the device cannot take it.
   bool add(const DevicePiece& piece) {
     const broad::ObjectPair& objects = part_.pairs_[piece.object_pair];
-    const FastStages::Pair pair(part_.query_, objects);
-    const gpu::MeshStore::Use* const a = mesh_of(pair.swapped ? objects.b : objects.a);
-    const gpu::MeshStore::Use* const b = mesh_of(pair.swapped ? objects.a : objects.b);
-    if (a == nullptr || b == nullptr) return false;
-    const auto from_a = reference(**a, piece.nodes.a), from_b = reference(**b, piece.nodes.b);
-    if (!from_a || !from_b) return false;
-    Batch& batch = batches_[{(*a)->page, (*b)->page}];
-    if (batch.object_pairs.empty() || batch.object_pairs.back() != piece.object_pair) {
-      const auto relation = gpu::device_relation(pair.walk.relation, (*a)->extent, (*b)->extent);
-      if (!relation) return false;
-      batch.relations.push_back(*relation);
-      if (part_.opened_->with_doubles) batch.poses.push_back(poses(pair, **a, **b));
-      batch.object_pairs.push_back(piece.object_pair);
+    const MeshState *first = part_.query_.meshes[objects.a], *second = part_.query_.meshes[objects.b];
+    if (FastStages::Pair::is_swapped(*first, *second)) std::swap(first, second);
+    if (first != first_ || second != second_) {
+      first_ = first, second_ = second, batch_ = nullptr;
+      a_ = resident(*first), b_ = resident(*second);
+      if (a_ != nullptr && b_ != nullptr) batch_ = &batches_[{a_->page, b_->page}];
     }
-    batch.levels = std::max({batch.levels, (*a)->levels, (*b)->levels});
+    if (batch_ == nullptr) return false;
+    const auto from_a = reference(*a_, piece.nodes.a), from_b = reference(*b_, piece.nodes.b);
+    if (!from_a || !from_b) return false;
+    Batch& batch = *batch_;
+    if (batch.relations.empty() || batch.relations.back().object_pair != piece.object_pair)
+      batch.relations.push_back({piece.object_pair, a_, b_});
+    batch.levels = std::max({batch.levels, a_->levels, b_->levels});
     batch.items.push_back({*from_a, *from_b, static_cast<gpu::uint>(batch.relations.size() - 1)});
     return true;
   }
 
-  [[nodiscard]] const std::map<Pages, Batch>& batches() const { return batches_; }
+  [[nodiscard]] std::map<Pages, Batch>& batches() { return batches_; }
 
  private:
-  const gpu::MeshStore::Use* mesh_of(std::uint32_t object) {
-    const MeshState* const mesh = part_.query_.meshes[object];
-    auto found = meshes_.find(mesh);
-    if (found == meshes_.end()) found = meshes_.emplace(mesh, bring(*mesh)).first;
-    return found->second ? &*found->second : nullptr;
+  const gpu::Resident* resident(const MeshState& mesh) {
+    auto found = meshes_.find(&mesh);
+    if (found == meshes_.end()) found = meshes_.emplace(&mesh, bring(mesh)).first;
+    return found->second ? &**found->second : nullptr;
   }
 
   std::optional<gpu::MeshStore::Use> bring(const MeshState& mesh) {
     try {
+      part_.has_brought_meshes_ |= !part_.opened_->meshes.holds(&mesh.wide_tree);
       return part_.opened_->meshes.use({&mesh.wide_tree, &mesh.data, mesh.weak_from_this()}, part_.for_each_);
     } catch (const gpu::Failure&) {
       if (part_.opened_->device.is_lost()) throw;
       return std::nullopt;
     }
-  }
-
-  static gpu::DevicePoses poses(const FastStages::Pair& pair, const gpu::Resident& a, const gpu::Resident& b) {
-    gpu::DevicePoses poses = gpu::device_poses(pair.a.pose, *pair.a.mesh, pair.b.pose, *pair.b.mesh);
-    const auto set_first = [](const gpu::Resident& mesh, gpu::DevicePose& pose) {
-      pose.first_vertex = mesh.first[gpu::kVertices], pose.first_triangle = mesh.first[gpu::kTriangles];
-    };
-    set_first(a, poses.a), set_first(b, poses.b);
-    return poses;
   }
 
   static std::optional<gpu::uint> reference(const gpu::Resident& mesh, const hierarchy::TreeRef& node) {
@@ -120,6 +115,10 @@ class DevicePart::Sorter {
   DevicePart& part_;
   std::unordered_map<const MeshState*, std::optional<gpu::MeshStore::Use>> meshes_;
   std::map<Pages, Batch> batches_;
+  // Of the last piece: the next one mostly has the same meshes.
+  const MeshState *first_ = nullptr, *second_ = nullptr;
+  const gpu::Resident *a_ = nullptr, *b_ = nullptr;
+  Batch* batch_ = nullptr;
 };
 
 DevicePart::DevicePart(const Query& query, const broad::ObjectPairs& pairs, std::shared_ptr<gpu::ReadyDevice> opened)
@@ -150,10 +149,14 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
     StageClock clock;
     for (const DevicePiece& piece : some)
       if (!sorter.add(piece)) left.push_back(piece);
-    for (const auto& [pages, batch] : sorter.batches()) {
+    for (auto& [pages, batch] : sorter.batches()) {
+      const std::vector<std::uint32_t> too_far = write(batch, walk->room_for(batch.relations.size()));
+      std::copy_if(some.begin(), some.end(), std::back_inserter(left), [&](const DevicePiece& piece) {
+        return std::binary_search(too_far.begin(), too_far.end(), piece.object_pair);
+      });
       if (batch.items.empty()) continue;
-      walk->start({batch.relations, batch.items, pages.first, pages.second, batch.levels,
-                   first_only_ && (query_.options.kinds & kCrossing) != 0, batch.poses});
+      walk->start({batch.items, pages.first, pages.second, batch.levels,
+                   first_only_ && (query_.options.kinds & kCrossing) != 0});
       run(batch, *walk, sink, statistics);
       if (query_.options.stop.stop_requested()) return left;
     }
@@ -164,12 +167,44 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
   return left;
 }
 
+std::vector<std::uint32_t> DevicePart::write(Batch& batch, const gpu::WalkRelations& to) const {
+  constexpr std::size_t kAtOnce = 128;  // some tens of microseconds
+  const std::size_t count = batch.relations.size(), chunks = (count + kAtOnce - 1) / kAtOnce;
+  std::vector<char> is_too_far(count);
+  run_each(for_each_, chunks, [&](std::size_t chunk) {
+    for (std::size_t r = chunk * kAtOnce; r < std::min((chunk + 1) * kAtOnce, count); ++r) {
+      const auto& [object_pair, a, b] = batch.relations[r];
+      const FastStages::Pair pair(query_, pairs_[object_pair]);
+      const auto relation = gpu::device_relation(pair.walk.relation, a->extent, b->extent);
+      is_too_far[r] = relation ? 0 : 1;
+      if (!relation) continue;
+      to.relations[r] = *relation;
+      if (to.poses.empty()) continue;
+      gpu::DevicePoses poses = gpu::device_poses(pair.a.pose, *pair.a.mesh, pair.b.pose, *pair.b.mesh);
+      poses.a.first_vertex = a->first[gpu::kVertices], poses.a.first_triangle = a->first[gpu::kTriangles];
+      poses.b.first_vertex = b->first[gpu::kVertices], poses.b.first_triangle = b->first[gpu::kTriangles];
+      to.poses[r] = poses;
+    }
+  });
+  std::vector<std::uint32_t> too_far;
+  for (std::size_t r = 0; r < count; ++r)
+    if (is_too_far[r] != 0) too_far.push_back(batch.relations[r].object_pair);
+  if (too_far.empty()) return too_far;
+  std::erase_if(batch.items, [&](const gpu::WorkItem& item) { return is_too_far[item.pair] != 0; });
+  std::sort(too_far.begin(), too_far.end());
+  return too_far;
+}
+
 std::size_t DevicePart::triangles_to_bring(std::span<const DevicePiece> pieces) const {
   std::size_t triangles = 0;
   std::unordered_set<const MeshState*> seen;
+  std::array<const MeshState*, 2> last{};
   for (const DevicePiece& piece : pieces) {
-    for (const std::uint32_t object : {pairs_[piece.object_pair].a, pairs_[piece.object_pair].b}) {
-      const MeshState* const mesh = query_.meshes[object];
+    const auto& [a, b] = pairs_[piece.object_pair];
+    const std::array meshes{query_.meshes[a], query_.meshes[b]};
+    if (meshes == last) continue;
+    last = meshes;
+    for (const MeshState* const mesh : meshes) {
       if (seen.insert(mesh).second && !opened_->meshes.holds(&mesh->wide_tree))
         triangles += mesh->data.triangles.size();
     }
@@ -178,8 +213,11 @@ std::size_t DevicePart::triangles_to_bring(std::span<const DevicePiece> pieces) 
 }
 
 void DevicePart::run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink, Statistics& statistics) {
+  StageClock clock;
   for (bool more = true; more && !query_.options.stop.stop_requested();) {
+    clock = StageClock();
     more = walk.advance();  // and the device goes on while its last hits are taken in
+    clock.charge(statistics.device_wait_seconds);
     take_in(batch, walk.hits(), sink, statistics);
   }
   statistics.box_tests += walk.work().box_tests;
@@ -207,7 +245,7 @@ void DevicePart::take_in(const Batch& batch, std::span<const gpu::Hit> hits, con
     for (; begin < ends_[r]; ++count) {
       const std::uint32_t size = std::min(ends_[r] - begin, Share::kMost);
       if (count == shares_.size()) shares_.emplace_back();
-      shares_[count].object_pair = batch.object_pairs[r];
+      shares_[count].object_pair = batch.relations[r].object_pair;
       shares_[count].hits = std::span(sorted_).subspan(begin, size);
       begin += size;
     }

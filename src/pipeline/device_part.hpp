@@ -44,11 +44,16 @@ class DevicePart {
 
   /// Of the pieces' meshes that are not on the device yet.
   [[nodiscard]] std::size_t triangles_to_bring(std::span<const DevicePiece> pieces) const;
+  /// Whether `run` has brought any.
+  [[nodiscard]] bool has_brought_meshes() const { return has_brought_meshes_; }
   [[nodiscard]] const std::shared_ptr<gpu::ReadyDevice>& device() const { return opened_; }
 
  private:
   class Sorter;
   struct Batch;
+  /// Writes what the device is to know of the batch's pairs of objects, and takes those out whose numbers are beyond
+  /// its range. Returns these, sorted.
+  std::vector<std::uint32_t> write(Batch& batch, const gpu::WalkRelations& to) const;
   void run(const Batch& batch, gpu::DeviceWalk& walk, const Sink& sink, Statistics& statistics);
   void take_in(const Batch& batch, std::span<const gpu::Hit> hits, const Sink& sink, Statistics& statistics);
   void sort(const Batch& batch, std::span<const gpu::Hit> hits);
@@ -56,7 +61,7 @@ class DevicePart {
   const Query& query_;
   const broad::ObjectPairs& pairs_;
   std::shared_ptr<gpu::ReadyDevice> opened_;
-  bool first_only_;
+  bool first_only_, has_brought_meshes_ = false;
   ForEach for_each_;
   // Scratch of take_in.
   struct Share;

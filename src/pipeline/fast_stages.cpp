@@ -16,8 +16,9 @@ constexpr hierarchy::WalkLimits kSlice{.leaf_pairs = 512, .box_tests = 65536};
 
 /// A search for one contact begins with a single pair of leaves and takes on twice as much with each slice: it ends
 /// soon where contacts abound, and where there are none it costs little more than the search for all.
+constexpr unsigned kFullSlice = 9;  // from this one on they are as long as those of a search for all
 hierarchy::WalkLimits first_slice(unsigned number) {
-  const std::size_t effort = std::size_t{1} << std::min(number, 9u);
+  const std::size_t effort = std::size_t{1} << std::min(number, kFullSlice);
   return {.leaf_pairs = effort,
           .box_tests = 1024 * effort,
           .at_once = std::min(effort, hierarchy::WalkLimits::kMostAtOnce),
@@ -70,14 +71,20 @@ FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
 }
 
 FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
-    : swapped(first.mesh.wide_tree.unit_exponent() < second.mesh.wide_tree.unit_exponent()),
+    : swapped(is_swapped(first.mesh, second.mesh)),
       a((swapped ? second : first).object),
       b((swapped ? first : second).object),
       walk{(swapped ? second : first).mesh.wide_tree, (swapped ? first : second).mesh.wide_tree, {}, for_each} {
   walk.relation = hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent());
 }
 
+bool FastStages::Pair::is_swapped(const MeshState& first, const MeshState& second) {
+  return first.wide_tree.unit_exponent() < second.wide_tree.unit_exponent();
+}
+
 void FastStages::configure(const Options& options) { first_only_ = options.find == Options::Find::first; }
+
+bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kFullSlice; }
 
 void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
                            Statistics& statistics) {

@@ -29,6 +29,8 @@ class FastStages {
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
+    /// Whether the second mesh's tree comes first.
+    static bool is_swapped(const MeshState& first, const MeshState& second);
     bool swapped;           ///< the first tree is that of the pair's second object
     bool is_self = false;   ///< both are one object
     Adjacency adjacency{};  ///< then
@@ -43,6 +45,9 @@ class FastStages {
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
   /// Of the last slice.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
+  /// Whether the next slice is so long that another thread may take a part of what is left: a search for one contact
+  /// begins with slices that are shorter than handing one over takes.
+  [[nodiscard]] bool is_worth_sharing() const;
 
  private:
   void decide_neighbours(const Pair& pair);

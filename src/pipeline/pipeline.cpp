@@ -3,9 +3,12 @@
 #include "pipeline/pipeline.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <tuple>
 #include <type_traits>
@@ -43,6 +46,16 @@ void add(Statistics& sum, const Statistics& s) {
 // a query's costs.
 constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
+constexpr int kSlicesForPieces = 8;
+
+// Hybrid queries: shorter ones are left to the CPU until a device is open and calibrated, and so many kinds of them are
+// remembered. A node takes as long to make as so many tests of boxes at most.
+constexpr double kShort = 1e-3;
+constexpr std::size_t kMostKinds = 64;
+constexpr std::uint64_t kBoxTestsForANode = 1000;
+/// Of what both sides' speeds ask for, what the device is given from the beginning: it takes more if there is more
+/// left.
+constexpr double kFirstShare = 0.85;
 
 /// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
 /// at a time, then the results.
@@ -55,8 +68,7 @@ class Pipeline {
         crew_(crew),
         memory_(memory),
         first_only_(options_.find == Options::Find::first) {
-    // A device and the CPU share work by how fast either is.
-    crew_.is_timed = options_.statistics || options_.predict_cost || memory_.asks_device || crew_.device != nullptr;
+    crew_.is_timed = options_.statistics || options_.predict_cost || crew_.device != nullptr;
   }
   ~Pipeline() { crew_.release(); }
   Pipeline(const Pipeline&) = delete;
@@ -78,8 +90,9 @@ class Pipeline {
 
     memory_.device_found.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
-      if (options_.backend == "auto") memory_.asks_device = DeviceDriver::may_help(query_, pairs());
-      crew_.is_timed |= memory_.asks_device;
+      if (options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
+        memory_.asks_device = true, memory_.device = gpu::Devices::of_process().look_up(options_.device).opened;
+      if (memory_.asks_device) choose_way();
       if (memory_.asks_device) work_with_device();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
@@ -94,6 +107,12 @@ class Pipeline {
     stage.charge(statistics.results_seconds);
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
     total.charge(statistics.total_seconds);
+    if (ways_ != nullptr) {
+      double seconds = 0;
+      since_choice_.charge(seconds);
+      const bool is_typical = is_typical_ && statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
+      ways_->add(way_, statistics, seconds, is_typical);
+    }
     if (options_.predict_cost) predict(statistics);
     if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
     contacts.partial = first_only_ || options_.kinds != kAllKinds;
@@ -209,10 +228,58 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
-  /// All work goes to the device with backend "gpu"; what it cannot take, or all of it if it fails, goes to the CPU.
-  /// With another one the CPU begins, and where it has much left to do, it shares that with the device.
+  /// Queries that are alike: by their number of pairs, the first one's sizes, to a power of 2, and what is asked.
+  [[nodiscard]] std::uint64_t kind() const {
+    const auto size = [](std::size_t n) { return static_cast<std::uint64_t>(std::bit_width(n)); };
+    const auto triangles = [&](std::uint32_t object) { return size(query_.meshes[object]->data.triangles.size()); };
+    std::uint64_t kind = first_only_ ? 1 : 0;
+    for (const std::uint64_t next : {std::uint64_t{options_.kinds}, static_cast<std::uint64_t>(options_.threads),
+                                     size(pairs().size()), triangles(pairs()[0].a), triangles(pairs()[0].b)})
+      kind = kind << 10 ^ next;
+    return kind ^ std::hash<std::string_view>()(options_.device);
+  }
+
+  /// Who answers: the device with backend "gpu", both where the caller says how they share; else who has done it most
+  /// quickly.
+  void choose_way() {
+    way_ = options_.backend == "gpu" ? schedule::Way::device : schedule::Way::both;
+    if (way_ == schedule::Way::device || options_.device_share >= 0 || pairs().empty()) return;
+    if (memory_.ways.size() >= kMostKinds) memory_.ways.clear();
+    ways_ = &memory_.ways[kind()];
+    since_choice_ = StageClock();
+    if (ways_->is_empty()) return;
+    if (memory_.device == nullptr || !is_calibrated(memory_.device)) {
+      if (ways_->last_seconds() < kShort) way_ = schedule::Way::cpu;
+    } else {
+      way_ = quickest_way();
+    }
+    memory_.asks_device = way_ != schedule::Way::cpu;
+  }
+
+  schedule::Way quickest_way() {
+    using schedule::Way;
+    const schedule::DeviceConstants device = calibrated_device(memory_.device);
+    const schedule::CostConstants cpu = calibrated_constants("simd");
+    const Statistics& last = ways_->last();
+    schedule::WaySeconds expected{};
+    const auto of = [&](Way way) -> double& { return expected[static_cast<std::size_t>(way)]; };
+    of(Way::cpu) = schedule::predict_seconds(last, cpu) / schedule::concurrency(options_.threads);
+    of(Way::device) = device.question + schedule::predict_device_seconds(last, device) +
+                      static_cast<double>(last.exact_calls) * cpu.exact_call;
+    // Both end together: a portion is what is needed to make it so.
+    const double alone = ways_->seconds(Way::cpu, expected), with_device = ways_->seconds(Way::device, expected);
+    const double share =
+        schedule::device_portion(1, {1 / alone, 1 / std::max(with_device - device.question, 1e-9), device.question});
+    of(Way::both) = share > 0 ? (1 - share) * alone : std::numeric_limits<double>::infinity();
+    const Way way = ways_->quickest(expected);
+    if (way == Way::both) first_share_ = kFirstShare * std::min(share, 1.0);
+    return way;
+  }
+
+  /// All work goes to the device, and what it cannot take, or all of it if it fails, to the CPU; or the CPU begins, and
+  /// where it has much left to do, it shares that with the device.
   void work_with_device() {
-    const bool are_shared = options_.backend != "gpu", are_many = pairs().size() >= kManyPairs;
+    const bool are_shared = way_ == schedule::Way::both, are_many = pairs().size() >= kManyPairs;
     const bool are_whole = are_many || !are_shared;
     std::vector<DevicePiece> pieces;
     std::vector<std::vector<DevicePiece>> opened(are_whole ? 0 : pairs().size());
@@ -245,12 +312,11 @@ class Pipeline {
   void open_up(std::uint32_t object_pair, Worker<Stages>& worker, std::vector<DevicePiece>& pieces) {
     const typename Stages::Pair pair(query_, pairs()[object_pair]);
     const std::size_t enough = std::max<std::size_t>(kPieces / pairs().size(), 1);
-    bool fresh = true;
+    int slices = 0;
     do {
-      run_slice(pair, object_pair, fresh, worker);
-      fresh = false;
-    } while (!worker.stack.empty() && worker.stack.size() < enough && !settled(object_pair) &&
-             !options_.stop.stop_requested());
+      run_slice(pair, object_pair, slices == 0, worker);
+    } while (++slices < kSlicesForPieces && !worker.stack.empty() && worker.stack.size() < enough &&
+             !settled(object_pair) && !options_.stop.stop_requested());
     if (settled(object_pair)) worker.stack.clear();
     for (const hierarchy::TreeRefPair& nodes : worker.stack) pieces.push_back({object_pair, nodes});
     if (worker.stack.empty()) {
@@ -280,7 +346,11 @@ class Pipeline {
     const auto sink = [&](std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
       collect(memory_.device_found, object_pair, contacts);
     };
-    if (share >= 0) driver.reserve(share);
+    if (share >= 0) {
+      driver.reserve(share, true);
+    } else if (first_share_ > 0) {
+      driver.reserve(first_share_, false);
+    }
     if (share == 1) {
       driver.drive(sink);
     } else {
@@ -323,6 +393,7 @@ class Pipeline {
   /// Takes over the device's results, or its work.
   void finish(const DeviceDriver& driver) {
     std::span<const DevicePiece> undone = driver.left();
+    is_typical_ = driver.complaint().empty() && !driver.has_brought_meshes();
     if (!driver.complaint().empty()) {
       undone = driver.done();
       if (first_only_)
@@ -364,6 +435,8 @@ class Pipeline {
       while ((fresh || !worker.stack.empty()) && !options_.stop.stop_requested() && !settled(object_pair)) {
         run_slice(pair, object_pair, fresh, worker);
         fresh = false;
+        if constexpr (std::is_same_v<Stages, FastStages>)
+          if (!worker.stages.is_worth_sharing()) continue;
         share(object_pair, worker);
       }
       worker.stack.clear();
@@ -488,6 +561,12 @@ class Pipeline {
   bool first_only_;
   Statistics cpu_statistics_, device_statistics_;  ///< of either's part
   double cpu_seconds_ = 0;                         ///< the CPU's, beside the device
+  // Of a query with a device.
+  schedule::Way way_ = schedule::Way::device;
+  schedule::Ways* ways_ = nullptr;  ///< of its kind; null: it is not up to us
+  StageClock since_choice_{false};
+  double first_share_ = 0;
+  bool is_typical_ = true;
 };
 
 }  // namespace
@@ -529,7 +608,9 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
         is_sure ? devices.choose(query.options.device) : devices.look_up(query.options.device);
     if (choice.is_unknown) return Error{Code::no_device, choice.complaint};
     if (!choice.complaint.empty()) memory.warnings.push_back("the CPU does all the work: " + choice.complaint);
-    memory.asks_device = choice.complaint.empty() && query.options.backend != "raster";
+    // A hybrid query leaves out a program that would take its time from the CPU's threads.
+    memory.asks_device =
+        choice.complaint.empty() && query.options.backend != "raster" && (is_sure || !choice.is_software);
     memory.device = std::move(choice.opened);
   }
   if (query.options.backend == "raster") {

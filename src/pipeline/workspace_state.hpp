@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "broad/near_pairs.hpp"
@@ -20,6 +21,7 @@
 #include "pipeline/touch_search.hpp"
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
+#include "schedule/ways.hpp"
 
 namespace impinge {
 
@@ -77,6 +79,7 @@ struct Workspace::State {
   bool asks_device = false;                  ///< in the query at hand
   std::shared_ptr<gpu::ReadyDevice> device;  ///< then; null: not opened yet
   results::Collector device_found;
+  std::unordered_map<std::uint64_t, schedule::Ways> ways;  ///< of hybrid queries, by kind
   std::vector<std::string> warnings;
 };
 

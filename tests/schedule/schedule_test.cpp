@@ -21,6 +21,7 @@
 #include "schedule/parallel.hpp"
 #include "schedule/split.hpp"
 #include "schedule/two_ended.hpp"
+#include "schedule/ways.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
@@ -439,6 +440,44 @@ TEST(DevicePortions, AreNoneWhereADeviceGainsNothing) {
 }
 
 /// What is kept in a file comes back, and what is no calibration is passed over.
+/// Whatever the cost function expects, within a factor of 2, soon each query goes the way that takes least, and does so
+/// again when that changes.
+TEST(Ways, AreTheQuickest) {
+  test::Seeded seeded(7);
+  const auto random_seconds = [&] {
+    return schedule::WaySeconds{seeded.random.uniform(1, 9), seeded.random.uniform(1, 9), seeded.random.uniform(1, 9)};
+  };
+  for (int scene = 0; scene < 200; ++scene) {
+    schedule::Ways ways;
+    schedule::WaySeconds expected{};
+    for (const int queries : {20, 4000}) {
+      const schedule::WaySeconds truth = random_seconds();
+      const double least = *std::min_element(truth.begin(), truth.end());
+      if (ways.is_empty())
+        for (std::size_t i = 0; i < schedule::kWays; ++i) expected[i] = truth[i] * seeded.random.uniform(0.5, 2);
+      double late = 0;  // in the second half
+      for (int query = 0; query < queries; ++query) {
+        const schedule::Way way = ways.quickest(expected);
+        const double seconds = truth[static_cast<std::size_t>(way)] * seeded.random.uniform(1, 1.01);
+        if (query >= queries / 2) late += seconds;
+        ways.add(way, {.box_tests = 1'000'000}, seconds, true);
+      }
+      EXPECT_LE(late / (queries - queries / 2), 1.05 * least);
+    }
+  }
+}
+
+/// A query that made a tree or uploaded a mesh says nothing of the next.
+TEST(Ways, ForgetWhatIsDoneOnlyOnce) {
+  schedule::Ways ways;
+  EXPECT_TRUE(ways.is_empty());
+  ways.add(schedule::Way::device, {.box_tests = 1000}, 5, false);
+  EXPECT_FALSE(ways.is_empty());
+  EXPECT_EQ(ways.last_seconds(), 5);
+  EXPECT_EQ(ways.seconds(schedule::Way::device, {3, 2, 1}), 1);
+  EXPECT_EQ(ways.quickest({3, 2, 1}), schedule::Way::device);
+}
+
 TEST(Calibration, IsTextThatComesBack) {
   const std::string title = "impinge calibration 2\n";
   set_calibration(title + "device 1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
