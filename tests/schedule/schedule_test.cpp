@@ -449,12 +449,11 @@ TEST(Ways, AreTheQuickest) {
   };
   for (int scene = 0; scene < 200; ++scene) {
     schedule::Ways ways;
-    schedule::WaySeconds expected{};
     for (const int queries : {20, 4000}) {
       const schedule::WaySeconds truth = random_seconds();
       const double least = *std::min_element(truth.begin(), truth.end());
-      if (ways.is_empty())
-        for (std::size_t i = 0; i < schedule::kWays; ++i) expected[i] = truth[i] * seeded.random.uniform(0.5, 2);
+      schedule::WaySeconds expected{};
+      for (std::size_t i = 0; i < schedule::kWays; ++i) expected[i] = truth[i] * seeded.random.uniform(0.5, 2);
       double late = 0;  // in the second half
       for (int query = 0; query < queries; ++query) {
         const schedule::Way way = ways.quickest(expected);
