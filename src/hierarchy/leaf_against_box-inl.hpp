@@ -12,70 +12,153 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "hierarchy/wide_leaf.hpp"
+#include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::hierarchy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The square of a lower bound of the distance between a leaf's triangles and a box in the leaf's frame, by the
-/// triangles' boxes and by their planes; 0 if they may share a point. The box's numbers are in a unit in which the
-/// leaf's are to be multiplied by `scale`. At most 1e36.
-//
-// Corners are off by e = scale * leaf.error each. With u = 2^-24, edges a and b from the first corner, A their largest
-// coordinate, c from there to the box's centre, and E the largest coordinate of c with the box's largest half extent,
-// det(a, b, x) is off for every x of the box, its six terms of a, b (each off by 2 e + u A) and x (off by e + u E), by
-//   6 (2 (2 e + u A) A E + (e + u E) A A) from its inputs and 29 u A A E from its arithmetic.
-// The same again covers what the computed normal's errors do to the box's extent along it and to its own length.
-// Underflow adds less than 2^-110, for no coordinate is above a few times the trees' extents, which are about 1. The
-// roundings of half + e and of the centre's difference from a corner are left to the slack in `half`, which is larger
-// (hierarchy/wide_boxes-inl.hpp).
-HWY_INLINE float square_gap(const WideLeaf& leaf, float scale, const float center[3], const float half[3]) {
-  const hn::CappedTag<float, 16> d;
-  using V = hn::Vec<decltype(d)>;
-  const V factor = hn::Set(d, scale), error = hn::Set(d, scale * leaf.error), zero = hn::Zero(d);
+using TriangleLanes = hn::CappedTag<float, 16>;
+
+/// A leaf, and boxes of a node of the other tree.
+struct LeafAgainstNode {
+  /// `relation` is that of the two, in which the leaf is A's or B's. The mapped boxes are in its frame, in a unit in
+  /// which its numbers are to be multiplied by `scale`; mapping added `slack`.
+  HWY_INLINE LeafAgainstNode(const WideLeaf& of_leaf, float leaf_scale, bool leaf_is_a, const FrameRelation& relation,
+                             const BoxSide& of_node, float mapping_slack)
+      : leaf(of_leaf), scale(leaf_scale), boxes(of_node), slack(std::min(mapping_slack, kMost)) {
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) turn[k][i] = leaf_is_a ? relation.columns[k][i] : relation.columns[i][k];
+    const hn::CappedTag<float, kWidth> d;
+    for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
+      auto largest = hn::Zero(d);
+      for (int i = 0; i < 3; ++i) {
+        const auto center = hn::Load(d, boxes.mapped.center[i] + lane);
+        const auto half = hn::Min(hn::Load(d, boxes.mapped.half[i] + lane), hn::Set(d, kMost));
+        hn::Store(hn::Sub(center, half), d, lo[i] + lane);
+        hn::Store(hn::Add(center, half), d, hi[i] + lane);
+        largest = hn::Max(largest, hn::Add(hn::Abs(center), half));
+      }
+      hn::Store(hn::Add(largest, hn::Set(d, 1.001f * scale * leaf.frame.radius)), d, extent + lane);
+    }
+  }
+
   // Finite, so that no product is a NaN; and larger than any centre, which is at most 1e20 away.
-  constexpr float kMostHalf = 1e25f;
-  float reach_of_box[3];
-  for (int i = 0; i < 3; ++i) reach_of_box[i] = half[i] < kMostHalf ? half[i] : kMostHalf;
-  const V most_half = hn::Set(d, std::max(reach_of_box[0], std::max(reach_of_box[1], reach_of_box[2])));
-  const V far = hn::Set(d, 1e18f);
-  V least = hn::Set(d, 1e36f);
-  for (std::size_t lane = 0; lane < leaf.count; lane += hn::Lanes(d)) {
-    V a[3], b[3], c[3];
-    V A = zero, E = zero, square = zero;
+  static constexpr float kMost = 1e25f;
+
+  const WideLeaf& leaf;
+  float scale;
+  const BoxSide& boxes;
+  float slack;
+  float turn[3][3];                  ///< [k][i]: along axis i of the leaf's frame, of axis k of the boxes' own
+  alignas(64) float lo[3][kWidth];   ///< of the mapped boxes
+  alignas(64) float hi[3][kWidth];   ///< of the mapped boxes
+  alignas(64) float extent[kWidth];  ///< at least the largest coordinates of the box and of the leaf, together
+};
+
+/// As many of a leaf's triangles as there are lanes, and the distance of boxes from them: by the triangles' boxes and
+/// by their planes, on which a box's extent is that along its own axes.
+//
+// Corners are off by e = scale * leaf.error each. With u = 2^-24, edges a and b from the first corner p, A their
+// largest coordinate, and E at least the largest coordinate of p and that of the box's centre and half extent,
+// together, det(a, b, x - p) is off for every x of the box, its six terms of a, b (each off by 2 e + u A) and x - p
+// (off by e + u E), by
+//   6 (2 (2 e + u A) A E + (e + u E) A A) from its inputs and 29 u A A E from its arithmetic.
+// The same again covers what the computed normal's errors do to the box's extent along it and to its own length; and
+// 60 u A A E the rounding of the normal in the box's frame (4 u of each of three products, of |n| <= 2 A A a
+// coordinate, and mapped half extents up to E) and of the extent's six.
+// Underflow adds less than 2^-110, for no coordinate is above a few times the trees' extents, which are about 1. The
+// roundings of a box's faces and of lo - e and hi + e are left to the slack, which is larger
+// (hierarchy/wide_boxes-inl.hpp).
+class TrianglesAgainstBoxes {
+ public:
+  using V = hn::Vec<TriangleLanes>;
+
+  /// Those from number `lane` on.
+  HWY_INLINE TrianglesAgainstBoxes(const LeafAgainstNode& pair, std::size_t lane) : pair_(pair) {
+    const TriangleLanes d;
+    const WideLeaf& leaf = pair.leaf;
+    const V factor = hn::Set(d, pair.scale), error = hn::Set(d, pair.scale * leaf.error);
+    V a[3], b[3], p[3], A = hn::Zero(d), flat = hn::Zero(d), length = hn::Set(d, 0x1p-100f);
     for (int i = 0; i < 3; ++i) {
       const auto corner = [&](int k) HWY_ATTR { return hn::Mul(factor, hn::Load(d, leaf.row(3 * k + i) + lane)); };
-      const V p = corner(0), q = corner(1), r = corner(2);
-      const V middle = hn::Set(d, center[i]), reach = hn::Add(hn::Set(d, reach_of_box[i]), error);
-      const V apart = hn::Max(hn::Sub(hn::Min(p, hn::Min(q, r)), middle), hn::Sub(middle, hn::Max(p, hn::Max(q, r))));
-      const V gap = hn::Min(hn::Max(hn::Sub(apart, reach), zero), far);
-      square = hn::MulAdd(gap, gap, square);
-      a[i] = hn::Sub(q, p), b[i] = hn::Sub(r, p), c[i] = hn::Sub(middle, p);
-      A = hn::Max(A, hn::Max(hn::Abs(a[i]), hn::Abs(b[i]))), E = hn::Max(E, hn::Abs(c[i]));
+      p[i] = corner(0);
+      const V q = corner(1), r = corner(2);
+      lo_[i] = hn::Sub(hn::Min(p[i], hn::Min(q, r)), error), hi_[i] = hn::Add(hn::Max(p[i], hn::Max(q, r)), error);
+      a[i] = hn::Sub(q, p[i]), b[i] = hn::Sub(r, p[i]);
+      A = hn::Max(A, hn::Max(hn::Abs(a[i]), hn::Abs(b[i])));
     }
-    E = hn::Add(E, most_half);
-    V along = zero, extent = zero, length = hn::Set(d, 0x1p-100f);
+    level_ = hn::Zero(d);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const V normal = hn::Sub(hn::Mul(a[j], b[k]), hn::Mul(a[k], b[j]));
-      along = hn::MulAdd(normal, c[i], along);
-      extent = hn::MulAdd(hn::Abs(normal), hn::Set(d, reach_of_box[i]), extent);
-      length = hn::MulAdd(normal, normal, length);
+      normal_[i] = hn::Sub(hn::Mul(a[j], b[k]), hn::Mul(a[k], b[j]));
+      level_ = hn::MulAdd(normal_[i], p[i], level_);
+      flat = hn::Add(flat, hn::Abs(normal_[i]));
+      length = hn::MulAdd(normal_[i], normal_[i], length);
     }
-    // A (25 e E + 6.1 e A + 50 u A E), twice
-    const V off = hn::Mul(hn::Mul(hn::Set(d, 2.0f), A),
-                          hn::MulAdd(error, hn::MulAdd(hn::Set(d, 25.0f), E, hn::Mul(hn::Set(d, 6.1f), A)),
-                                     hn::Mul(hn::Set(d, 0x1.9p-19f), hn::Mul(A, E))));
-    const V beyond = hn::Sub(hn::Abs(along), hn::Add(hn::Add(extent, off), hn::Set(d, 0x1p-100f)));
-    const V gap = hn::Min(hn::Max(hn::Div(beyond, hn::Sqrt(length)), zero), far);
-    square = hn::Max(square, hn::Mul(gap, gap));
-    least = hn::Min(least, hn::IfThenElse(hn::FirstN(d, leaf.count - lane), square, least));
+    for (int k = 0; k < 3; ++k) {
+      const auto part = [&](int i) HWY_ATTR { return hn::Set(d, pair.turn[k][i]); };
+      turned_[k] =
+          hn::Abs(hn::MulAdd(part(0), normal_[0], hn::MulAdd(part(1), normal_[1], hn::Mul(part(2), normal_[2]))));
+    }
+    length_ = hn::Sqrt(length);
+    // 2 A (25 e E + 6.1 e A + 80 u A E), in two parts
+    A = hn::Mul(A, hn::Set(d, 2.0f));
+    off_ = hn::MulAdd(hn::Set(d, pair.slack), flat,
+                      hn::MulAdd(hn::Mul(A, A), hn::Mul(error, hn::Set(d, 3.05f)), hn::Set(d, 0x1p-100f)));
+    off_by_E_ = hn::Mul(A, hn::MulAdd(error, hn::Set(d, 25.0f), hn::Mul(hn::Set(d, 0x1.4p-19f), A)));
+    size_ = leaf.count - lane;
   }
-  return (1 - 0x1p-18f) * hn::GetLane(hn::MinOfLanes(d, least));
-}
+
+  /// The triangles that may share a point with a box.
+  HWY_INLINE hn::Mask<TriangleLanes> meet(int box) const {
+    const TriangleLanes d;
+    auto meet = hn::And(hn::FirstN(d, size_), hn::Le(beyond(box), hn::Zero(d)));
+    for (int i = 0; i < 3; ++i) {
+      const auto overlap =
+          hn::And(hn::Le(lo_[i], hn::Set(d, pair_.hi[i][box])), hn::Ge(hi_[i], hn::Set(d, pair_.lo[i][box])));
+      meet = hn::And(meet, overlap);
+    }
+    return meet;
+  }
+
+  /// The square of a lower bound of the distance between any of the triangles and a box; 0 if they may share a point.
+  /// At most 1e36.
+  HWY_INLINE float square_gap(int box) const {
+    const TriangleLanes d;
+    const V zero = hn::Zero(d), far = hn::Set(d, 1e18f);
+    V square = zero;
+    for (int i = 0; i < 3; ++i) {
+      const V apart =
+          hn::Max(hn::Sub(lo_[i], hn::Set(d, pair_.hi[i][box])), hn::Sub(hn::Set(d, pair_.lo[i][box]), hi_[i]));
+      const V gap = hn::Min(hn::Max(apart, zero), far);
+      square = hn::MulAdd(gap, gap, square);
+    }
+    const V gap = hn::Min(hn::Max(hn::Div(beyond(box), length_), zero), far);
+    square = hn::IfThenElse(hn::FirstN(d, size_), hn::Max(square, hn::Mul(gap, gap)), hn::Set(d, 1e36f));
+    return (1 - 0x1p-18f) * hn::GetLane(hn::MinOfLanes(d, square));
+  }
+
+ private:
+  /// The distance of a box from the planes, times the length of the normal; not above 0 if they may share a point.
+  HWY_INLINE V beyond(int box) const {
+    const TriangleLanes d;
+    V along = level_, extent = off_;
+    for (int i = 0; i < 3; ++i) {
+      along = hn::NegMulAdd(normal_[i], hn::Set(d, pair_.boxes.mapped.center[i][box]), along);
+      extent = hn::MulAdd(turned_[i], hn::Set(d, pair_.boxes.half[i][box]), extent);
+    }
+    return hn::Sub(hn::Abs(along), hn::MulAdd(off_by_E_, hn::Set(d, pair_.extent[box]), extent));
+  }
+
+  const LeafAgainstNode& pair_;
+  V lo_[3], hi_[3], normal_[3], turned_[3];
+  V level_, length_, off_, off_by_E_;
+  std::size_t size_;
+};
 
 }  // namespace impinge::hierarchy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

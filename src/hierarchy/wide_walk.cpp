@@ -64,19 +64,25 @@ struct Overlaps {
   Opening opening;
 };
 
-/// Whether any triangle of a leaf may touch a node's whole box. Asked where the node is much the smaller: a large
-/// triangle would otherwise be held against every leaf below it.
-bool leaf_may_meet_node(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees) {
+/// A leaf against the children of a node that is much the smaller: a bit for each child's box that some triangle may
+/// touch. By the leaf's one box a large triangle would be held against every leaf below.
+unsigned met_by_triangles(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees) {
   const bool leaf_is_a = pair.a.is_leaf();
   const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();
   const auto scale = static_cast<float>(trees.scale);
-  BoxSide node;
+  BoxSide boxes;
   Boxes own;
-  leaf_is_a ? keep_whole(pair.b, scale, own, node) : keep_whole(pair.a, 1, own, node);
-  map_to_other(node, !leaf_is_a, relation, slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius));
-  const auto& [center, half] = node.mapped;
-  const float middle[3] = {center[0][0], center[1][0], center[2][0]}, reach[3] = {half[0][0], half[1][0], half[2][0]};
-  return square_gap(leaf, leaf_is_a ? 1 : scale, middle, reach) == 0;
+  leaf_is_a ? open(pair.b.node(), scale, own, boxes) : open(pair.a.node(), 1, own, boxes);
+  const float slack = slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius);
+  map_to_other(boxes, !leaf_is_a, relation, slack);
+  const LeafAgainstNode lies(leaf, leaf_is_a ? 1 : scale, leaf_is_a, relation, boxes, slack);
+  unsigned met = 0;
+  for (std::size_t lane = 0; lane < leaf.count; lane += hn::Lanes(TriangleLanes())) {
+    const TrianglesAgainstBoxes triangles(lies, lane);
+    for (int box = 0; box < boxes.size; ++box)
+      met |= static_cast<unsigned>(!hn::AllFalse(TriangleLanes(), triangles.meet(box))) << box;
+  }
+  return met;
 }
 
 /// Of a node's children with each other: each with itself and with those that come after it.
@@ -91,8 +97,9 @@ Overlaps overlaps_of(const WideWalk& walk, const TreeRefPair& pair, const FrameR
                      WalkCounts& counts) {
   const TreeRelation& trees = walk.relation;
   Overlaps result{0, 0, opening_of(pair.a, pair.b, trees)};
-  if (is_leaf_against_smaller(pair.a, pair.b, trees) && !leaf_may_meet_node(pair, relation, trees)) {
-    ++counts.box_tests;
+  if (is_leaf_against_smaller(pair.a, pair.b, trees)) {
+    counts.box_tests += (pair.a.is_leaf() ? pair.b : pair.a).node().size;
+    result.bits = met_by_triangles(pair, relation, trees);
     return result;
   }
   BoxSide a, b;

@@ -27,6 +27,7 @@ using hierarchy::WideLeaf;
 using hierarchy::HWY_NAMESPACE::Boxes;
 using hierarchy::HWY_NAMESPACE::BoxSide;
 using hierarchy::HWY_NAMESPACE::FrameRelation;
+using hierarchy::HWY_NAMESPACE::TriangleLanes;
 using impinge::HWY_NAMESPACE::mask_bits;
 
 /// A gap is not taken for more than this: its square must not overflow.
@@ -89,19 +90,24 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_bo
   if (!hierarchy::HWY_NAMESPACE::is_leaf_against_smaller(ref_a, ref_b, trees)) return;
   // The leaf's one box says little: its triangles are compared with the boxes of the other's children.
   const WideLeaf& leaf = ref_a.is_leaf() ? ref_a.leaf() : ref_b.leaf();
-  const float scale = ref_a.is_leaf() ? 1 : static_cast<float>(trees.scale);
+  const hierarchy::HWY_NAMESPACE::LeafAgainstNode lies(
+      leaf, ref_a.is_leaf() ? 1 : static_cast<float>(trees.scale), ref_a.is_leaf(), relation, lanes,
+      hierarchy::HWY_NAMESPACE::slack_of(relation, trees, frame_of(ref_a).radius, frame_of(ref_b).radius));
+  float squares[kWidth];
+  std::fill_n(squares, kWidth, std::numeric_limits<float>::max());
+  for (std::size_t first = 0; first < leaf.count; first += hn::Lanes(TriangleLanes())) {
+    const hierarchy::HWY_NAMESPACE::TrianglesAgainstBoxes triangles(lies, first);
+    for (std::uint64_t left = bounds.bits; left != 0; left &= left - 1) {
+      const int lane = std::countr_zero(left);
+      squares[lane] = std::min(squares[lane], triangles.square_gap(lane));
+    }
+  }
   for (std::uint64_t left = bounds.bits; left != 0; left &= left - 1) {
     const int lane = std::countr_zero(left);
-    const auto& [center, half] = lanes.mapped;
-    const float middle[3] = {center[0][lane], center[1][lane], center[2][lane]};
-    const float reach[3] = {half[0][lane], half[1][lane], half[2][lane]};
-    const float square = hierarchy::HWY_NAMESPACE::square_gap(leaf, scale, middle, reach);
-    bounds.lower[0][lane] = std::max(bounds.lower[0][lane], shrink * std::sqrt(square));
-    if (square > most) bounds.bits &= ~(std::uint64_t{1} << lane);
+    bounds.lower[0][lane] = std::max(bounds.lower[0][lane], shrink * std::sqrt(squares[lane]));
+    if (squares[lane] > most) bounds.bits &= ~(std::uint64_t{1} << lane);
   }
 }
-
-using TriangleLanes = hn::CappedTag<float, 16>;
 
 /// A leaf's triangles in A's frame, the x of all first corners first, and their boxes.
 struct Triangles {
