@@ -39,22 +39,23 @@ class Scratch {
  public:
   FeaturePairs pairs;
 
+  /// `trees`: one or two.
+  explicit Scratch(std::size_t trees) : entries_(kEntries / trees) {}
+
   /// The features of a leaf of tree `which`; those of `kept` stay.
-  const LeafFeatures& features_of(const PathTree& tree, const Features& features, int which, std::size_t leaf,
+  const LeafFeatures& features_of(const PathTree& tree, const Features& features, std::size_t which, std::size_t leaf,
                                   const LeafFeatures* kept) {
-    Entry& usual = entries_[leaf % kEntries + (which == 0 ? 0 : kEntries)];
-    Entry& entry = &usual.features == kept && usual.leaf != leaf ? entries_.back() : usual;
-    if (entry.leaf != leaf) entry.features.read(tree, features, leaf), entry.leaf = leaf;
-    return entry.features;
+    const std::size_t usual = leaf % entries_ + which * entries_;
+    const std::size_t i = &features_[usual] == kept && leaves_[usual] != leaf ? kEntries : usual;
+    if (leaves_[i] != leaf) features_[i].read(tree, features, leaf), leaves_[i] = leaf;
+    return features_[i];
   }
 
  private:
-  static constexpr std::size_t kEntries = 128;
-  struct Entry {
-    std::size_t leaf = ~std::size_t{0};
-    LeafFeatures features;
-  };
-  std::vector<Entry> entries_{2 * kEntries + 1};
+  static constexpr std::size_t kEntries = 256;
+  std::size_t entries_;  ///< of each tree
+  std::vector<std::size_t> leaves_ = std::vector<std::size_t>(kEntries + 1, ~std::size_t{0});
+  std::unique_ptr<LeafFeatures[]> features_ = std::make_unique_for_overwrite<LeafFeatures[]>(kEntries + 1);
 };
 
 class Search {
@@ -131,7 +132,7 @@ class Search {
 
   std::unique_ptr<Scratch> take_scratch() {
     const std::scoped_lock lock(mutex_);
-    if (scratches_.empty()) return std::make_unique<Scratch>();
+    if (scratches_.empty()) return std::make_unique<Scratch>(itself_ ? 1 : 2);
     std::unique_ptr<Scratch> scratch = std::move(scratches_.back());
     scratches_.pop_back();
     return scratch;

@@ -11,22 +11,25 @@
 
 namespace impinge::motion {
 
-/// The features of eight triangles with their boxes: all faces, and of vertices and edges those in their care.
+/// The features of eight triangles with their boxes: all faces, and of vertices and edges those in their care. They lie
+/// in blocks, feature i in block i / 16. Most leaves have eight vertices or fewer, and no more than sixteen edges: that
+/// is in the first two blocks.
 struct LeafFeatures {
-  static constexpr int kMost = 3 * kWidth, kRoom = 32;
-  template <int kCount, std::size_t kCorners>
-  struct Group {
-    static constexpr std::size_t kVertices = kCorners;
-    PathBoxes<kCount> boxes;
-    alignas(64) std::uint32_t vertices[kVertices][kCount];
-    std::uint32_t index[kCount];
-    int count;
+  static constexpr int kMost = 3 * kWidth;
+  static constexpr int kBlock = 16, kBlocks = 4;
+  static constexpr int kVertices = kWidth, kEdges = kBlock, kOtherVertices = 3 * kBlock;  ///< the first of each kind
+  struct Block {
+    PathBoxes<kBlock> boxes;
+    std::uint32_t vertices[3][kBlock];  ///< of an edge the second one twice, of a vertex itself
+    std::uint32_t index[kBlock];
   };
-  Group<kWidth, 3> faces;
-  Group<kRoom, 2> edges;
-  Group<kRoom, 1> vertices;
-  std::uint32_t edges_of[kWidth], vertices_of[kWidth];  ///< bits of what is in the care of each face
-  PathBoxes<1> box;                                     ///< of all
+  Block blocks[kBlocks];
+  /// A bit for each feature.
+  std::uint64_t all;
+  static constexpr std::uint64_t kFaceBits = (std::uint64_t{1} << kVertices) - 1,
+                                 kEdgeBits = ((std::uint64_t{1} << kMost) - 1) << kEdges,
+                                 kVertexBits = ~(kFaceBits | kEdgeBits);
+  PathBoxes<1> box;  ///< of all
 
   void read(const PathTree& tree, const Features& features, std::size_t leaf);
 };

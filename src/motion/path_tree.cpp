@@ -29,8 +29,7 @@ class Splitter {
       : order_(order), middles_(corners.size()) {
     in_blocks(for_each, 4096, corners.size(), [&](std::size_t i) {
       const Corners& c = corners[i];
-      for (int k = 0; k < 3; ++k)
-        middles_[i][k] = points[c[0]].at[0][k] + points[c[1]].at[0][k] + points[c[2]].at[0][k];
+      for (int k = 0; k < 3; ++k) middles_[i][k] = points[c[0]].at[k] + points[c[1]].at[k] + points[c[2]].at[k];
     });
   }
 
@@ -100,14 +99,6 @@ void enclose(const PathTree::Node& below, PathTree::Node& boxes, int i) {
   }
 }
 
-/// Along all axes, of the first so many boxes, at both ends.
-double extents(const PathTree::Node& boxes, int count) {
-  double sum = 0;
-  for (const int lo : {0, 1, 2, 6, 7, 8})
-    for (int i = 0; i < count; ++i) sum += double{boxes.bounds[lo + 3][i]} - double{boxes.bounds[lo][i]};
-  return sum;
-}
-
 }  // namespace
 
 FloatFrame frame_of(std::span<const BoxPath> meshes) {
@@ -136,8 +127,8 @@ PathTree::PathTree(const Vertices& vertices, std::span<const Corners> corners, F
     const Vec3 from = plan.frame.scale * (vertices.from[i] - plan.frame.origin);
     Vec3 to = plan.frame.scale * (vertices.to[i] - plan.frame.origin);
     if (plan.end < 1) to = from + plan.end * (to - from);
-    points[i] = {{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)},
-                  {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z)}}};
+    points[i] = {{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0,
+                  static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
   });
   const auto bound_in_order = [&](std::vector<std::uint32_t> triangles) {
     auto made = std::make_shared<SpatialOrder>(std::move(triangles));
@@ -170,14 +161,22 @@ double PathTree::bound_leaves(std::span<const Corners> corners, const ForEach& f
   in_blocks(for_each, 64, levels[0].size(), [&](std::size_t node) {
     const std::size_t first = node * kWidth, last = std::min(boxes, first + kWidth);
     for (std::size_t i = first; i < last; ++i) {
-      Node triangles;
-      int count = 0;
-      for (const std::uint32_t triangle : triangles_of(i)) bound(corners[triangle], triangles, count++);
-      triangle_extents[node] += extents(triangles, count);
-      while (count < kWidth) triangles.clear(count++);
-      enclose(triangles, levels[0][node], static_cast<int>(i - first));
+      Around box;
+      std::ranges::fill(box.lo.at, kInfinity), std::ranges::fill(box.hi.at, -kInfinity);
+      for (const std::uint32_t triangle : triangles_of(i)) {
+        const Corners& c = corners[triangle];
+        const Point &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
+        Around next;
+        for (int k = 0; k < Point::kSize; ++k) {
+          next.lo.at[k] = std::min(std::min(p.at[k], q.at[k]), r.at[k]);
+          next.hi.at[k] = std::max(std::max(p.at[k], q.at[k]), r.at[k]);
+        }
+        triangle_extents[node] += next.extents();
+        box.add(next);
+      }
+      extents_of_eights[node] += box.extents();
+      box.write(margin, levels[0][node], static_cast<int>(i - first));
     }
-    extents_of_eights[node] = extents(levels[0][node], static_cast<int>(last - first));
   });
   const auto sum = [](const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); };
   const double whole = sum(triangle_extents);

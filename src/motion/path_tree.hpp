@@ -61,10 +61,11 @@ struct PathTree {
   PathTree(const Vertices& vertices, std::span<const Corners> corners, FeaturesCache* cache, const Plan& plan);
   static std::size_t height_for(std::size_t triangles);
 
-  /// A vertex in the frame at the start and at the end; of one that no triangle has, nothing. The latter may be off by
-  /// `margin`.
-  struct Point {
-    float at[2][3];
+  /// A vertex in the frame, at the start x, y, z and 0, and so at the end; of one that no triangle has, nothing. The
+  /// end may be off by `margin`.
+  struct alignas(32) Point {
+    static constexpr int kSize = 8, kEnd = 4;
+    float at[kSize];
   };
   double end_time;
   float margin;
@@ -77,20 +78,29 @@ struct PathTree {
     const std::span<const std::uint32_t> all = order->triangles;
     return all.subspan(leaf * kWidth, std::min<std::size_t>(kWidth, all.size() - leaf * kWidth));
   }
-  /// The box of a feature, to be written as number i.
-  template <int kCount, std::size_t kVertices>
-  void bound(const std::array<std::uint32_t, kVertices>& vertices, PathBoxes<kCount>& boxes, int i) const {
-    for (int state = 0; state < 2; ++state)
+  /// Lowest and highest coordinates, not yet with the margin.
+  struct Around {
+    Point lo, hi;
+    /// Written as number i.
+    template <int kCount>
+    void write(float margin, PathBoxes<kCount>& boxes, int i) const {
       for (int axis = 0; axis < 3; ++axis) {
-        float lo = points[vertices[0]].at[state][axis], hi = lo;
-        for (std::size_t k = 1; k < kVertices; ++k) {
-          const float x = points[vertices[k]].at[state][axis];
-          lo = std::min(lo, x), hi = std::max(hi, x);
-        }
-        boxes.bounds[6 * state + axis][i] = state == 0 ? lo : lo - margin;
-        boxes.bounds[6 * state + 3 + axis][i] = state == 0 ? hi : hi + margin;
+        boxes.bounds[axis][i] = lo.at[axis], boxes.bounds[3 + axis][i] = hi.at[axis];
+        boxes.bounds[6 + axis][i] = lo.at[Point::kEnd + axis] - margin;
+        boxes.bounds[9 + axis][i] = hi.at[Point::kEnd + axis] + margin;
       }
-  }
+    }
+    void add(const Around& other) {
+      for (int k = 0; k < Point::kSize; ++k)
+        lo.at[k] = std::min(lo.at[k], other.lo.at[k]), hi.at[k] = std::max(hi.at[k], other.hi.at[k]);
+    }
+    /// Along all axes, at both ends.
+    [[nodiscard]] double extents() const {
+      double sum = 0;
+      for (int k = 0; k < Point::kSize; ++k) sum += double{hi.at[k]} - double{lo.at[k]};
+      return sum;
+    }
+  };
 
  private:
   void add_level(std::size_t boxes);
