@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The impinge authors
 # SPDX-License-Identifier: MIT
 """The page's tables, by the name that stands in it. A name that is not here is a CSV file shown as it is."""
-from data import by_library, digits, grouped, markdown, number, slope
+from data import by_library, digits, geometric_mean, grouped, markdown, number, slope
 from targets import target_table
 
 DEVICE_BACKENDS = ["impinge raster", "impinge gpu", "impinge hybrid"]
@@ -19,19 +19,56 @@ def ratio_cell(row):
 
 def disagreement_cell(rows):
     missed, added = (sum(int(row[column]) for row in rows) for column in ("missed", "added"))
-    return "0" if missed == added == 0 else f"−{missed} +{added}"
+    wrong = sum(int(row.get("wrong_answers", row.get("wrong_object_pairs"))) for row in rows)
+    return ("0" if missed == added == 0 else f"−{missed} +{added}") + (f" ({wrong})" if wrong else "")
 
 
-def contest(tables, name, *keys):
-    """A row a question, a column a library: milliseconds, and how many times impinge's that is."""
-    groups = [(values, by_library(rows)) for values, rows in grouped(tables.rows(name), *keys)]
+def touching(tables):
+    """A row a family, a column a library: milliseconds, and how many times impinge's that is."""
+    groups = [(family, by_library(rows)) for (family,), rows in grouped(tables.rows("touching"), "family")]
     present = [library for library in LIBRARIES if any(library in libraries for _, libraries in groups)]
-    rows = []
-    for values, libraries in groups:
+    lines = []
+    for family, libraries in groups:
         ours = libraries["impinge"]
-        pairs = digits(number(ours["exact_pairs"]) / number(ours["questions"]))
-        rows.append([*values, pairs, ours["ms"], *(ratio_cell(libraries.get(library)) for library in present[1:])])
-    return markdown([*keys, "pairs a query", *present], rows)
+        count = digits(number(ours["exact_pairs"]) / number(ours["questions"]))
+        lines.append([family, count, ours["ms"], *(ratio_cell(libraries.get(library)) for library in present[1:])])
+    return markdown(["family", "pairs a query", *present], lines)
+
+
+def pairs(tables):
+    """A row a shape and case over all its meshes, a column a library: the mean of the ratios, the lowest and the highest."""
+    libraries = [library for library in LIBRARIES[1:] if tables.rows("pairs", library=library)]
+    lines = []
+    for values, rows in grouped(tables.rows("pairs"), "shape", "case"):
+        times = [number(row["ms"]) for row in rows if row["library"] == "impinge"]
+        cells = [spread_cell([number(row["ratio"]) for row in rows if row["library"] == library]) for library in libraries]
+        lines.append([*values, len(times), f"{digits(min(times))} to {digits(max(times))}", *cells])
+    return markdown(["shape", "case", "meshes", "impinge, ms", *libraries], lines)
+
+
+def spread_cell(ratios):
+    return f"{digits(geometric_mean(ratios))} ({digits(min(ratios))} to {digits(max(ratios))})" if ratios else "-"
+
+
+def build(tables):
+    """A row a mesh, a column a library: milliseconds, how many times impinge's that is, and bytes a triangle."""
+    rows = tables.rows("build")
+    libraries = [library for (library,), _ in grouped(rows, "library")]
+    lines = []
+    for values, group in grouped(rows, "mesh", "triangles"):
+        of = by_library(group)
+        lines.append([*values, *(f"{of[lib]['ms']} ({of[lib]['ratio']}), {of[lib]['bytes_a_triangle']}" for lib in libraries)])
+    return markdown(["mesh", "triangles", *libraries], lines)
+
+
+def cost(tables):
+    """A row a query, for both backends what T said and what the clock did."""
+    rows = tables.rows("cost")
+    backends = [backend for (backend,), _ in grouped(rows, "backend")]
+    columns = ["predicted ms", "measured ms", "predicted / measured"]
+    lines = [[query, *(row[column] for row in of_query for column in columns)]
+             for (query,), of_query in grouped(rows, "query")]
+    return markdown(["query", *(f"{backend}: {column}" for backend in backends for column in columns)], lines)
 
 
 def paper(tables):
@@ -49,7 +86,7 @@ def paper(tables):
 
 
 def truth(tables):
-    """Pairs missed and added by each library, summed over all that was asked."""
+    """Pairs missed and added by each library, summed over all that was asked, and how often its yes or no was wrong."""
     cases = [row for row in tables.rows("pairs") if not row["case"].startswith("first")]
     groups = [(f"{shape}, {case}", rows) for (shape, case), rows in grouped(cases, "shape", "case")]
     groups.append(("the paper's motion", tables.rows("paper")))
@@ -64,18 +101,6 @@ def truth(tables):
     return markdown(["scenes", "pairs", *libraries], lines)
 
 
-def yes_or_no(tables):
-    """Questions of which the yes or no was wrong."""
-    lines = []
-    for (family,), rows in grouped(tables.rows("touching"), "family"):
-        lines.append([family, rows[0]["questions"], *(row["wrong_answers"] for row in rows)])
-    for (assembly,), rows in grouped(tables.rows("assemblies"), "assembly"):
-        touching = f"{rows[0]['exact_object_pairs']} touching"
-        lines.append([assembly, touching, *(row["wrong_object_pairs"] for row in rows)])
-    libraries = [row["library"] for row in grouped(tables.rows("touching"), "family")[0][1]]
-    return markdown(["scenes", "motions, or pairs of parts", *libraries], lines)
-
-
 def slopes(tables):
     lines = []
     for (grows, library), rows in grouped(tables.rows("growth"), "grows", "library"):
@@ -85,10 +110,10 @@ def slopes(tables):
     return markdown(["time grows", "library", "from, to", "ms", "slope"], lines)
 
 
-def plain(tables, name):
+def plain(tables, name, **wanted):
     columns = tables.columns(name)
     return markdown([column.replace("_", " ") for column in columns],
-                    [[row[column] for column in columns] for row in tables.rows(name)])
+                    [[row[column] for column in columns] for row in tables.rows(name, **wanted)])
 
 
 def unequal(tables):
@@ -108,10 +133,12 @@ NAMED = {
     "targets": target_table,
     "paper": paper,
     "truth": truth,
-    "yes_or_no": yes_or_no,
     "slopes": slopes,
-    "pairs": lambda tables: contest(tables, "pairs", "shape", "mesh", "triangles", "case"),
-    "touching": lambda tables: contest(tables, "touching", "family"),
+    "pairs": pairs,
+    "build": build,
+    "cost": cost,
+    "cost_constants": lambda tables: plain(tables, "cost_constants", **{"leaf size": "default"}),
+    "touching": touching,
     "assembly_contest": lambda tables: plain(tables, "assemblies"),
 }
 

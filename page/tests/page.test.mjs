@@ -40,6 +40,20 @@ describe('the page', () => {
     }
   });
 
+  test('cuts no figure of a clash, however narrow the pane', async (t) => {
+    const page = await browser.visit(t, reviewPage(), { width: 320, height: 640, hash: '#clash=1' });
+    for (const width of [320, 900, 1000]) {
+      await page.setViewportSize({ width, height: 640 });
+      if (width < 900) await page.click('#panes [data-pane=details]');
+      const cut = await page.evaluate(() =>
+        [...document.querySelectorAll('#details-body dd')]
+          .filter((dd) => dd.scrollWidth > dd.clientWidth)
+          .map((dd) => `${dd.previousElementSibling.textContent}: ${dd.scrollWidth} > ${dd.clientWidth}`),
+      );
+      assert.deepEqual(cut, [], `${width} pixels`);
+    }
+  });
+
   test('is light or dark as the system is, until the button says otherwise', async () => {
     const page = await browser.take();
     const ground = () => page.evaluate(() => getComputedStyle(document.getElementById('parts')).backgroundColor);
