@@ -308,8 +308,8 @@ std::vector<Family> solid_families() {
           {"Degenerate", degenerate_pairs()},
           {"SelfPassing", self_passing_pairs()},
           {"Intervals", interval_pairs(1)},
-          {"Convex", convex_pairs(1, 120)},
-          {"Voxels", voxel_pairs(1, 120)}};
+          {"Convex", convex_pairs(1, 80)},
+          {"Voxels", voxel_pairs(1, 80)}};
 }
 
 }  // namespace impinge::scenes

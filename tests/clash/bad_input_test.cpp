@@ -67,6 +67,7 @@ struct BadInput {
   bool is_far = false;  ///< out of range
   /// At each tolerance; nothing: whatever it is.
   std::optional<Verdict> verdict{};
+  [[nodiscard]] bool is_large() const { return mesh.triangle_count() > 100'000; }
 };
 
 std::vector<BadInput> bad_input() {
@@ -77,7 +78,7 @@ std::vector<BadInput> bad_input() {
   const MeshData apart = scenes::joined(scenes::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}),
                                         scenes::inverted(scenes::box({2, 0, 0}, {3, 1, 1}))),
                  notched = scenes::block({0, 1e-3, 1}, {0, 1e-3, 1}, {0, 1e-3, 1});
-  const Mesh shells = test::mesh_of(crowd(25, 20, 20, 0));
+  const Mesh shells = test::mesh_of(crowd(10, 10, 10, 0));
   return {
       {"no triangles", mesh_of({}, {}), block, false, Verdict::apart},
       {"vertices alone", mesh_of({0, 0, 0, 0.5, 0.5, 0.5}, {}), block, false, Verdict::apart},
@@ -98,10 +99,11 @@ std::vector<BadInput> bad_input() {
       {"very small", scaled(scenes::cube(), 1e-200, 0), block, true},
       {"two shells of opposite winding", test::mesh_of(apart), block, false, Verdict::penetrating},
       {"a Moebius band", test::mesh_of(moebius_band()), block},
-      {"10,000 shells", shells, test::mesh_of(crowd(25, 20, 20, 0.25)), false, Verdict::penetrating},
-      {"10,000 shells in a block", shells, test::mesh_of(scenes::box({-1, -1, -1}, {30, 30, 30})), false,
+      {"10,000 shells", test::mesh_of(crowd(25, 20, 20, 0)), test::mesh_of(crowd(25, 20, 20, 0.25)), false,
+       Verdict::penetrating},
+      {"1,000 shells in a block", shells, test::mesh_of(scenes::box({-1, -1, -1}, {30, 30, 30})), false,
        Verdict::inside},
-      {"10,000 shells across a block", shells, test::mesh_of(scenes::box({-1, -1, -1}, {12.2, 30, 30})), false,
+      {"1,000 shells across a block", shells, test::mesh_of(scenes::box({-1, -1, -1}, {4.2, 30, 30})), false,
        Verdict::penetrating},
   };
 }
@@ -113,8 +115,9 @@ TEST(BadInput, IsRefusedOrJudged) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, Code::bad_mesh);
   }
-  for (const BadInput& each : bad_input()) {
+  for (const BadInput& each : bad_input())
     for (const bool swapped : {false, true}) {
+      if (swapped && each.is_large()) continue;
       SCOPED_TRACE(each.name + (swapped ? ", swapped" : ""));
       const Pair pair{"", swapped ? each.other : each.mesh, swapped ? each.mesh : each.other};
       const auto clashes = judged_at_once(pair, {std::nullopt, 0, 0.1});
@@ -131,7 +134,6 @@ TEST(BadInput, IsRefusedOrJudged) {
         }
       }
     }
-  }
 }
 
 /// At once, or when pairs are about to be judged.

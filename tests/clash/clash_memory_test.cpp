@@ -96,49 +96,47 @@ std::uint32_t pick(scenes::Random& random, std::uint32_t n) {
 }
 
 TEST(ClashMemory, ChangesNoAnswerWhateverMoves) {
-  for (std::uint64_t seed = 1; seed <= 2u; ++seed) {
-    test::Seeded seeded(seed);
-    scenes::Random& random = seeded.random;
-    Stage stage(parts(seed));
-    ClashMemory memory;
-    ClashOptions options{.clearance = 0.01};
-    std::size_t known = 0;
-    for (int frame = 0; frame < 16; ++frame) {
-      SCOPED_TRACE("frame " + std::to_string(frame));
-      switch (frame % 8) {
-        case 0:
-          options.depth_precision = frame == 0 ? 0.05 : 0.01;  // all stand still, and something else is asked
-          break;
-        case 1:
-        case 5:
-          for (int i = 0; i < 3; ++i) stage.move(pick(random, stage.size()), scenes::random_motion(random, 1));
-          break;
-        case 2:
-          for (std::uint32_t i = 0; i < stage.size(); i += 2) stage.move_back(i);
-          break;
-        case 3:
-          stage.reshape(pick(random, stage.size()), scenes::box({0, 0, 0}, {1.5, 0.5, 1}, 2));
-          break;
-        case 4:
-          options.regions = frame == 4;
-          options.volumes = frame == 12;
-          stage.add_again(pick(random, stage.size()));
-          break;
-        case 6:
-          for (std::uint32_t i = 0; i < 4; ++i) stage.toggle_ignored(i, i + 1);
-          break;
-        default:
-          options.tolerance = frame < 8 ? std::optional(0.0) : std::nullopt;
-      }
-      const auto expected = find_clashes(stage.anew(), options);
-      const auto found = find_clashes(stage.scene(), options, &memory);
-      ASSERT_TRUE(expected && found);
-      EXPECT_GT(expected->pairs.size(), 10u);
-      test::expect_same(*expected, *found);
-      known += memory.known_pairs();
+  test::Seeded seeded(1);
+  scenes::Random& random = seeded.random;
+  Stage stage(parts(1));
+  ClashMemory memory;
+  ClashOptions options{.clearance = 0.01};
+  std::size_t known = 0;
+  for (int frame = 0; frame < 16; ++frame) {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    switch (frame % 8) {
+      case 0:
+        options.depth_precision = frame == 0 ? 0.05 : 0.01;  // all stand still, and something else is asked
+        break;
+      case 1:
+      case 5:
+        for (int i = 0; i < 3; ++i) stage.move(pick(random, stage.size()), scenes::random_motion(random, 1));
+        break;
+      case 2:
+        for (std::uint32_t i = 0; i < stage.size(); i += 2) stage.move_back(i);
+        break;
+      case 3:
+        stage.reshape(pick(random, stage.size()), scenes::box({0, 0, 0}, {1.5, 0.5, 1}, 2));
+        break;
+      case 4:
+        options.regions = frame == 4;
+        options.volumes = frame == 12;
+        stage.add_again(pick(random, stage.size()));
+        break;
+      case 6:
+        for (std::uint32_t i = 0; i < 4; ++i) stage.toggle_ignored(i, i + 1);
+        break;
+      default:
+        options.tolerance = frame < 8 ? std::optional(0.0) : std::nullopt;
     }
-    EXPECT_GT(known, 100u);
+    const auto expected = find_clashes(stage.anew(), options);
+    const auto found = find_clashes(stage.scene(), options, &memory);
+    ASSERT_TRUE(expected && found);
+    EXPECT_GT(expected->pairs.size(), 10u);
+    test::expect_same(*expected, *found);
+    known += memory.known_pairs();
   }
+  EXPECT_GT(known, 50u);
 }
 
 TEST(ClashMemory, LooksOnlyAtWhatMoved) {

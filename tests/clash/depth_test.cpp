@@ -119,7 +119,7 @@ double depth_in_convex(const Mesh& inner, const Pose& pose_inner, const Mesh& co
     for (std::size_t x = 0; x < depths.size(); ++x)
       for (std::size_t y = 0; y < x; ++y)
         lines.push_back({depths[x].c - depths[y].c, depths[x].a - depths[y].a, depths[x].b - depths[y].b});
-    for (std::size_t x = 0; x < lines.size(); ++x) {
+    for (std::size_t x = 0; x < lines.size(); ++x)
       for (std::size_t y = 0; y < x; ++y) {
         const Linear &f = lines[x], &g = lines[y];
         const double determinant = f.a * g.b - f.b * g.a;
@@ -130,7 +130,6 @@ double depth_in_convex(const Mesh& inner, const Pose& pose_inner, const Mesh& co
         for (const Linear& d : depths) depth = std::min(depth, d.at(u, v));
         deepest = std::max(deepest, depth);
       }
-    }
   }
   return deepest;
 }

@@ -136,7 +136,7 @@ TEST(Flush, RegionsAreThoseOfTheExactContactAfterAnyMotion) {
 TEST(Flush, GapsAndOverlapsWithinTheToleranceHaveTheRegionsOfFlushFaces) {
   test::Seeded seeded(52);
   const double tolerance = 0x1p-7;
-  for (const double off : {0.9, 0.25, -0.25, -0.9}) {
+  for (const double off : {0.9, 0.25, -0.25, -0.9})
     for (int turn = 0; turn < 3; ++turn) {
       SCOPED_TRACE(off);
       const Pose pose = turn == 0 ? Pose{} : scenes::random_motion(seeded.random, 5);
@@ -158,7 +158,6 @@ TEST(Flush, GapsAndOverlapsWithinTheToleranceHaveTheRegionsOfFlushFaces) {
       const auto found = contact_regions(plate, pose, pin, pose, {.tolerance = tolerance}).value();
       expect_regions(found, {{length_of(12, 1), 2 * length_of(12, 1), {0, 0, -0.5}, {0, 0, 0}}}, pose, 2 * tolerance);
     }
-  }
 }
 
 /// What crosses is no area, at whatever angle, and its lines are the exact ones.

@@ -26,25 +26,15 @@ void expect_right(const scenes::Plant& plant, const ClashOptions& options) {
   for (const std::string& fault : answer.faults) ADD_FAILURE() << fault;
 }
 
-class PlantClash : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(PlantClash, FindsWhatWasPlanted) {
-  SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  expect_right(scenes::plant(700, {.seed = GetParam(), .turned = 0.5}), {.clearance = scenes::kPlantClearance});
+TEST(PlantClash, FindsWhatWasPlanted) {
+  expect_right(scenes::plant(700, {.seed = 1, .turned = 0.5}), {.clearance = scenes::kPlantClearance});
 }
 
-TEST_P(PlantClash, FindsItWithoutAClearance) {
-  SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  expect_right(scenes::plant(400, {.seed = GetParam(), .turned = 0.5}), {});
-}
+TEST(PlantClash, FindsItWithoutAClearance) { expect_right(scenes::plant(400, {.seed = 2, .turned = 0.5}), {}); }
 
-TEST_P(PlantClash, NeedsNoToleranceWhereNothingIsTurned) {
-  SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  expect_right(scenes::plant(700, {.seed = GetParam(), .turned = 0}),
-               {.tolerance = 0, .clearance = scenes::kPlantClearance});
+TEST(PlantClash, NeedsNoToleranceWhereNothingIsTurned) {
+  expect_right(scenes::plant(500, {.seed = 3, .turned = 0}), {.tolerance = 0, .clearance = scenes::kPlantClearance});
 }
-
-INSTANTIATE_TEST_SUITE_P(Seeds, PlantClash, testing::Range<std::uint64_t>(1, 3));
 
 }  // namespace
 }  // namespace impinge

@@ -43,7 +43,7 @@ TEST(RegionShapes, BoxesThatOverlapAlongAnEdge) {
 }
 
 TEST(RegionShapes, ABoxThroughAPlateIsOneRegionOfTwoLoops) {
-  for (const int n : {1, 4, 7}) {
+  for (const int n : {1, 4, 7})
     for (const int m : {1, 3}) {
       const Region region = region_between(box({-5, -5, 0}, {5, 5, 1}, m), box({-1, -1, -2}, {1, 1, 3}, n));
       EXPECT_NEAR(region.length, 16, 1e-11);
@@ -53,7 +53,6 @@ TEST(RegionShapes, ABoxThroughAPlateIsOneRegionOfTwoLoops) {
       ASSERT_EQ(region.lines.size(), 2u);
       for (const auto& line : region.lines) EXPECT_TRUE(is_closed(line));
     }
-  }
 }
 
 TEST(RegionShapes, AFinelyDividedBoltThroughAPlateIsOneRegion) {
@@ -118,7 +117,7 @@ TEST(RegionShapes, APinInABlockIsPushedOutAlongItself) {
 }
 
 TEST(RegionShapes, FlushBoxesShareTheAreaOfTheOverlap) {
-  for (const int n : {1, 2, 3, 7}) {
+  for (const int n : {1, 2, 3, 7})
     for (const int m : {1, 3, 4}) {
       const Region region = region_between(box({0, 0, 0}, {1, 1, 1}, n), box({0.25, 0.5, 1}, {1.5, 2, 2}, m));
       EXPECT_NEAR(region.area, 0.375, 1e-14);
@@ -128,7 +127,6 @@ TEST(RegionShapes, FlushBoxesShareTheAreaOfTheOverlap) {
       ASSERT_EQ(region.lines.size(), 1u) << n << ' ' << m;
       EXPECT_TRUE(is_closed(region.lines[0]));
     }
-  }
 }
 
 TEST(RegionShapes, CubesThatAreTheSameShareTheirSurface) {

@@ -14,7 +14,6 @@
 #include "impinge/collide.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "region_scenes.hpp"
-#include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/solids.hpp"
 

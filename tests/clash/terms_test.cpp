@@ -114,7 +114,7 @@ TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
     const Result<Clashes> found = find_clashes(scene, options);
     ASSERT_TRUE(found) << found.error().message;
     auto next = found->pairs.begin();
-    for (std::uint32_t a = 0; a < parts.size(); ++a) {
+    for (std::uint32_t a = 0; a < parts.size(); ++a)
       for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
         Clash alone = judge(parts[a].first, parts[a].second, parts[b].first, parts[b].second, options).value();
         alone.objects = {a, b};
@@ -122,7 +122,6 @@ TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
         ASSERT_NE(next, found->pairs.end());
         test::expect_same(alone, *next++);
       }
-    }
     EXPECT_EQ(next, found->pairs.end());
   }
 }

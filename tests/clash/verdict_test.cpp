@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "impinge/clash.hpp"
 #include "scenes/motion.hpp"
@@ -61,24 +62,27 @@ std::optional<Clash> judged(const Placed& a, const Placed& b, std::optional<doub
   return *std::move(clash);
 }
 
-void expect_verdict(const Judgement& expected, const Placed& a, const Placed& b, std::optional<double> tolerance) {
-  if (const auto clash = judged(a, b, tolerance)) {
+std::optional<Clash> expect_verdict(const Judgement& expected, const Placed& a, const Placed& b,
+                                    std::optional<double> tolerance) {
+  std::optional<Clash> clash = judged(a, b, tolerance);
+  if (clash) {
     EXPECT_EQ(expected, (Judgement{clash->verdict, clash->inner})) << "Note " << static_cast<int>(clash->note);
   }
+  return clash;
 }
 
-/// Both ways round.
-void expect_verdicts(const Judgement& expected, const Placed& a, const Placed& b, std::optional<double> tolerance) {
-  expect_verdict(expected, a, b, tolerance);
+/// Both ways round; what was found is that of the first.
+std::optional<Clash> expect_verdicts(const Judgement& expected, const Placed& a, const Placed& b,
+                                     std::optional<double> tolerance) {
+  std::optional<Clash> clash = expect_verdict(expected, a, b, tolerance);
   const testing::ScopedTrace trace(__FILE__, __LINE__, "swapped");
   expect_verdict(swapped(expected), b, a, tolerance);
+  return clash;
 }
 
 Mesh mapped(const Mesh& mesh, const Pose& pose, double scale = 1) {
   Affine map{.m = pose.R, .t = pose.t};
-  for (double& x : map.m) {
-    x *= scale;
-  }
+  for (double& x : map.m) x *= scale;
   return mesh.transformed(map).value();
 }
 
@@ -86,46 +90,56 @@ Mesh mapped(const Mesh& mesh, const Pose& pose, double scale = 1) {
 /// then differ by some ulps.
 Placed from_own_frame(const MeshData& mesh, const Pose& motion, Random& random) {
   std::array<double, 3> shift{};
-  for (double& s : shift) {
-    s = random.integer(-20, 20);
-  }
+  for (double& s : shift) s = random.integer(-20, 20);
   Pose pose = motion;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      pose.t[i] += motion.R[3 * i + k] * shift[k];
-    }
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) pose.t[i] += motion.R[3 * i + k] * shift[k];
   return {mesh_of(scenes::shifted(mesh, -shift[0], -shift[1], -shift[2])), pose};
 }
 
 class Verdicts : public testing::TestWithParam<Family> {
  protected:
   using Check = std::function<void(const SolidPair&, const Judgement&, Random&)>;
-  static void each(const Check& check) {
-    std::uint64_t seed = 0;
-    for (const SolidPair& pair : GetParam().pairs) {
-      const testing::ScopedTrace trace(__FILE__, __LINE__, pair.name + ", drawn with seed " + std::to_string(++seed));
-      Random random(seed);
+  static void each(const Check& check, std::size_t first = 0, std::size_t stride = 1) {
+    const std::vector<SolidPair>& pairs = GetParam().pairs;
+    for (std::size_t i = first; i < pairs.size(); i += stride) {
+      const SolidPair& pair = pairs[i];
+      const testing::ScopedTrace trace(__FILE__, __LINE__, pair.name + ", drawn with seed " + std::to_string(i + 1));
+      Random random(i + 1);
       check(pair, pair.known ? *pair.known : expected::judgement(pair), random);
     }
   }
+  /// Of families drawn at random, which are large, every fifth pair from `first` on: each pair has two of ten
+  /// properties.
+  static void some(std::size_t first, const Check& check) {
+    const bool is_large = GetParam().pairs.size() >= 80;
+    each(check, is_large ? first : 0, is_large ? 5 : 1);
+  }
 };
 
+/// And of parts that are closed and do not meet themselves some tolerance would excuse the pair if and only if their
+/// interiors meet.
 TEST_P(Verdicts, AreExact) {
-  each([](const SolidPair& pair, const Judgement& expected, Random&) {
-    expect_verdicts(expected, {mesh_of(pair.a)}, {mesh_of(pair.b)}, kExactly);
+  std::size_t solids = 0, exact = 0;
+  each([&](const SolidPair& pair, const Judgement& expected, Random&) {
+    const auto clash = expect_verdicts(expected, {mesh_of(pair.a)}, {mesh_of(pair.b)}, kExactly);
+    solids += pair.solids;
+    if (!pair.solids || !clash || clash->tolerance > 0) return;
+    EXPECT_EQ(clash->fails_below > 0, expected.verdict < Verdict::touching);
+    ++exact;
   });
+  EXPECT_GE(2 * exact, GetParam().name == "SelfPassing" ? 0 : solids);
 }
 
 TEST_P(Verdicts, AreTheSameWhicheverWayNormalsLook) {
-  each([](const SolidPair& pair, const Judgement& expected, Random&) {
+  some(0, [](const SolidPair& pair, const Judgement& expected, Random&) {
     expect_verdict(expected, {mesh_of(scenes::inverted(pair.a))}, {mesh_of(pair.b)}, kExactly);
     expect_verdict(expected, {mesh_of(pair.a)}, {mesh_of(scenes::inverted(pair.b))}, kExactly);
   });
 }
 
 TEST_P(Verdicts, AreTheSameInWhicheverOrder) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(1, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     const auto mixed = [&](const MeshData& mesh) { return mesh_of(scenes::shuffled(mesh, random)); };
     expect_verdicts(expected, {mixed(pair.a)}, {mixed(pair.b)}, kExactly);
     expect_verdict(expected, {mixed(scenes::unshared(pair.a))}, {mixed(pair.b)}, kExactly);
@@ -134,7 +148,7 @@ TEST_P(Verdicts, AreTheSameInWhicheverOrder) {
 }
 
 TEST_P(Verdicts, AreTheSameInAScene) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(2, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     for (const std::optional<double> tolerance : {std::optional(kExactly), kForRounding}) {
       Scene scene;
       ASSERT_TRUE(scene.add(mesh_of(pair.a)));
@@ -157,13 +171,13 @@ TEST_P(Verdicts, AreTheSameInAScene) {
 }
 
 TEST_P(Verdicts, AreTheSameWithAToleranceForRounding) {
-  each([](const SolidPair& pair, const Judgement& expected, Random&) {
+  some(3, [](const SolidPair& pair, const Judgement& expected, Random&) {
     expect_verdicts(expected, {mesh_of(pair.a)}, {mesh_of(pair.b)}, kForRounding);
   });
 }
 
 TEST_P(Verdicts, AreTheSameAfterARigidMotion) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(4, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     const Mesh a = mesh_of(pair.a), b = mesh_of(pair.b);
     const double reach = std::array{0.0, 10.0, 100.0}[static_cast<std::size_t>(random.integer(0, 2))];
     const Pose motion = scenes::random_motion(random, reach);
@@ -175,7 +189,7 @@ TEST_P(Verdicts, AreTheSameAfterARigidMotion) {
 }
 
 TEST_P(Verdicts, AreTheSameFromFramesOfTheirOwn) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(0, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     const Pose motion = scenes::random_motion(random, 10);
     expect_verdicts(expected, from_own_frame(pair.a, motion, random), from_own_frame(pair.b, motion, random),
                     kForRounding);
@@ -183,14 +197,14 @@ TEST_P(Verdicts, AreTheSameFromFramesOfTheirOwn) {
 }
 
 TEST_P(Verdicts, AreTheSameAfterAMotionThatIsNotQuiteRigid) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(1, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     const Pose motion{.R = scenes::stretched_rotation(random)};
     expect_verdicts(expected, {mesh_of(pair.a), motion}, {mesh_of(pair.b), motion}, kForRounding);
   });
 }
 
 TEST_P(Verdicts, AreTheSameInAnyUnit) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(2, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     const Mesh a = mesh_of(pair.a), b = mesh_of(pair.b);
     for (const double scale : {1e-3, 1e3}) {
       SCOPED_TRACE("scaled by " + std::to_string(scale));
@@ -204,13 +218,13 @@ TEST_P(Verdicts, AreTheSameInAnyUnit) {
 TEST_P(Verdicts, AreExactFarFromTheOrigin) {
   // The sums are exact, or rounded alike.
   const Pose far{.t = {0x1p20, -0x1p20, 0x1p20}};
-  each([&](const SolidPair& pair, const Judgement& expected, Random&) {
+  some(3, [&](const SolidPair& pair, const Judgement& expected, Random&) {
     expect_verdicts(expected, {mesh_of(pair.a), far}, {mesh_of(pair.b), far}, kExactly);
   });
 }
 
 TEST_P(Verdicts, AreTheSameFarFromTheOrigin) {
-  each([](const SolidPair& pair, const Judgement& expected, Random& random) {
+  some(4, [](const SolidPair& pair, const Judgement& expected, Random& random) {
     // The tolerance is about 1 there: parts of millimetres that stand a kilometre away are larger than that.
     Pose motion = scenes::random_motion(random, 1);
     motion.t = {1e6, -1e6, 1e6};

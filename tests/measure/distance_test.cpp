@@ -33,9 +33,9 @@ void expect_distance(double expected, const Nearest& found) {
 
 TEST(Distance, OfBoxesIsThatOfTheirFacesEdgesAndCorners) {
   const Mesh cube = test::mesh_of(scenes::cube()), fine = test::mesh_of(scenes::box({0, 0, 0}, {1, 1, 1}, 7));
-  for (const Mesh* const other : {&cube, &fine}) {
+  for (const Mesh* const other : {&cube, &fine})
     for (const double x : {0.0, 0.25, 3.0, 1000.0}) {
-      for (const double y : {0.0, 0.5, 2.0}) {
+      for (const double y : {0.0, 0.5, 2.0})
         for (const double z : {0.0, 1e-9, 7.0}) {
           if (x + y + z == 0) continue;
           // Gaps that are 0 leave the faces overlapping in that direction.
@@ -44,9 +44,7 @@ TEST(Distance, OfBoxesIsThatOfTheirFacesEdgesAndCorners) {
                                     (at(z) - 1) * (at(z) - 1) * (z > 0)),
                           ask(cube, {}, *other, moved(at(x), at(y), at(z))));
         }
-      }
     }
-  }
 }
 
 TEST(Distance, OfCrossedEdgesIsAlongTheirCommonNormal) {

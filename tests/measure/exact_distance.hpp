@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
-#include <span>
 
 #include "impinge/mesh.hpp"
 #include "tests/oracle/rational.hpp"
@@ -55,10 +55,19 @@ inline void offer_point_and_face(const Vec& p, const Corners& face, Least& least
   least.offer(height * height / dot(n, n));
 }
 
+/// Whether a plane across an axis parts the corners: then nothing meets.
+inline bool are_parted(const Corners& a, const Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto of = [&](const Corners& corners) { return std::minmax({corners[0][k], corners[1][k], corners[2][k]}); };
+    if (of(a).second < of(b).first || of(b).second < of(a).first) return true;
+  }
+  return false;
+}
+
 /// 0 if and only if the closed triangles share a point.
 inline mpq_class square_distance(const impinge::Triangle& t, const impinge::Triangle& u) {
   const Corners a{vec(t[0]), vec(t[1]), vec(t[2])}, b{vec(u[0]), vec(u[1]), vec(u[2])};
-  if (meeting(simplified(a), simplified(b))) return 0;
+  if (!are_parted(a, b) && meeting(simplified(a), simplified(b))) return 0;
   Least least;
   for (std::size_t i = 0; i < 3; ++i) {
     offer_point_and_face(a[i], b, least);

@@ -141,7 +141,7 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
   test::Seeded seeded(2);
   scenes::Random& random = seeded.random;
   const double gaps[] = {1e-9, 1e-3, 0.3, 3, 40, 1e4, 1e7, 1e12, 1e19};
-  for (const double gap : gaps) {
+  for (const double gap : gaps)
     for (int family = 0; family < 5; ++family) {
       SCOPED_TRACE(testing::Message() << "gap " << gap << ", family " << family);
       const auto soup = [&] {
@@ -162,7 +162,6 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
       const scenes::PlacedScene scene = apart(scenes::pair_scene(soup(), soup()), (1.5 + gap) * direction());
       ASSERT_NO_FATAL_FAILURE(expect_all(scene, 2));
     }
-  }
 }
 
 /// Few large triangles, which are one leaf, and many small ones beside the inside of one of them: nodes of the small
@@ -170,7 +169,7 @@ TEST(NearestPair, IsTheExactOneOfBodiesApart) {
 TEST(NearestPair, IsTheExactOneOfSmallTrianglesNearLargeOnes) {
   test::Seeded seeded(4);
   scenes::Random& random = seeded.random;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const double width = std::ldexp(1.0, -random.integer(0, 24)), size = std::ldexp(1.0, -random.integer(1, 20));
     const scenes::MeshData large =
         i % 2 == 0 ? scenes::sliver_soup(random, 8, width) : scenes::triangle_soup(random, 8, 1);
@@ -192,7 +191,7 @@ TEST(NearestPair, IsTheExactOneOfSmallTrianglesNearLargeOnes) {
 
 TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
   test::Seeded seeded(3);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const double width = std::pow(10.0, seeded.random.uniform(-14, 0));
     const scenes::PlacedScene scene = apart(
         scenes::pair_scene(scenes::sliver_soup(seeded.random, 1, width), scenes::triangle_soup(seeded.random, 1, 1)),
@@ -200,6 +199,91 @@ TEST(NearestPair, IsTheExactOneOfOneTriangleEach) {
     const Bodies bodies(scene);
     ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 1e-11));
   }
+}
+
+void expect_nearest(const Mesh& mesh, const Pose& pose, const std::vector<Triangle>& world, const Vec3& p) {
+  std::vector<mpq_class> squares;
+  for (const Triangle& t : world) squares.push_back(oracle::square_distance({p, p, p}, t));
+  const mpq_class& least = *std::min_element(squares.begin(), squares.end());
+  const hierarchy::PlacedTree placed{&mesh.state().data, &mesh.state().wide_tree, pose};
+  const auto found = measure::nearest_point(placed, p, kInfinity);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(oracle::is_within(least, found->distance, found->error))
+      << found->distance << " +- " << found->error << ", not " << std::sqrt(least.get_d());
+  EXPECT_EQ(found->distance == 0, least == 0);
+  EXPECT_TRUE(oracle::is_within(squares[found->triangle], found->distance, found->error));
+  double size = 0;
+  for (const Triangle& t : world)
+    for (const Vec3& corner : t) size = std::max(size, max_component(abs(corner - p)));
+  EXPECT_LE(found->error, 0x1p-33 * size);
+  const Vec3& q = found->point;
+  EXPECT_TRUE(oracle::is_within(oracle::square_distance({q, q, q}, world[found->triangle]), 0,
+                                0x1p-44 * size + 0x1p-50 * max_component(abs(q))));
+  EXPECT_TRUE(measure::nearest_point(placed, p, found->distance + 2 * found->error));
+  if (found->distance > 4 * found->error) {
+    EXPECT_FALSE(measure::nearest_point(placed, p, found->distance - 2 * found->error));
+  }
+  const auto quick = measure::nearest_point(placed, p, kInfinity, 2 * found->distance);
+  ASSERT_TRUE(quick);
+  EXPECT_LE(quick->distance, 2 * found->distance);
+  const double within = 2 * found->distance + 2 * found->error;
+  std::vector<std::uint32_t> near;
+  measure::near_triangles(placed, p, within, [&](std::uint32_t t) { near.push_back(t); });
+  std::sort(near.begin(), near.end());
+  EXPECT_TRUE(std::adjacent_find(near.begin(), near.end()) == near.end());
+  for (std::uint32_t t = 0; t < world.size(); ++t)
+    if (oracle::is_within(squares[t], 0, within)) {
+      EXPECT_TRUE(std::binary_search(near.begin(), near.end(), t));
+    }
+}
+
+TEST(NearestPoint, IsTheExactOneOfHardScenes) {
+  test::Seeded seeded(4);
+  for (const test::NamedScene& named : test::hard_scenes(seeded.random, 20)) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Mesh> meshes = test::meshes_of(named.scene, 3);
+    const auto& [a, b] = std::pair(named.scene.objects[0], named.scene.objects[1]);
+    const auto world = test::world_triangles(meshes[a.mesh], a.pose);
+    // Corners of the other, which often touch; points between; and points that are far.
+    const auto others = test::world_triangles(meshes[b.mesh], b.pose);
+    for (std::size_t i = 0; i < others.size(); i += 3) {
+      const Vec3 corner = others[i][0], between = 0.5 * (corner + world[i % world.size()][1]);
+      for (const Vec3& p : {corner, between, 3.0 * corner, world[i % world.size()][2]})
+        ASSERT_NO_FATAL_FAILURE(expect_nearest(meshes[a.mesh], a.pose, world, p));
+    }
+  }
+}
+
+/// On its own corners a body is at 0, wherever it stands: far from the origin these are rounded to places outside of
+/// the tree's boxes, and so is the point where it is brought into a box's frame in single precision.
+TEST(NearestPoint, OnTheBodyIsNotPassedOver) {
+  test::Seeded seeded(5);
+  for (const double away : {0.0, 1.0, 1e3, 1e6, 1e9, 1e12}) {
+    SCOPED_TRACE(away);
+    const Mesh mesh = test::mesh_of(scenes::triangle_soup(seeded.random, 200, 0.3), 2);
+    Pose pose = scenes::random_motion(seeded.random, 1);
+    pose.t[0] += away, pose.t[1] -= 0.7 * away;
+    const hierarchy::PlacedTree placed{&mesh.state().data, &mesh.state().wide_tree, pose};
+    for (const Triangle& triangle : test::world_triangles(mesh, pose))
+      for (const Vec3& corner : triangle) {
+        const auto found = measure::nearest_point(placed, corner, 0);
+        ASSERT_TRUE(found) << corner.x << ' ' << corner.y << ' ' << corner.z;
+        EXPECT_EQ(found->distance, 0);
+      }
+  }
+}
+
+TEST(NearestPoint, OfAStoppedSearchIsNone) {
+  const Mesh mesh = test::mesh_of(scenes::cube());
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kInfinity, 0,
+                                      source.get_token()));
+}
+
+TEST(NearestPoint, OfNoTriangleIsNone) {
+  const Mesh mesh = test::mesh_of({});
+  EXPECT_FALSE(measure::nearest_point({&mesh.state().data, &mesh.state().wide_tree, {}}, {0, 0, 0}, kInfinity));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ Triangle moved(const Triangle& t, const Vec3& by, double scale) {
 TEST(TriangleDistance, HoldsTheExactOne) {
   test::Seeded seeded(20250311);
   double worst = 0;
-  for (int i = 0; i < 12'000; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const Vec3 away = random_point(seeded.random, i % 7 == 0 ? 1e6 : i % 5 == 0 ? 30 : 0);
     const double scale = i % 11 == 0 ? 0x1p-340 : i % 13 == 0 ? 0x1p270 : 1;
@@ -104,7 +104,7 @@ TEST(TriangleDistance, IsFoundAtPointsOfTheTriangles) {
 
 TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
   test::Seeded seeded(8);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const Triangle a = random_triangle(seeded.random, i), b = random_triangle(seeded.random, i / 6);
     const double limit = seeded.random.uniform(0, 1);
     const TriangleDistance d = measure::triangle_distance(a, b, limit, random_point(seeded.random, 1));
@@ -119,7 +119,7 @@ TEST(TriangleDistance, MayEndEarlyOnlyWhereItIsFar) {
 TEST(PointDistance, HoldsTheExactOne) {
   test::Seeded seeded(9);
   double worst = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Triangle t = random_triangle(seeded.random, i);
     Vec3 p = random_point(seeded.random, 1);
     if (i % 4 == 0) p = 0.25 * t[0] + 0.25 * t[1] + 0.5 * t[2];
@@ -138,7 +138,7 @@ TEST(PointDistance, HoldsTheExactOne) {
 TEST(CommonPoint, IsOnBoth) {
   test::Seeded seeded(10);
   int meeting = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Triangle a = random_triangle(seeded.random, i % 2 * 5), b = random_triangle(seeded.random, i / 2 % 2 * 5);
     if (oracle::square_distance(a, b) != 0) continue;
     ++meeting;

@@ -204,7 +204,7 @@ TEST(Impact, OfFourPointsIsThatOfTheRationalDecision) {
 
 TEST(Impact, KeepsItsTimeWhereRolesAreExchangedAndMirrorsItWhereTimeRunsBack) {
   test::Seeded seeded(20262);
-  for (const Family& family : families()) {
+  for (const Family& family : families())
     for (int i = 0; i < 200; ++i) {
       const Case c = family.make(seeded.random);
       const auto swapped = [](const Points& p) { return Points{p[3], p[2], p[0], p[1]}; };
@@ -222,7 +222,6 @@ TEST(Impact, KeepsItsTimeWhereRolesAreExchangedAndMirrorsItWhereTimeRunsBack) {
         EXPECT_EQ(found.has_value(), ask(features, {c.to, c.from}).has_value()) << text(c);
       }
     }
-  }
 }
 
 TEST(Impact, IsCertainWhereCoordinatesSpanTheWholeDomain) {

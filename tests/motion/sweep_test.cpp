@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <thread>
 #include <vector>
 

@@ -32,12 +32,8 @@ io::Model model_of(const fs::path& file) {
 
 MeshData data_of(const Mesh& mesh) {
   MeshData data;
-  for (const Point& p : mesh.vertices()) {
-    data.add_vertex(p.x, p.y, p.z);
-  }
-  for (const auto& t : mesh.triangles()) {
-    data.add_triangle(t[0], t[1], t[2]);
-  }
+  for (const Point& p : mesh.vertices()) data.add_vertex(p.x, p.y, p.z);
+  for (const auto& t : mesh.triangles()) data.add_triangle(t[0], t[1], t[2]);
   return data;
 }
 

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -36,9 +35,8 @@ namespace impinge::scenes {
 void PrintTo(const Judgement& judgement, std::ostream* out) {
   constexpr std::array<const char*, 6> kNames{"duplicate", "inside", "penetrating", "crossing", "touching", "apart"};
   *out << kNames.at(static_cast<std::size_t>(judgement.verdict));
-  if (judgement.verdict == Verdict::inside) {
+  if (judgement.verdict == Verdict::inside)
     *out << (judgement.inner == 0 ? " (a in b)" : judgement.inner == 1 ? " (b in a)" : " (neither in the other)");
-  }
 }
 
 }  // namespace impinge::scenes
@@ -76,25 +74,18 @@ std::string bytes_of(const fs::path& file) {
 std::optional<Set> read_set(const fs::path& file) {
   const std::string bytes = bytes_of(file);
   std::uint64_t count = 0;
-  if (bytes.size() < 16 || bytes.compare(0, 8, "impset01") != 0) {
-    return std::nullopt;
-  }
+  if (bytes.size() < 16 || bytes.compare(0, 8, "impset01") != 0) return std::nullopt;
   std::memcpy(&count, bytes.data() + 8, 8);
-  if (count != (bytes.size() - 16) / sizeof(Contact) || bytes.size() != 16 + count * sizeof(Contact)) {
+  if (count != (bytes.size() - 16) / sizeof(Contact) || bytes.size() != 16 + count * sizeof(Contact))
     return std::nullopt;
-  }
   Set set(count);
-  if (count != 0) {
-    std::memcpy(set.data(), bytes.data() + 16, count * sizeof(Contact));
-  }
+  if (count != 0) std::memcpy(set.data(), bytes.data() + 16, count * sizeof(Contact));
   return set;
 }
 
 bool runs(std::vector<std::string> command) {
   std::vector<char*> arguments;
-  for (std::string& argument : command) {
-    arguments.push_back(argument.data());
-  }
+  for (std::string& argument : command) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -118,14 +109,10 @@ constexpr Oracle kOracle{"impinge_oracle", nullptr, ".set"}, kRational{"impinge_
 /// What the oracle finds in a file, or has found before in this build.
 Set computed(const Oracle& oracle, const std::string& key, const fs::path& file) {
   const fs::path set_file = fs::path(IMPINGE_ORACLE_SETS) / (key + oracle.extension);
-  if (auto known = read_set(set_file)) {
-    return *std::move(known);
-  }
+  if (auto known = read_set(set_file)) return *std::move(known);
   fs::create_directories(IMPINGE_ORACLE_SETS);
   std::vector<std::string> command{(fs::path(IMPINGE_ORACLE_FOLDER) / oracle.program).string()};
-  if (oracle.option != nullptr) {
-    command.emplace_back(oracle.option);
-  }
+  if (oracle.option != nullptr) command.emplace_back(oracle.option);
   command.insert(command.end(), {file.string(), set_file.string()});
   if (!runs(command)) {
     ADD_FAILURE() << "The oracle failed, or is missing: " << command[0] << " on " << file;
@@ -148,9 +135,7 @@ Set computed(const Oracle& oracle, const scenes::PlacedScene& scene) {
 /// A hash of the whole set, and how many cross, touch and are coplanar.
 std::string summary(const Set& set) {
   std::array<std::size_t, 3> counts{};
-  for (const Contact& contact : set) {
-    ++counts.at(contact[4]);
-  }
+  for (const Contact& contact : set) ++counts.at(contact[4]);
   std::ostringstream words;
   words << name_of({reinterpret_cast<const char*>(set.data()), set.size() * sizeof(Contact)}) << ' ' << counts[0] << ' '
         << counts[1] << ' ' << counts[2];
@@ -203,9 +188,7 @@ const Options kPlainest{.threads = 1, .backend = "paper"};
 
 Set by_oracle(const scenes::PlacedScene& scene) {
   const std::string key = name_of(scenes::scene_bytes(scene)) + kOracle.extension;
-  if (!kHasOracle) {
-    return held_to_kept(key, by_scene(scene, kPlainest));
-  }
+  if (!kHasOracle) return held_to_kept(key, by_scene(scene, kPlainest));
   Set set = computed_set(scene);
   hold_to_kept(key, summary(set));
   return set;
@@ -235,9 +218,7 @@ scenes::Judgement judgement_by_tetrahedra(const scenes::SolidPair& pair) { retur
 
 Set of_model(const std::filesystem::path& model, const Scene& scene) {
   const std::string key = name_of(bytes_of(model)), kept_key = key + kModelOracle.extension;
-  if (!kHasOracle) {
-    return held_to_kept(kept_key, listed_or_failed(scene.collide(kPlainest)));
-  }
+  if (!kHasOracle) return held_to_kept(kept_key, listed_or_failed(scene.collide(kPlainest)));
   Set set = computed(kModelOracle, key, model);
   hold_to_kept(kept_key, summary(set));
   return set;
@@ -265,9 +246,7 @@ void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedSce
   const Scene placed = test::scene_of(scene, way.leaf_size);
   const Result<Contacts> all = placed.collide(way.options());
   expect_same(expected, listed_or_failed(all));
-  if (testing::Test::HasFailure()) {
-    return;
-  }
+  if (testing::Test::HasFailure()) return;
   EXPECT_EQ(all->hash, hash);
 
   const auto kinds = static_cast<std::uint8_t>(1 + hash % kAllKinds);
@@ -291,9 +270,7 @@ void expect_way(const Set& expected, std::uint64_t hash, const scenes::PlacedSce
   const Set witnesses = listed_or_failed(placed.collide(options));
   std::size_t next = 0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (i > 0 && wanted[i][0] == wanted[i - 1][0] && wanted[i][1] == wanted[i - 1][1]) {
-      continue;
-    }
+    if (i > 0 && wanted[i][0] == wanted[i - 1][0] && wanted[i][1] == wanted[i - 1][1]) continue;
     if (next >= witnesses.size() || witnesses[next][0] != wanted[i][0] || witnesses[next][1] != wanted[i][1]) {
       ADD_FAILURE() << "No witness for " << written(wanted[i]);
       return;
@@ -312,34 +289,25 @@ Set by_collide(const scenes::PlacedScene& scene, bool swapped) {
 }
 
 void expect_same(const Set& expected, const Set& found) {
-  if (expected == found) {
-    return;
-  }
+  if (expected == found) return;
   std::map<Contact, std::array<std::uint32_t, 2>> kinds;  // pair -> 1 + kind expected, 1 + kind found; 0: none
   const auto pair_of = [](Contact c) {
     c[4] = 0;
     return c;
   };
-  for (const Contact& c : expected) {
-    kinds[pair_of(c)][0] = 1 + c[4];
-  }
-  for (const Contact& c : found) {
-    kinds[pair_of(c)][1] = 1 + c[4];
-  }
+  for (const Contact& c : expected) kinds[pair_of(c)][0] = 1 + c[4];
+  for (const Contact& c : found) kinds[pair_of(c)][1] = 1 + c[4];
   std::size_t missed = 0, added = 0, misnamed = 0;
   std::string examples;
   for (const auto& [pair, kind] : kinds) {
-    if (kind[0] == kind[1]) {
-      continue;
-    }
+    if (kind[0] == kind[1]) continue;
     const std::size_t examples_before = missed + added + misnamed;
     missed += kind[1] == 0;
     added += kind[0] == 0;
     misnamed += kind[0] != 0 && kind[1] != 0;
-    if (examples_before < 5) {
+    if (examples_before < 5)
       examples += "\n  " + written(pair) + ": " + (kind[0] == 0 ? "no contact" : written_kind(kind[0] - 1)) +
                   " found as " + (kind[1] == 0 ? "no contact" : written_kind(kind[1] - 1));
-    }
   }
   ADD_FAILURE() << "Of " << expected.size() << " contacts " << missed << " missed, " << misnamed << " misnamed; "
                 << added << " added" << (found.size() != kinds.size() - missed ? "; some found twice" : "") << examples;
@@ -351,18 +319,12 @@ void expect_finds(const Set& expected, const scenes::PlacedScene& scene) {
     SCOPED_TRACE("by Scene");
     expect_same(expected, by_scene(scene));
   }
-  if (testing::Test::HasFailure()) {
-    return;
-  }
+  if (testing::Test::HasFailure()) return;
   const std::vector<test::Way>& ways = test::all_ways();
   scenes::Random random(std::hash<std::string>()(scenes::scene_bytes(scene)));
   const std::uint64_t hash = hash_by_scene(scene);
-  for (std::size_t i = 0; i < count; ++i) {
-    expect_way(expected, hash, scene, ways[random.bits() % ways.size()]);
-  }
-  if (scene.objects.size() != 2) {
-    return;
-  }
+  for (std::size_t i = 0; i < count; ++i) expect_way(expected, hash, scene, ways[random.bits() % ways.size()]);
+  if (scene.objects.size() != 2) return;
   {
     SCOPED_TRACE("by collide");
     expect_same(expected, by_collide(scene));

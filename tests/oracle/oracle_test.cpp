@@ -76,14 +76,12 @@ TEST(Oracle, ASurfaceMeetsItselfWhereTrianglesShareACorner) {
   const PlacedScene scene = scenes::cube_pair({0, 0, 0});
   const std::vector<std::uint32_t>& index = scene.meshes[0].triangles;
   Set set;
-  for (std::uint32_t a = 0; a < 12; ++a) {
+  for (std::uint32_t a = 0; a < 12; ++a)
     for (std::uint32_t b = 0; b < 12; ++b) {
       const auto of_a = index.begin() + 3 * a;
-      if (std::find_first_of(of_a, of_a + 3, index.begin() + 3 * b, index.begin() + 3 * b + 3) != of_a + 3) {
+      if (std::find_first_of(of_a, of_a + 3, index.begin() + 3 * b, index.begin() + 3 * b + 3) != of_a + 3)
         set.push_back({0, 1, a, b, a / 2 == b / 2 ? kFlat : kTouch});
-      }
     }
-  }
   expected::expect_same(set, expected::computed_set(scene));
   expected::expect_same(set, expected::by_rationals(scene));
 }
@@ -99,7 +97,7 @@ TEST(Oracle, GroupsAreNotCompared) {
 }
 
 TEST(Oracle, AgreesWithRationalsOnIntegerSoups) {
-  for (const int side : {1, 2, 3, 5}) {
+  for (const int side : {1, 2, 3, 5})
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", side " + std::to_string(side));
       Random random(seed);
@@ -109,7 +107,6 @@ TEST(Oracle, AgreesWithRationalsOnIntegerSoups) {
       expect_agreement(scene);
       expect_agreement(scenes::moved(scene, scenes::random_motion(random, 10)));
     }
-  }
 }
 
 TEST(Oracle, AgreesWithRationalsOnDegenerateAndThinTriangles) {

@@ -17,9 +17,7 @@ inline oracle::Vec exact(const Point& p) { return oracle::vec(p.x, p.y, p.z); }
 template <class Shape>
 oracle::Corners exact_corners(const Shape& shape) {
   oracle::Corners corners;
-  for (const Point& p : shape) {
-    corners.push_back(exact(p));
-  }
+  for (const Point& p : shape) corners.push_back(exact(p));
   return oracle::simplified(corners);
 }
 
@@ -41,9 +39,8 @@ inline Source nearly_degenerate() {
     const int k = random.integer(0, 7) == 0 ? random.integer(-1, 1) : 0;
     const auto off = [&random](double x) {
       // Zero stays: its neighbours lie outside the domain.
-      for (int step = random.integer(-2, 2); step != 0 && x != 0; step -= step > 0 ? 1 : -1) {
+      for (int step = random.integer(-2, 2); step != 0 && x != 0; step -= step > 0 ? 1 : -1)
         x = std::nextafter(x, step > 0 ? 1e300 : -1e300);
-      }
       return x;
     };
     return Point{off(0.1 + 0.7 * i + 0.3 * j - 0.2 * k), off(12.3 - 0.2 * i + 0.9 * j + 0.4 * k),

@@ -39,9 +39,7 @@ using Corners = std::vector<Vec>;
 
 /// The point, segment or triangle that three corners span.
 inline Corners simplified(const Corners& corners) {
-  if (corners.size() == 3 && !is_zero(cross(corners[1] - corners[0], corners[2] - corners[0]))) {
-    return corners;
-  }
+  if (corners.size() == 3 && !is_zero(cross(corners[1] - corners[0], corners[2] - corners[0]))) return corners;
   // On one line, lexicographic order is the order along it.
   const Vec* low = corners.data();
   const Vec* high = corners.data();
@@ -76,22 +74,17 @@ inline HalfSpaces half_spaces(const Corners& shape) {
   if (shape.size() == 3) {
     const Vec normal = cross(shape[1] - shape[0], shape[2] - shape[0]);
     keep_on(normal);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       result.sides.push_back(half_space(cross(normal, shape[(i + 1) % 3] - shape[i]), shape[i]));
-    }
     return result;
   }
   const std::array<Vec, 3> axes{vec(1, 0, 0), vec(0, 1, 0), vec(0, 0, 1)};
   if (shape.size() == 2) {
     const Vec along = shape[1] - shape[0];
-    for (const Vec& axis : axes) {
-      keep_on(cross(along, axis));  // the three span the plane across the segment
-    }
+    for (const Vec& axis : axes) keep_on(cross(along, axis));  // the three span the plane across the segment
     result.sides = {half_space(along, shape[0]), half_space(negated(along), shape[1])};
   } else {
-    for (const Vec& axis : axes) {
-      keep_on(axis);
-    }
+    for (const Vec& axis : axes) keep_on(axis);
   }
   return result;
 }
@@ -104,9 +97,7 @@ inline Corners cut(const Corners& polygon, const HalfSpace& by) {
     const Vec& to = polygon[(i + 1) % polygon.size()];
     const mpq_class at_from = by.height(from);
     const mpq_class at_to = by.height(to);
-    if (at_from >= 0) {
-      result.push_back(from);
-    }
+    if (at_from >= 0) result.push_back(from);
     if (sgn(at_from) * sgn(at_to) < 0) {
       const mpq_class s = at_from / (at_from - at_to);
       const Vec step = to - from;
@@ -120,23 +111,17 @@ inline Corners cut(const Corners& polygon, const HalfSpace& by) {
 /// Corners of what two shapes have in common, some perhaps twice.
 inline Corners common_part(const Corners& a, const HalfSpaces& b) {
   Corners rest = a;
-  for (const std::vector<HalfSpace>* const group : {&b.flat, &b.sides}) {
+  for (const std::vector<HalfSpace>* const group : {&b.flat, &b.sides})
     for (const HalfSpace& by : *group) {
       rest = cut(rest, by);
-      if (rest.empty()) {
-        return rest;
-      }
+      if (rest.empty()) return rest;
     }
-  }
   return rest;
 }
 
 inline bool in_open_sides(const Vec& x, const HalfSpaces& shape) {
-  for (const HalfSpace& side : shape.sides) {
-    if (side.height(x) <= 0) {
-      return false;
-    }
-  }
+  for (const HalfSpace& side : shape.sides)
+    if (side.height(x) <= 0) return false;
   return true;
 }
 
@@ -144,11 +129,8 @@ inline bool in_open_sides(const Vec& x, const HalfSpaces& shape) {
 enum class Meeting : unsigned char { crossing = 0, touching = 1, coplanar = 2 };
 
 inline bool in_one_plane(const Corners& a, const HalfSpaces& b) {
-  for (const Vec& corner : a) {
-    if (b.flat[0].height(corner) != 0) {
-      return false;
-    }
-  }
+  for (const Vec& corner : a)
+    if (b.flat[0].height(corner) != 0) return false;
   return true;
 }
 
@@ -156,45 +138,26 @@ inline bool in_one_plane(const Corners& a, const HalfSpaces& b) {
 inline std::optional<Meeting> meeting(const Corners& a, const Corners& b) {
   const HalfSpaces b_spaces = half_spaces(b);
   const Corners common = common_part(a, b_spaces);
-  if (common.empty()) {
-    return std::nullopt;
-  }
-  if (a.size() != 3 || b.size() != 3) {
-    return Meeting::touching;
-  }
-  if (in_one_plane(a, b_spaces)) {
-    return Meeting::coplanar;
-  }
+  if (common.empty()) return std::nullopt;
+  if (a.size() != 3 || b.size() != 3) return Meeting::touching;
+  if (in_one_plane(a, b_spaces)) return Meeting::coplanar;
   Vec mean = vec(0, 0, 0);
-  for (const Vec& corner : common) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      mean[k] += corner[k];
-    }
-  }
-  for (mpq_class& x : mean) {
-    x /= static_cast<unsigned long>(common.size());
-  }
+  for (const Vec& corner : common)
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += corner[k];
+  for (mpq_class& x : mean) x /= static_cast<unsigned long>(common.size());
   const bool in_both = in_open_sides(mean, b_spaces) && in_open_sides(mean, half_spaces(a));
   return in_both ? Meeting::crossing : Meeting::touching;
 }
 
 /// Whether two proper triangles in one plane have more than a segment in common.
 inline bool common_area(const Corners& a, const Corners& b) {
-  if (a.size() != 3 || b.size() != 3) {
-    return false;
-  }
+  if (a.size() != 3 || b.size() != 3) return false;
   const HalfSpaces b_spaces = half_spaces(b);
-  if (!in_one_plane(a, b_spaces)) {
-    return false;
-  }
+  if (!in_one_plane(a, b_spaces)) return false;
   const Corners common = common_part(a, b_spaces);
-  for (std::size_t i = 2; i < common.size(); ++i) {
-    for (std::size_t j = 1; j < i; ++j) {
-      if (!is_zero(cross(common[j] - common[0], common[i] - common[0]))) {
-        return true;
-      }
-    }
-  }
+  for (std::size_t i = 2; i < common.size(); ++i)
+    for (std::size_t j = 1; j < i; ++j)
+      if (!is_zero(cross(common[j] - common[0], common[i] - common[0]))) return true;
   return false;
 }
 

@@ -94,9 +94,8 @@ MeshData tangle(scenes::Random& random, int vertices, int triangles, int side) {
 /// Each triangle with vertices of its own, as STL has them.
 MeshData unwelded(const MeshData& mesh) {
   MeshData result;
-  for (const std::uint32_t v : mesh.triangles) {
+  for (const std::uint32_t v : mesh.triangles)
     result.triangles.push_back(result.add_vertex(mesh.xyz[3 * v], mesh.xyz[3 * v + 1], mesh.xyz[3 * v + 2]));
-  }
   return result;
 }
 
@@ -123,11 +122,11 @@ TEST(SelfCollide, IsItsDefinition) {
   test::Seeded seeded(1);
   std::size_t reported = 0;
   for (const MeshData& numbers : small_meshes(seeded.random)) {
-    for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, 3)}) {
+    for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, 3)})
       for (const Adjacency adjacency : {Adjacency::by_position, Adjacency::by_index}) {
         const auto expected = truth(test::mesh_of(numbers), pose, adjacency);
         reported += expected.size();
-        for (const char* const backend : {"simd", "paper"}) {
+        for (const char* const backend : {"simd", "paper"})
           for (const std::uint32_t leaf_size : {0u, 1u}) {
             SCOPED_TRACE(std::string(backend) + ", leaf size " + std::to_string(leaf_size));
             const auto found = self_collide(test::mesh_of(numbers, leaf_size), pose,
@@ -135,9 +134,7 @@ TEST(SelfCollide, IsItsDefinition) {
             ASSERT_TRUE(found);
             ASSERT_EQ(test::listed(*found), expected);
           }
-        }
       }
-    }
   }
   EXPECT_GT(reported, 1000u);
 }

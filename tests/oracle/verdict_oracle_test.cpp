@@ -32,9 +32,7 @@ TEST_P(VerdictOracle, SaysWhatIsKnown) {
 TEST_P(VerdictOracle, SaysItTheOtherWayRound) {
   std::size_t i = 0;
   for (const SolidPair& pair : GetParam().pairs) {
-    if (!pair.solids || ++i % 7 != 0) {
-      continue;
-    }
+    if (!pair.solids || ++i % 7 != 0) continue;
     SCOPED_TRACE(pair.name);
     scenes::Judgement swapped = expected::computed_judgement(pair);
     swapped.inner = swapped.inner < 0 ? -1 : 1 - swapped.inner;
@@ -70,9 +68,7 @@ TEST(SolidPairs, HaveNamesOfTheirOwn) {
 TEST(SolidPairs, RandomFamiliesHaveEveryVerdict) {
   for (const auto& pairs : {scenes::voxel_pairs(1, 120), scenes::interval_pairs(1)}) {
     std::map<Verdict, int> seen;
-    for (const SolidPair& pair : pairs) {
-      ++seen[pair.known->verdict];
-    }
+    for (const SolidPair& pair : pairs) ++seen[pair.known->verdict];
     for (const Verdict verdict :
          {Verdict::duplicate, Verdict::inside, Verdict::penetrating, Verdict::touching, Verdict::apart}) {
       EXPECT_GT(seen[verdict], 0) << static_cast<int>(verdict);

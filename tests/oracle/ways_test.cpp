@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>

@@ -110,9 +110,8 @@ Sides sides(const Solid& solid, const Solid& other) {
       const Point p = u * t[0] + v * t[1] + w * t[2] + down;
       const double turns = std::fabs(winding(other, p));
       bool is_on = false;
-      for (std::size_t k = 0; k < other.triangles.size() && !is_on; ++k) {
+      for (std::size_t k = 0; k < other.triangles.size() && !is_on; ++k)
         is_on = gap(Box{p, p}, other.boxes[k]) < kTouch && triangles_apart({p, p, p}, other.triangles[k]) < kTouch;
-      }
       if (is_on) continue;
       (turns > 0.5 ? found.inside : found.outside) = true;
     }

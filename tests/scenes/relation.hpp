@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "impinge/clash.hpp"
 #include "scenes/scene.hpp"
 

@@ -22,9 +22,7 @@ WorldObject placed(const Mesh& mesh, const Placement& placement) {
   }
   WorldObject object;
   object.triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    object.triangles.push_back({world.at(t[0]), world.at(t[1]), world.at(t[2])});
-  }
+  for (const auto& t : mesh.triangles) object.triangles.push_back({world.at(t[0]), world.at(t[1]), world.at(t[2])});
   return object;
 }
 

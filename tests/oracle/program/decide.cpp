@@ -27,17 +27,13 @@ struct Element {
 
 Corners corners_of(const WorldTriangle& t) {
   Corners corners;
-  for (const auto& v : t) {
-    corners.push_back(vec(v[0], v[1], v[2]));
-  }
+  for (const auto& v : t) corners.push_back(vec(v[0], v[1], v[2]));
   return simplified(corners);
 }
 
 Corners corners_of(const Element& element) {
   Corners corners;
-  for (const Point& p : element.corners) {
-    corners.push_back(vec(p.x(), p.y(), p.z()));
-  }
+  for (const Point& p : element.corners) corners.push_back(vec(p.x(), p.y(), p.z()));
   return simplified(corners);
 }
 
@@ -45,9 +41,7 @@ Corners corners_of(const Element& element) {
 std::array<int, 3> sides(const Element& plane, const Element& of) {
   std::array<int, 3> result{};
   const auto& p = plane.corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = static_cast<int>(CGAL::orientation(p[0], p[1], p[2], of.corners[i]));
-  }
+  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(CGAL::orientation(p[0], p[1], p[2], of.corners[i]));
   return result;
 }
 
@@ -61,16 +55,12 @@ bool straddles(const std::array<int, 3>& s) {
 bool edge_pierces(const Element& a, const Element& b, const std::array<int, 3>& a_sides) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    if (a_sides[i] * a_sides[j] >= 0) {
-      continue;
-    }
+    if (a_sides[i] * a_sides[j] >= 0) continue;
     const auto turn = [&](std::size_t k) {
       return CGAL::orientation(a.corners[i], a.corners[j], b.corners[k], b.corners[(k + 1) % 3]);
     };
     const auto first = turn(0);
-    if (first != CGAL::COPLANAR && turn(1) == first && turn(2) == first) {
-      return true;
-    }
+    if (first != CGAL::COPLANAR && turn(1) == first && turn(2) == first) return true;
   }
   return false;
 }
@@ -86,24 +76,18 @@ std::optional<Meeting> decide(const Element& a, const Element& b, Counts& counts
     return std::nullopt;
   }
   const auto a_sides = sides(b, a);
-  if (a_sides == std::array<int, 3>{0, 0, 0}) {
-    return Meeting::coplanar;
-  }
+  if (a_sides == std::array<int, 3>{0, 0, 0}) return Meeting::coplanar;
   const auto b_sides = sides(a, b);
   // A triangle on one closed side of the other's plane, but not in it, has no inner point in that plane.
-  if (!straddles(a_sides) || !straddles(b_sides)) {
-    return Meeting::touching;
-  }
-  if (edge_pierces(a, b, a_sides) || edge_pierces(b, a, b_sides)) {
-    return Meeting::crossing;
-  }
+  if (!straddles(a_sides) || !straddles(b_sides)) return Meeting::touching;
+  if (edge_pierces(a, b, a_sides) || edge_pierces(b, a, b_sides)) return Meeting::crossing;
   ++counts.rationals;
   return meeting(corners_of(a), corners_of(b));
 }
 
 std::vector<Element> elements_of(const std::vector<WorldObject>& objects) {
   std::vector<Element> elements;
-  for (std::uint32_t o = 0; o < objects.size(); ++o) {
+  for (std::uint32_t o = 0; o < objects.size(); ++o)
     for (std::uint32_t t = 0; t < objects[o].triangles.size(); ++t) {
       const WorldTriangle& w = objects[o].triangles[t];
       const auto point = [&](std::size_t i) { return Point(w[i][0], w[i][1], w[i][2]); };
@@ -111,7 +95,6 @@ std::vector<Element> elements_of(const std::vector<WorldObject>& objects) {
       element.proper = !CGAL::collinear(element.corners[0], element.corners[1], element.corners[2]);
       elements.push_back(element);
     }
-  }
   return elements;
 }
 
@@ -119,12 +102,11 @@ using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Element
 
 std::vector<Box> boxes_of(const std::vector<Element>& elements, std::uint32_t from, std::uint32_t to) {
   std::vector<Box> boxes;
-  for (const Element& element : elements) {
+  for (const Element& element : elements)
     if (element.object >= from && element.object < to) {
       const auto& c = element.corners;
       boxes.emplace_back(c[0].bbox() + c[1].bbox() + c[2].bbox(), &element);
     }
-  }
   return boxes;
 }
 
@@ -144,15 +126,10 @@ std::vector<Contact> contacts_of(const std::vector<WorldObject>& objects, Counts
   const auto visit = [&](const Box& box_a, const Box& box_b) {
     const Element* a = box_a.handle();
     const Element* b = box_b.handle();
-    if (!compared(objects, a->object, b->object)) {
-      return;
-    }
-    if (a->object > b->object) {
-      std::swap(a, b);
-    }
-    if (const auto kind = decide(*a, *b, counts)) {
+    if (!compared(objects, a->object, b->object)) return;
+    if (a->object > b->object) std::swap(a, b);
+    if (const auto kind = decide(*a, *b, counts))
       contacts.push_back(contact(a->object, b->object, a->triangle, b->triangle, *kind));
-    }
   };
   if (objects.size() == 2) {
     auto first = boxes_of(elements, 0, 1);
@@ -170,25 +147,16 @@ std::vector<Contact> contacts_by_rationals(const std::vector<WorldObject>& objec
   std::vector<std::vector<Corners>> shapes;
   for (const WorldObject& object : objects) {
     auto& of_object = shapes.emplace_back();
-    for (const WorldTriangle& triangle : object.triangles) {
-      of_object.push_back(corners_of(triangle));
-    }
+    for (const WorldTriangle& triangle : object.triangles) of_object.push_back(corners_of(triangle));
   }
   std::vector<Contact> contacts;
-  for (std::uint32_t i = 0; i < objects.size(); ++i) {
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
     for (std::uint32_t j = i + 1; j < objects.size(); ++j) {
-      if (!compared(objects, i, j)) {
-        continue;
-      }
-      for (std::uint32_t a = 0; a < shapes[i].size(); ++a) {
-        for (std::uint32_t b = 0; b < shapes[j].size(); ++b) {
-          if (const auto kind = meeting(shapes[i][a], shapes[j][b])) {
-            contacts.push_back(contact(i, j, a, b, *kind));
-          }
-        }
-      }
+      if (!compared(objects, i, j)) continue;
+      for (std::uint32_t a = 0; a < shapes[i].size(); ++a)
+        for (std::uint32_t b = 0; b < shapes[j].size(); ++b)
+          if (const auto kind = meeting(shapes[i][a], shapes[j][b])) contacts.push_back(contact(i, j, a, b, *kind));
     }
-  }
   return contacts;
 }
 

@@ -25,11 +25,9 @@ Matrix matrix_of(const aiMatrix4x4& m) {
 
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix c{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
       c[i][j] = ((a[i][0] * b[0][j] + a[i][1] * b[1][j]) + a[i][2] * b[2][j]) + a[i][3] * b[3][j];
-    }
-  }
   return c;
 }
 
@@ -38,14 +36,12 @@ oracle::Mesh mesh_of(const aiScene& scene, const aiNode& node) {
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
     const auto offset = static_cast<std::uint32_t>(result.vertices.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
       result.vertices.push_back({mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z});
-    }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices == 3) {  // the others are points and lines
+      if (face.mNumIndices == 3)  // the others are points and lines
         result.triangles.push_back({offset + face.mIndices[0], offset + face.mIndices[1], offset + face.mIndices[2]});
-      }
     }
   }
   return result;
@@ -54,14 +50,11 @@ oracle::Mesh mesh_of(const aiScene& scene, const aiNode& node) {
 void add_objects(const aiScene& scene, const aiNode& node, const Matrix& above, std::vector<oracle::WorldObject>& to) {
   const Matrix m = product(above, matrix_of(node.mTransformation));
   const oracle::Mesh mesh = mesh_of(scene, node);
-  if (!mesh.triangles.empty()) {
+  if (!mesh.triangles.empty())
     to.push_back(
         oracle::placed(mesh, {{m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]},
                               {m[0][3], m[1][3], m[2][3]}}));
-  }
-  for (unsigned i = 0; i < node.mNumChildren; ++i) {
-    add_objects(scene, *node.mChildren[i], m, to);
-  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) add_objects(scene, *node.mChildren[i], m, to);
 }
 
 }  // namespace

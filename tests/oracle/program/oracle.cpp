@@ -12,9 +12,7 @@
 int main(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool rational = !arguments.empty() && arguments.front() == "--rational";
-  if (rational) {
-    arguments.erase(arguments.begin());
-  }
+  if (rational) arguments.erase(arguments.begin());
   if (arguments.size() != 2) {
     std::cerr << "usage: impinge_oracle [--rational] SCENE SET\n";
     return 2;
@@ -30,9 +28,8 @@ int main(int argc, char** argv) {
     std::cerr << arguments[1] << ": cannot be written.\n";
     return 2;
   }
-  if (!rational) {
+  if (!rational)
     std::cout << contacts.size() << " contacts, " << counts.candidates << " candidates, " << counts.rationals
               << " decided by rationals\n";
-  }
   return 0;
 }

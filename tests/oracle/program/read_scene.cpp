@@ -26,9 +26,7 @@ class Reader {
       fine_ = false;
       return;
     }
-    if (count != 0) {
-      std::memcpy(values, bytes_.data() + at_, count * sizeof(T));
-    }
+    if (count != 0) std::memcpy(values, bytes_.data() + at_, count * sizeof(T));
     at_ += count * sizeof(T);
   }
   /// Whether `count` things of `size` bytes can still follow.
@@ -50,18 +48,14 @@ class Reader {
 std::optional<std::vector<WorldObject>> read_scene(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   Reader reader(std::string(std::istreambuf_iterator<char>(in), {}));
-  if (reader.one<std::array<char, 8>>() != std::array{'i', 'm', 'p', 's', 'c', 'n', '0', '1'}) {
-    return std::nullopt;
-  }
+  if (reader.one<std::array<char, 8>>() != std::array{'i', 'm', 'p', 's', 'c', 'n', '0', '1'}) return std::nullopt;
   const auto mesh_count = reader.one<std::uint64_t>();
   const auto object_count = reader.one<std::uint64_t>();
   std::vector<Mesh> meshes;
   for (std::uint64_t i = 0; i < mesh_count && reader.fine(); ++i) {
     const auto vertex_count = reader.one<std::uint64_t>();
     const auto triangle_count = reader.one<std::uint64_t>();
-    if (!reader.holds(vertex_count, 24) || !reader.holds(triangle_count, 12)) {
-      return std::nullopt;
-    }
+    if (!reader.holds(vertex_count, 24) || !reader.holds(triangle_count, 12)) return std::nullopt;
     Mesh& mesh = meshes.emplace_back();
     mesh.vertices.resize(vertex_count);
     mesh.triangles.resize(triangle_count);
@@ -73,15 +67,11 @@ std::optional<std::vector<WorldObject>> read_scene(const std::string& file) {
     const auto mesh = reader.one<std::uint32_t>();
     const auto group = reader.one<std::uint32_t>();
     const auto placement = reader.one<Placement>();
-    if (!reader.fine() || mesh >= meshes.size()) {
-      return std::nullopt;
-    }
+    if (!reader.fine() || mesh >= meshes.size()) return std::nullopt;
     objects.push_back(placed(meshes[mesh], placement));
     objects.back().group = group;
   }
-  if (!reader.at_end()) {
-    return std::nullopt;
-  }
+  if (!reader.at_end()) return std::nullopt;
   return objects;
 }
 
