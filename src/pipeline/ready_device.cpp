@@ -181,8 +181,8 @@ Devices::Choice Devices::choose(std::string_view name, bool may_open) {
 
 void Devices::reopen(const Limits& limits, bool validate) {
   const std::lock_guard lock(mutex_);
-  slots_.clear();
-  instance_ = nullptr;
+  for (Slot& slot : slots_) slot = {.known = {slot.known.physical, ""}};
+  if (validate != validate_) slots_.clear(), instance_ = nullptr;  // not each time: a driver may not load for ever
   limits_ = limits, validate_ = validate;
 }
 
