@@ -63,13 +63,12 @@ struct LeafAgainstNode {
 /// by their planes, on which a box's extent is that along its own axes.
 //
 // Corners are off by e = scale * leaf.error each. With u = 2^-24, edges a and b from the first corner p, A their
-// largest coordinate, and E at least the largest coordinate of p and that of the box's centre and half extent,
-// together, det(a, b, x - p) is off for every x of the box, its six terms of a, b (each off by 2 e + u A) and x - p
-// (off by e + u E), by
-//   6 (2 (2 e + u A) A E + (e + u E) A A) from its inputs and 29 u A A E from its arithmetic.
-// The same again covers what the computed normal's errors do to the box's extent along it and to its own length; and
-// 60 u A A E the rounding of the normal in the box's frame (4 u of each of three products, of |n| <= 2 A A a
-// coordinate, and mapped half extents up to E) and of the extent's six.
+// largest coordinate and 2 e, so at least that of the exact ones, and E at least the largest coordinate of a corner and
+// that of the box's centre and half extent, together, so that A <= 2 E: the computed normal n is at most 2 A A and off
+// by at most 8 A (e + u A) a coordinate, and n x - n p, for the box's centre x, by 36 u A A E from six roundings of at
+// most 6 A A E. The box's extent along n is off by 42 u A A E: 4 u of each of three products of n's in the box's frame,
+// whose half extents are up to E, and three sums. A triangle's own extent along n is at most 24 A A (e + u A), and p is
+// off by 6 e A A along it. In all less than 30 e A A + 126 u A A E.
 // Underflow adds less than 2^-110, for no coordinate is above a few times the trees' extents, which are about 1. The
 // roundings of a box's faces and of lo - e and hi + e are left to the slack, which is larger
 // (hierarchy/wide_boxes-inl.hpp).
@@ -105,11 +104,11 @@ class TrianglesAgainstBoxes {
           hn::Abs(hn::MulAdd(part(0), normal_[0], hn::MulAdd(part(1), normal_[1], hn::Mul(part(2), normal_[2]))));
     }
     length_ = hn::Sqrt(length);
-    // 2 A (25 e E + 6.1 e A + 80 u A E), in two parts
-    A = hn::Mul(A, hn::Set(d, 2.0f));
+    A = hn::MulAdd(hn::Set(d, 2.0f), error, A);
+    const V square = hn::Mul(A, A);
     off_ = hn::MulAdd(hn::Set(d, pair.slack), flat,
-                      hn::MulAdd(hn::Mul(A, A), hn::Mul(error, hn::Set(d, 3.05f)), hn::Set(d, 0x1p-100f)));
-    off_by_E_ = hn::Mul(A, hn::MulAdd(error, hn::Set(d, 25.0f), hn::Mul(hn::Set(d, 0x1.4p-19f), A)));
+                      hn::MulAdd(hn::Mul(square, error), hn::Set(d, 37.0f), hn::Set(d, 0x1p-100f)));
+    off_by_E_ = hn::Mul(square, hn::Set(d, 0x1.4p-17f));  // 160 u
     size_ = leaf.count - lane;
   }
 
@@ -142,16 +141,28 @@ class TrianglesAgainstBoxes {
     return (1 - 0x1p-18f) * hn::GetLane(hn::MinOfLanes(d, square));
   }
 
+  /// About the least distance of a box's centre from the planes of some of the triangles.
+  HWY_INLINE float height(int box, hn::Mask<TriangleLanes> of) const {
+    const TriangleLanes d;
+    const V height = hn::Div(hn::Abs(along(box)), length_);
+    return hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(of, height, hn::Set(d, 1e18f))));
+  }
+
  private:
+  /// How far a box's centre is before the planes, times the length of the normal.
+  HWY_INLINE V along(int box) const {
+    V sum = level_;
+    for (int i = 0; i < 3; ++i)
+      sum = hn::NegMulAdd(normal_[i], hn::Set(TriangleLanes(), pair_.boxes.mapped.center[i][box]), sum);
+    return sum;
+  }
+
   /// The distance of a box from the planes, times the length of the normal; not above 0 if they may share a point.
   HWY_INLINE V beyond(int box) const {
     const TriangleLanes d;
-    V along = level_, extent = off_;
-    for (int i = 0; i < 3; ++i) {
-      along = hn::NegMulAdd(normal_[i], hn::Set(d, pair_.boxes.mapped.center[i][box]), along);
-      extent = hn::MulAdd(turned_[i], hn::Set(d, pair_.boxes.half[i][box]), extent);
-    }
-    return hn::Sub(hn::Abs(along), hn::MulAdd(off_by_E_, hn::Set(d, pair_.extent[box]), extent));
+    V extent = off_;
+    for (int i = 0; i < 3; ++i) extent = hn::MulAdd(turned_[i], hn::Set(d, pair_.boxes.half[i][box]), extent);
+    return hn::Sub(hn::Abs(along(box)), hn::MulAdd(off_by_E_, hn::Set(d, pair_.extent[box]), extent));
   }
 
   const LeafAgainstNode& pair_;

@@ -64,25 +64,35 @@ struct Overlaps {
   Opening opening;
 };
 
-/// A leaf against the children of a node that is much the smaller: a bit for each child's box that some triangle may
-/// touch. By the leaf's one box a large triangle would be held against every leaf below.
-unsigned met_by_triangles(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees) {
-  const bool leaf_is_a = pair.a.is_leaf();
-  const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();
+/// A leaf against the children of a node that is much the smaller, or a leaf of that size: which children's boxes some
+/// triangle may touch, and of these, if asked for, the one whose centre is nearest to such a triangle's plane. By the
+/// leaf's one box a large triangle would be held against every leaf below.
+void meet_triangles(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees,
+                    bool with_nearest, Overlaps& result) {
   const auto scale = static_cast<float>(trees.scale);
+  const bool both_leaves = pair.a.is_leaf() && pair.b.is_leaf();
+  const bool leaf_is_a = both_leaves ? frame_of(pair.a).radius > scale * frame_of(pair.b).radius : pair.a.is_leaf();
+  const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();
+  const TreeRef& other = leaf_is_a ? pair.b : pair.a;
   BoxSide boxes;
   Boxes own;
-  leaf_is_a ? open(pair.b.node(), scale, own, boxes) : open(pair.a.node(), 1, own, boxes);
+  const float scale_of_other = leaf_is_a ? scale : 1;
+  both_leaves ? keep_whole(other, scale_of_other, own, boxes) : open(other.node(), scale_of_other, own, boxes);
   const float slack = slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius);
   map_to_other(boxes, !leaf_is_a, relation, slack);
   const LeafAgainstNode lies(leaf, leaf_is_a ? 1 : scale, leaf_is_a, relation, boxes, slack);
-  unsigned met = 0;
+  float least = std::numeric_limits<float>::infinity();
   for (std::size_t lane = 0; lane < leaf.count; lane += hn::Lanes(TriangleLanes())) {
     const TrianglesAgainstBoxes triangles(lies, lane);
-    for (int box = 0; box < boxes.size; ++box)
-      met |= static_cast<unsigned>(!hn::AllFalse(TriangleLanes(), triangles.meet(box))) << box;
+    for (int box = 0; box < boxes.size; ++box) {
+      const auto meet = triangles.meet(box);
+      if (hn::AllFalse(TriangleLanes(), meet)) continue;
+      const std::uint64_t bit = std::uint64_t{1} << box;
+      result.bits |= bit;
+      if (!with_nearest) continue;
+      if (const float height = triangles.height(box, meet); height < least) least = height, result.nearest = bit;
+    }
   }
-  return met;
 }
 
 /// Of a node's children with each other: each with itself and with those that come after it.
@@ -98,8 +108,8 @@ Overlaps overlaps_of(const WideWalk& walk, const TreeRefPair& pair, const FrameR
   const TreeRelation& trees = walk.relation;
   Overlaps result{0, 0, opening_of(pair.a, pair.b, trees)};
   if (is_leaf_against_smaller(pair.a, pair.b, trees)) {
-    counts.box_tests += (pair.a.is_leaf() ? pair.b : pair.a).node().size;
-    result.bits = met_by_triangles(pair, relation, trees);
+    counts.box_tests += result.opening.a ? pair.a.node().size : result.opening.b ? pair.b.node().size : 1;
+    meet_triangles(pair, relation, trees, with_nearest, result);
     return result;
   }
   BoxSide a, b;
@@ -121,8 +131,10 @@ struct Ends {
   WideLeafPair* leaves;
 };
 
-/// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack.
-Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, Opening opening, Ends ends,
+/// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack. And so, but for
+/// those that are `sure` to be worth it, a leaf with one of a sixteenth its size, to be held against its box first:
+/// between leaves of less unequal sizes that costs more than it saves.
+Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, Opening opening, bool sure, Ends ends,
              WalkCounts& counts) {
   const auto child = [&](WideTree& tree, const TreeRef& parent, bool is_open, int lane) {
     return is_open ? tree.child(parent.node(), lane, counts.made, walk.for_each) : parent;
@@ -131,7 +143,7 @@ Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, 
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
     const TreeRef a = child(walk.a, pair.a, opening.a, opening.b ? one : lane),
                   b = child(walk.b, pair.b, opening.b, opening.b ? lane : one);
-    const bool both_leaves = a.is_leaf() && b.is_leaf();
+    const bool both_leaves = a.is_leaf() && b.is_leaf() && (sure || !is_leaf_against_smaller(a, b, walk.relation, 16));
     // Written to both lists, and kept in one: a branch could not be predicted.
     *ends.open = {a, b};
     *ends.leaves = {&a.leaf(), &b.leaf()};
@@ -173,8 +185,9 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     Ends ends{stack.data() + open, leaf_pairs.data() + leaves};
     for (std::size_t i = 0; i < size; ++i) {
       const auto& [bits, nearest, opening] = overlaps[i];
-      ends = descend(walk, block[i], bits & ~nearest, opening, ends, counts);
-      if (nearest != 0) ends = descend(walk, block[i], nearest, opening, ends, counts);
+      const bool was_leaf_pair = !opening.a && !opening.b;
+      ends = descend(walk, block[i], bits & ~nearest, opening, was_leaf_pair, ends, counts);
+      if (nearest != 0) ends = descend(walk, block[i], nearest, opening, true, ends, counts);
     }
     stack.resize(static_cast<std::size_t>(ends.open - stack.data()));
     leaf_pairs.resize(static_cast<std::size_t>(ends.leaves - leaf_pairs.data()));

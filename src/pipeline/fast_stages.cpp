@@ -82,7 +82,10 @@ bool FastStages::Pair::is_swapped(const MeshState& first, const MeshState& secon
   return first.wide_tree.unit_exponent() < second.wide_tree.unit_exponent();
 }
 
-void FastStages::configure(const Options& options) { first_only_ = options.find == Options::Find::first; }
+void FastStages::configure(const Options& options) {
+  first_only_ = options.find == Options::Find::first;
+  any_is_enough_ = first_only_ && options.kinds == kAllKinds;
+}
 
 bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kFullSlice; }
 
@@ -100,8 +103,19 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   statistics.leaf_pairs += leaf_pairs_.size();
   if (leaf_pairs_.empty()) return;
 
+  // Of a search for one contact the nearest leaves, which come last, are looked at by themselves while slices are
+  // small.
+  const std::span<const hierarchy::WideLeafPair> all(leaf_pairs_);
+  const std::size_t nearest = any_is_enough_ && slices_ <= kPatientSlices ? 1 : all.size();
+  decide(pair, all.last(nearest), clock, statistics);
+  if (keys_.empty() && nearest < all.size()) decide(pair, all.first(all.size() - nearest), clock, statistics);
+}
+
+/// Partition to exact.
+void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
+                        Statistics& statistics) {
   filtered_.crossing.clear(), filtered_.unsure.clear();
-  sweep_.begin(leaf_pairs_, pair.walk.relation, pair.is_self);
+  sweep_.begin(leaf_pairs, pair.walk.relation, pair.is_self);
   for (bool done = false; !done;) {
     stream_.size = 0;
     done = sweep_.fill(stream_);
@@ -116,6 +130,10 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
     clock.charge(statistics.narrow_seconds);
     statistics.element_tests += stream_.size;
     statistics.triangle_pairs += stream_.size;
+    if (any_is_enough_ && !filtered_.crossing.empty()) {
+      filtered_.unsure.clear();
+      break;
+    }
   }
   if (filtered_.crossing.empty() && filtered_.unsure.empty()) return;
 

@@ -50,10 +50,13 @@ class FastStages {
   [[nodiscard]] bool is_worth_sharing() const;
 
  private:
+  void decide(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
+              Statistics& statistics);
   void decide_neighbours(const Pair& pair);
 
   bool first_only_ = false;
-  unsigned slices_ = 0;  ///< of a search for one contact
+  bool any_is_enough_ = false;  ///< then, of any kind
+  unsigned slices_ = 0;         ///< of a search for one contact
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;
   partition::Sweep sweep_;
   partition::PairStream stream_;
