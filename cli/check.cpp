@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "documents.hpp"
 #include "progress.hpp"
+#include "report/assembly.hpp"
 #include "report/json_writer.hpp"
 #include "report/sink.hpp"
 #include "report/text.hpp"
@@ -62,7 +63,7 @@ Result<Answer> find_answer(const CheckArguments& arguments, const std::stop_toke
   const double read_seconds = seconds_since(start);
   const auto read = Clock::now();
   Result<Contacts> contacts = collide(arguments, *assembly, line, stop);
-  if (!contacts) return contacts.error();
+  if (!contacts) return with_label(contacts.error(), *assembly);
   return Answer{std::move(*assembly), std::move(*contacts), read_seconds, seconds_since(read)};
 }
 

@@ -76,13 +76,14 @@ std::string summary(const ImpactSequence& sequence, const ImpactsArguments& argu
                                    : "Nothing meets.\n";
   } else {
     const auto& [frame, toi] = *sequence.earliest;
-    text = fmt::format(
-        "{} at {} of the step from {} to {}{}.\n",
-        arguments.earliest ? "The first impact is" : counted(sequence.impacts.size(), "impact") + "; the first is",
-        toi.lo, printable(arguments.files[frame]), printable(arguments.files[frame + 1]),
-        toi.hi > 0                ? ""
-        : sequence.separation > 0 ? ", which begins within the separation"
-                                  : ", which begins with contact");
+    text = fmt::format("{} at {} of the step from {} to {}{}.\n",
+                       arguments.earliest || sequence.impacts.empty()
+                           ? "The first impact is"
+                           : counted(sequence.impacts.size(), "impact") + "; the first is",
+                       toi.lo, printable(arguments.files[frame]), printable(arguments.files[frame + 1]),
+                       toi.hi > 0                ? ""
+                       : sequence.separation > 0 ? ", which begins within the separation"
+                                                 : ", which begins with contact");
   }
   if (sequence.truncated) text += fmt::format("Cut short by --limit {}: there are more.\n", grouped(arguments.limit));
   return text + fmt::format("{}, {}, {}.\n", counted(arguments.files.size(), "state"),

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "report/conventions.hpp"
@@ -216,6 +219,18 @@ Error with_skipped(Error error, const Assembly& assembly) {
   error.message += "; " + assembly.missing[assembly.missing.size() - assembly.skipped.size()];
   if (const std::size_t others = assembly.skipped.size() - 1; others > 0)
     error.message += fmt::format(" (and {})", counted(others, "other file"));
+  return error;
+}
+
+Error with_label(Error error, const Assembly& assembly) {
+  constexpr std::string_view kObject = "object ";
+  if (!error.message.starts_with(kObject)) return error;
+  std::size_t object = assembly.labels.size();
+  const char* const number = error.message.data() + kObject.size();
+  const auto read = std::from_chars(number, error.message.data() + error.message.size(), object);
+  if (read.ec == std::errc() && object < assembly.labels.size())
+    error.message.replace(0, static_cast<std::size_t>(read.ptr - error.message.data()),
+                          fmt::format("'{}'", assembly.labels[object]));
   return error;
 }
 

@@ -20,6 +20,9 @@ std::vector<std::uint32_t> products_of(const Assembly& assembly);
 /// The error, whose reason may be that files were skipped, with the first of them after it.
 Error with_skipped(Error error, const Assembly& assembly);
 
+/// A scene's error that begins with "object 3", with that object's label instead.
+Error with_label(Error error, const Assembly& assembly);
+
 /// The error that an interrupted command ends with, whatever it was doing.
 Error interrupted();
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "impinge/scene.hpp"
+#include "report/assembly.hpp"
 #include "report/json_writer.hpp"
 #include "report/text.hpp"
 #include "report/units.hpp"
@@ -90,7 +91,7 @@ class Steps {
       if (auto same = compare(found_.assembly, *to, options_.files[frame], options_.files[frame + 1]); !same)
         return same.error();
       if (auto moved = move(*to); !moved) return in_file(frame + 1, moved.error());
-      if (auto looked = look(frame); !looked) return in_file(frame + 1, looked.error());
+      if (auto looked = look(frame); !looked) return in_step(frame, looked.error());
       if (found_.truncated || (options_.earliest && found_.earliest)) break;
       scene_.step();
       if (options_.progress != nullptr) options_.progress->done.fetch_add(1);
@@ -101,6 +102,11 @@ class Steps {
  private:
   [[nodiscard]] Error in_file(std::size_t frame, const Error& error) const {
     return {error.code, error.code == Code::cancelled ? error.message : options_.files[frame] + ": " + error.message};
+  }
+  [[nodiscard]] Error in_step(std::size_t frame, const Error& error) const {
+    const std::string step = options_.files[frame] + " to " + options_.files[frame + 1] + ": ";
+    return {error.code,
+            error.code == Code::cancelled ? error.message : step + with_label(error, found_.assembly).message};
   }
 
   Result<void> move(const Assembly& to) {

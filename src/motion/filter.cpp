@@ -167,6 +167,7 @@ HWY_INLINE Quadratic<N> over(const Quadratic<N>& q, const Part& part) {
 
 template <class N>
 HWY_INLINE Cubic<N> over(const Cubic<N>& c, const Part& part) {
+  if (part.is_all()) return c;
   const auto between = [](const N& a, const N& b, double t) HWY_ATTR { return N(1 - t) * a + N(t) * b; };
   const auto blossom = [&](double r, double s, double t) HWY_ATTR {
     const N a = between(c[0], c[1], r), b = between(c[1], c[2], r), d = between(c[2], c[3], r);
@@ -290,13 +291,14 @@ HWY_INLINE Verdict<D> verdict_during(const Part& part, const Sides<Num<D>>& side
 }
 
 template <template <class> class Features>
-HWY_INLINE std::uint32_t may_meet(const FourPointsBlock& block) {
+HWY_INLINE std::uint32_t may_meet(const FourPointsBlock& block, double until) {
   const Many d;
+  const Part part{0, until, 0};
   std::uint32_t bits = 0;
   for (std::size_t lane = 0; lane < FourPointsBlock::kLanes; lane += hn::Lanes(d)) {
     const Features<Many> features(load(block, lane));
-    Lanes<Many> avoid = one_sign(features.volume, features.bounds.cubic);
-    if (!avoid.all()) avoid = avoid | verdict_during<Features>({0, 1, 0}, features.sides(), features.bounds).apart;
+    Lanes<Many> avoid = one_sign(over(features.volume, part), features.bounds.cubic);
+    if (!avoid.all()) avoid = avoid | verdict_during<Features>(part, features.sides(), features.bounds).apart;
     const Lanes<Many> certain = avoid & features.bounds.valid;
     bits |= (impinge::HWY_NAMESPACE::mask_bits(d, certain.m) ^ ((1u << hn::Lanes(d)) - 1)) << lane;
   }
@@ -307,12 +309,11 @@ template <template <class> class Features>
 HWY_INLINE bool avoid(const FourPoints& from, const FourPoints& to) {
   const Features<One> features(load(from, to));
   if (!features.bounds.valid.all()) return false;
-  if (one_sign(features.volume, features.bounds.cubic).all()) return true;
   const Sides<Num<One>> sides = features.sides();
   std::array<Part, kLevels + 1> parts{Part{0, 1, 0}};
   for (int count = 1; count > 0;) {
     const Part part = parts[--count];
-    if (part.level > 0 && one_sign(over(features.volume, part), features.bounds.cubic).all()) continue;
+    if (one_sign(over(features.volume, part), features.bounds.cubic).all()) continue;
     if (verdict_during<Features>(part, sides, features.bounds).apart.all()) continue;
     if (part.level == kLevels) return false;
     const double middle = (part.start + part.end) / 2;
@@ -330,8 +331,10 @@ HWY_INLINE int meet(const FourPoints& from, const FourPoints& to, const Interval
   return verdict.apart.all() ? -1 : int{verdict.meet.all()};
 }
 
-std::uint32_t faces_may_meet(const FourPointsBlock& block) { return may_meet<RoundedFace>(block); }
-std::uint32_t edges_may_meet(const FourPointsBlock& block) { return may_meet<RoundedEdges>(block); }
+std::uint32_t faces_may_meet(const FourPointsBlock& block, double until) { return may_meet<RoundedFace>(block, until); }
+std::uint32_t edges_may_meet(const FourPointsBlock& block, double until) {
+  return may_meet<RoundedEdges>(block, until);
+}
 bool vertex_avoids_face(const FourPoints& from, const FourPoints& to) { return avoid<RoundedFace>(from, to); }
 bool edges_avoid(const FourPoints& from, const FourPoints& to) { return avoid<RoundedEdges>(from, to); }
 int vertex_in_face(const FourPoints& from, const FourPoints& to, const Interval& time) {
@@ -354,8 +357,12 @@ HWY_EXPORT(edges_avoid);
 HWY_EXPORT(vertex_in_face);
 HWY_EXPORT(edges_cross);
 
-std::uint32_t faces_may_meet(const FourPointsBlock& block) { return HWY_DYNAMIC_DISPATCH(faces_may_meet)(block); }
-std::uint32_t edges_may_meet(const FourPointsBlock& block) { return HWY_DYNAMIC_DISPATCH(edges_may_meet)(block); }
+std::uint32_t faces_may_meet(const FourPointsBlock& block, double until) {
+  return HWY_DYNAMIC_DISPATCH(faces_may_meet)(block, until);
+}
+std::uint32_t edges_may_meet(const FourPointsBlock& block, double until) {
+  return HWY_DYNAMIC_DISPATCH(edges_may_meet)(block, until);
+}
 bool vertex_avoids_face(const FourPoints& from, const FourPoints& to) {
   return HWY_DYNAMIC_DISPATCH(vertex_avoids_face)(from, to);
 }

@@ -16,10 +16,10 @@ struct alignas(64) FourPointsBlock {
   double from[4][3][kLanes], to[4][3][kLanes];
 };
 
-/// A bit for each lane where it is open whether the vertex meets the face, or the edges meet. Quicker than what
-/// follows, and less sharp.
-std::uint32_t faces_may_meet(const FourPointsBlock& block);
-std::uint32_t edges_may_meet(const FourPointsBlock& block);
+/// A bit for each lane where it is open whether the vertex meets the face, or the edges meet, until a time. Quicker
+/// than what follows, and less sharp.
+std::uint32_t faces_may_meet(const FourPointsBlock& block, double until);
+std::uint32_t edges_may_meet(const FourPointsBlock& block, double until);
 
 /// Whether they certainly never meet.
 bool vertex_avoids_face(const FourPoints& from, const FourPoints& to);

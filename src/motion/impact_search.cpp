@@ -182,7 +182,7 @@ class Search {
         continue;
       }
       const FourPoints from = points_of(feature, pair, false), to = points_of(feature, pair, true);
-      const double until = query_.earliest ? end_.load(std::memory_order_relaxed) : query_.end;
+      const double until = end_.load(std::memory_order_relaxed);
       const auto near = feature == Feature::edge_edge ? edge_edge_approach(from, to, query_.separation, until)
                                                       : vertex_face_approach(from, to, query_.separation, until);
       if (!near) continue;
@@ -211,7 +211,8 @@ class Search {
             block.to[i][axis][lane] = component(to[i], axis);
           }
       }
-      std::uint32_t bits = on_edges ? edges_may_meet(block) : faces_may_meet(block);
+      const double until = end_.load(std::memory_order_relaxed);
+      std::uint32_t bits = on_edges ? edges_may_meet(block, until) : faces_may_meet(block, until);
       for (bits &= (1u << count) - 1; bits != 0; bits &= bits - 1) {
         const auto& pair = list.pairs[first + static_cast<std::size_t>(std::countr_zero(bits))];
         const FourPoints from = points_of(feature, pair, false), to = points_of(feature, pair, true);

@@ -152,6 +152,9 @@ TEST(Check, TestsObjectsOfOneFileAndShowsTheFileWhereNamesAreTheSame) {
   const Ended both = impinge(folder, {"check", "pair.gltf", "left.off"});
   EXPECT_NE(both.out.find("left (pair.gltf)  right "), std::string::npos) << both.out;
   EXPECT_NE(both.out.find("left (pair.gltf)  left (left.off) "), std::string::npos) << both.out;
+
+  folder.write("far.off", "OFF\n3 1 0\n1e100 0 0\n0 1 0\n0 0 1\n3 0 1 2\n");
+  EXPECT_TRUE(impinge(folder, {"check", "pair.gltf", "far.off"}).err.starts_with("impinge: 'far' is out of range"));
 }
 
 TEST(Check, LimitKeepsTheFirstInOrder) {

@@ -196,6 +196,9 @@ TEST_F(Impacts, EveryPairOfFeaturesThatMeetsIsListedInJsonAndCsv) {
     EXPECT_EQ(some.at("impacts"),
               json(std::vector<json>(all.at("impacts").begin(), all.at("impacts").begin() + static_cast<long>(limit))));
   }
+  EXPECT_TRUE(run({"from.obj", "to.obj", "--limit", "0"})
+                  .out.starts_with("The first impact is at 1 of the step from from.obj to to.obj.\n"
+                                   "Cut short by --limit 0: there are more.\n"));
 }
 
 TEST_F(Impacts, ASequenceSaysInWhichStep) {
@@ -265,6 +268,12 @@ TEST_F(Impacts, WrongStatesAreOneSentence) {
     return obj({{"plate", kPlate}, {"cube", solid}});
   }());
   folder.write("reversed.obj", obj({{"cube", cube(0, 0, 3)}, {"plate", kPlate}}));
+  // Its lower face is beyond 2^300, about 2e90.
+  folder.write("far.obj", [] {
+    std::string text = obj({{"plate", kPlate}, {"cube", cube(0, 0, 1234567)}});
+    for (std::size_t i = 0; (i = text.find(" 1234567", i)) != std::string::npos;) text.replace(i, 8, " 1e100");
+    return text;
+  }());
   std::filesystem::create_directory(folder.path() / "run_1");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{"from.obj", "reversed.obj"}, "part 'plate' stands where 'cube' is in the other"},
@@ -286,6 +295,8 @@ TEST_F(Impacts, WrongStatesAreOneSentence) {
       {{"frame_##.ply"}, "frame_##.ply: there is one file of that name"},
       {{"state_###.ply"}, "there is no file of that name"},
       {{"frame_#_#.ply"}, "one number"},
+      {{"from.obj", "far.obj"}, "from.obj to far.obj: 'cube' is out of range"},
+      {{"far.obj", "to.obj"}, "far.obj to to.obj: 'cube', at the start of its motion, is out of range"},
       {{"from.obj", "to.obj", "--limit", "x"}, "'x'"},
       {{"from.obj", "to.obj", "--json", "from.obj"}, "one of the files to read"},
       {{"from.obj", "to.obj", "--json", "x", "--csv", "x"}, "cannot both go to x"},
