@@ -2,40 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "bench/mutual_motion.hpp"
 
-#include <cstdlib>
-#include <sstream>
-#include <string>
-
-#include "bench/support.hpp"
+#include <cmath>
+#include <numbers>
 
 namespace impinge::bench {
 namespace {
 
-/// A step a row, R and t of both bodies.
-constexpr const char* kRows =
-#include "mutual_motion.inc"
-    ;
+Pose turned(const Point& axis, double angle, const std::array<double, 3>& shift) {
+  const double along = std::sin(angle / 2), w = std::hypot(axis.x, axis.y, axis.z) * std::cos(angle / 2);
+  return Pose::from_quaternion({w, along * axis.x, along * axis.y, along * axis.z}, shift).value();
+}
 
 }  // namespace
 
-std::vector<scenes::PosePair> mutual_motion(std::size_t every) {
-  std::istringstream rows(kRows);
+std::vector<scenes::PosePair> mutual_motion(int every) {
+  constexpr int kSteps = 200;
   std::vector<scenes::PosePair> poses;
-  std::size_t step = 0;
-  for (std::string row; std::getline(rows, row);) {
-    if (row.empty() || row[0] == '#' || row[0] == 's') continue;  // a remark, or the columns' names
-    if (step++ % every != 0) continue;
-    std::vector<double> numbers;
-    std::istringstream cells(row);
-    for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::strtod(cell.c_str(), nullptr));
-    if (numbers.size() != 25) fail("a row of the poses is not a step and twice R and t: " + row);
-    scenes::PosePair pair;
-    auto next = numbers.begin() + 1;
-    for (Pose* pose : {&pair.a, &pair.b}) {
-      for (double& entry : pose->R) entry = *next++;
-      for (double& entry : pose->t) entry = *next++;
-    }
-    poses.push_back(pair);
+  for (int step = 0; step < kSteps; step += every) {
+    const double u = static_cast<double>(step) / (kSteps - 1), turn = 2 * std::numbers::pi * u;
+    poses.push_back({turned({1, 2, 3}, turn, {0, 0, 0}),
+                     turned({-2, 1, 0.5}, 1.5 * turn, {-7.0 + 14.0 * u, 0.6 - 1.1 * u, -0.4 + 1.1 * u})});
   }
   return poses;
 }

@@ -36,7 +36,7 @@ LABELS = {"impinge paper": "impinge, the paper's way", "impinge raster": "imping
 plt.rcParams.update({
     "font.size": 10, "axes.titlesize": 11, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
     "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.axisbelow": True, "figure.facecolor": "white",
-    "savefig.facecolor": "white", "legend.frameon": False, "svg.hashsalt": "impinge", "lines.linewidth": 1.8,
+    "savefig.facecolor": "white", "legend.frameon": False, "svg.hashsalt": "impinge", "svg.fonttype": "none", "lines.linewidth": 1.8,
     "lines.markersize": 5,
 })
 

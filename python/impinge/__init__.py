@@ -9,151 +9,94 @@
 True
 """
 
-from . import _files
+# Names stand as themselves, which says to type checkers that they are the package's.
+from . import _core, _files
 from ._clash import (
-    Clash,
-    Clashes,
-    ContactCounts,
-    PartClass,
-    PartFacts,
-    Region,
-    Verdict,
-    contact_regions,
-    examine,
-    find_clashes,
-    judge,
+    Clash as Clash,
+    Clashes as Clashes,
+    ContactCounts as ContactCounts,
+    PartClass as PartClass,
+    PartFacts as PartFacts,
+    Region as Region,
+    Verdict as Verdict,
+    contact_regions as contact_regions,
+    examine as examine,
+    find_clashes as find_clashes,
+    judge as judge,
 )
-from ._convex import Penetration
-from ._core import VERSION as __version__
-from ._core import ClashMemory, Stop
+from ._convex import Penetration as Penetration
+from ._core import ClashMemory as ClashMemory, Stop as Stop
 from ._errors import (
-    Cancelled,
-    ContactError,
-    FileError,
-    ImpingeError,
-    ImpingeWarning,
-    MeshError,
-    NoDeviceError,
-    OptionError,
-    OutOfMemoryError,
-    PoseError,
-    RangeError,
-    UnknownObjectError,
+    Cancelled as Cancelled,
+    ContactError as ContactError,
+    FileError as FileError,
+    ImpingeError as ImpingeError,
+    ImpingeWarning as ImpingeWarning,
+    MeshError as MeshError,
+    NoDeviceError as NoDeviceError,
+    OptionError as OptionError,
+    OutOfMemoryError as OutOfMemoryError,
+    PoseError as PoseError,
+    RangeError as RangeError,
+    UnknownObjectError as UnknownObjectError,
 )
-from ._files import Device, Model, Object, devices, read, set_num_threads
-from ._history import ContactEvent, ContactHistory
-from ._manifolds import ContactManifolds, Manifolds
-from ._mesh import HasVerticesFaces, Mesh, MeshLike
-from ._motion import Feature, Impacts, Moving, SceneImpacts, Step, collision_free_step, find_impacts
-from ._placed import penetration
-from ._pose import nearest_pose, pose_from_quaternion
-from ._predicates import edge_edge_impact, orient3d, triangles_meet, vertex_face_impact
+from ._files import (
+    Device as Device,
+    Model as Model,
+    Object as Object,
+    devices as devices,
+    read as read,
+    set_num_threads as set_num_threads,
+)
+from ._history import ContactEvent as ContactEvent, ContactHistory as ContactHistory
+from ._manifolds import ContactManifolds as ContactManifolds, Manifolds as Manifolds
+from ._mesh import HasVerticesFaces as HasVerticesFaces, Mesh as Mesh, MeshLike as MeshLike
+from ._motion import (
+    Feature as Feature,
+    Impacts as Impacts,
+    Moving as Moving,
+    SceneImpacts as SceneImpacts,
+    Step as Step,
+    collision_free_step as collision_free_step,
+    find_impacts as find_impacts,
+)
+from ._placed import penetration as penetration
+from ._pose import nearest_pose as nearest_pose, pose_from_quaternion as pose_from_quaternion
+from ._predicates import (
+    edge_edge_impact as edge_edge_impact,
+    orient3d as orient3d,
+    triangles_meet as triangles_meet,
+    vertex_face_impact as vertex_face_impact,
+)
 from ._queries import (
-    Contacts,
-    Interval,
-    Kind,
-    Location,
-    Nearest,
-    OverlapDepth,
-    OverlapVolume,
-    PointLocator,
-    closer_than,
-    collide,
-    collide_poses,
-    distance,
-    locate,
-    overlap_depth,
-    overlap_volume,
-    self_collide,
-    touches,
-    touches_poses,
+    Contacts as Contacts,
+    Interval as Interval,
+    Kind as Kind,
+    Location as Location,
+    Nearest as Nearest,
+    OverlapDepth as OverlapDepth,
+    OverlapVolume as OverlapVolume,
+    PointLocator as PointLocator,
+    closer_than as closer_than,
+    collide as collide,
+    collide_poses as collide_poses,
+    distance as distance,
+    locate as locate,
+    overlap_depth as overlap_depth,
+    overlap_volume as overlap_volume,
+    self_collide as self_collide,
+    touches as touches,
+    touches_poses as touches_poses,
 )
-from ._scene import Configurations, ObjectDistance, Scene
-from ._show import draw
-from ._sweeps import Sweep, TimeOfImpact, at_rest, pose_at, time_of_impact
+from ._scene import Configurations as Configurations, ObjectDistance as ObjectDistance, Scene as Scene
+from ._show import draw as draw
+from ._sweeps import (
+    Sweep as Sweep,
+    TimeOfImpact as TimeOfImpact,
+    at_rest as at_rest,
+    pose_at as pose_at,
+    time_of_impact as time_of_impact,
+)
 
-__all__ = [
-    "Cancelled",
-    "Clash",
-    "ClashMemory",
-    "Clashes",
-    "Configurations",
-    "ContactCounts",
-    "ContactError",
-    "ContactEvent",
-    "ContactHistory",
-    "ContactManifolds",
-    "Contacts",
-    "Device",
-    "Feature",
-    "FileError",
-    "HasVerticesFaces",
-    "Impacts",
-    "ImpingeError",
-    "ImpingeWarning",
-    "Interval",
-    "Kind",
-    "Location",
-    "Manifolds",
-    "Mesh",
-    "MeshError",
-    "MeshLike",
-    "Model",
-    "Moving",
-    "Nearest",
-    "NoDeviceError",
-    "Object",
-    "ObjectDistance",
-    "OptionError",
-    "OutOfMemoryError",
-    "OverlapDepth",
-    "OverlapVolume",
-    "PartClass",
-    "PartFacts",
-    "Penetration",
-    "PointLocator",
-    "PoseError",
-    "RangeError",
-    "Region",
-    "Scene",
-    "SceneImpacts",
-    "Step",
-    "Stop",
-    "Sweep",
-    "TimeOfImpact",
-    "UnknownObjectError",
-    "Verdict",
-    "at_rest",
-    "closer_than",
-    "collide",
-    "collide_poses",
-    "collision_free_step",
-    "contact_regions",
-    "devices",
-    "distance",
-    "draw",
-    "edge_edge_impact",
-    "examine",
-    "find_clashes",
-    "find_impacts",
-    "judge",
-    "locate",
-    "nearest_pose",
-    "orient3d",
-    "overlap_depth",
-    "overlap_volume",
-    "penetration",
-    "pose_at",
-    "pose_from_quaternion",
-    "read",
-    "self_collide",
-    "set_num_threads",
-    "time_of_impact",
-    "touches",
-    "touches_poses",
-    "triangles_meet",
-    "vertex_face_impact",
-    "__version__",
-]
-
+__version__ = _core.VERSION
 _files.take_environment()

@@ -349,7 +349,7 @@ def test_each_call_in_the_tables_of_the_page_exists():
     variables = {"scene": impinge.Scene, "mesh": impinge.Mesh, "model": impinge.Model, "manager": impinge.trimesh.CollisionManager}
     fields = {name for found in vars(impinge).values() if isinstance(found, type) for name in dir(found) + list(getattr(found, "__annotations__", ()))}
     checked = 0
-    for library in ("python-fcl", "Coal", "trimesh"):
+    for library in ("FCL", "trimesh"):
         (section,) = re.findall(rf"^## From {library}\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
         table = section[: section.index("\n\n", section.index("| --- |"))]
         for row in table.splitlines()[3:]:
@@ -367,11 +367,12 @@ def test_each_call_in_the_tables_of_the_page_exists():
                     signature = inspect.signature(found)
                     (signature.bind_partial if "..." in arguments else signature.bind)(*itself, *given.args, **{word.arg: None for word in given.keywords})
                 checked += 1
-    assert checked > 40
+    assert checked > 30
 
 
 def test_every_public_name_is_documented_and_every_function_has_an_example():
-    public = {name: getattr(impinge, name) for name in impinge.__all__ if name not in ("MeshLike", "__version__")}
+    left_out = ("MeshLike", "trimesh")
+    public = {name: found for name, found in vars(impinge).items() if name[0] != "_" and name not in left_out}
     assert [name for name, found in public.items() if not found.__doc__] == []
     functions = [name for name, found in public.items() if isinstance(found, types.FunctionType)]
     assert len(functions) > 10  # (what devices a machine has, no example can say)

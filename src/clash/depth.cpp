@@ -11,7 +11,6 @@
 #include <queue>
 #include <vector>
 
-#include "clash/cover.hpp"
 #include "clash/patch_sides.hpp"
 #include "clash/polygon.hpp"
 #include "core/local_frame.hpp"
@@ -31,7 +30,6 @@ struct TrianglePiece {
   Polygon polygon;
   double drift = 0;                 ///< how far the roundings of its cuts may have moved its points
   std::vector<std::uint32_t> near;  ///< triangles of the other body that may be near; if none, the piece is on one side
-  std::uint32_t whole = 0;          ///< the triangle from which it was cut
   std::uint32_t nearest = 0;        ///< of the other body's triangles, to the middle
   bool is_settled = false;          ///< all of the piece is inside
   bool is_examined = false;         ///< it is known on which side the middle is
@@ -153,7 +151,7 @@ class Search {
       if (goal_.stop.stop_requested()) break;
       const std::optional<bool> is_inside = sides.is_inside(t);
       if (is_inside == false) continue;
-      TrianglePiece piece{Polygon(inner_.triangle(t)), 0, {}, t, last_nearest_, is_inside.has_value()};
+      TrianglePiece piece{Polygon(inner_.triangle(t)), 0, {}, last_nearest_, is_inside.has_value()};
       while (pair != near.end() && pair->a < t) ++pair;
       for (; pair != near.end() && pair->a == t; ++pair) piece.near.push_back(pair->b);
       look_at(std::move(piece));
@@ -234,10 +232,6 @@ class Search {
   bool examine(TrianglePiece& piece) {
     piece.is_examined = true;
     const double slack = piece.drift + floor_;
-    if (!piece.near.empty() && lies_flat(piece)) {
-      laid_aside_ = std::max(laid_aside_, 2.5 * most_drift_ + slack);
-      return false;
-    }
     // Beside triangles the side of the middle says little, unless it is deeper than what is known, or far from them.
     if (!piece.near.empty() && piece.distance <= std::max(least_, piece.radius / 2)) return true;
     if (!find_side(piece)) return false;
@@ -331,12 +325,6 @@ class Search {
     return piece;
   }
 
-  bool lies_flat(const TrianglePiece& piece) {
-    effort_ += piece.near.size() / kEdgesAPoint;
-    return piece.drift <= most_drift_ &&
-           is_covered({inner_.triangle(piece.whole), piece.polygon, outer_, piece.near, most_drift_});
-  }
-
   static double farthest_from(const Triangle& triangle, const Polygon& polygon) {
     double farthest = 0;
     for (const Vec3& vertex : polygon) {
@@ -356,7 +344,7 @@ class Search {
     for (const Polygon* one : {&parts.within, &parts.beyond}) {
       if (one->size() == 0) continue;
       effort_ += piece.near.size() / kBoxesAPoint;
-      look_at({*one, drift, near_among(piece.near, *one), piece.whole, piece.nearest, piece.is_settled});
+      look_at({*one, drift, near_among(piece.near, *one), piece.nearest, piece.is_settled});
     }
   }
 
@@ -390,7 +378,6 @@ class Search {
   static constexpr double kFar = 1.5;               ///< radii: a ball so large soon holds other pieces
   static constexpr double kFarther = 16;            ///< radii: no open edge beyond is looked for
   static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
-  static constexpr std::size_t kEdgesAPoint = 16;   ///< the edges of so many triangles take as much time as one point
 
   const solid::Body &inner_, &outer_;
   const Winding& winding_;
