@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -70,13 +69,12 @@ inline std::vector<scene::PlacedObject> pipes_along_three_axes(int n) {
   const int side = static_cast<int>(std::sqrt(n / 3.0));
   const double half = 0.5 * side;
   std::vector<scene::PlacedObject> objects;
-  for (int i = 0; i < side; ++i) {
+  for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j) {
       objects.push_back(box_at({0, i - half, j - half}, {half, 0.05, 0.05}));
       objects.push_back(box_at({i - half + 0.4, 0, j - half + 0.33}, {0.05, half, 0.05}));
       objects.push_back(box_at({i - half + 0.7, j - half + 0.5, 0}, {0.05, 0.05, half}));
     }
-  }
   return objects;
 }
 

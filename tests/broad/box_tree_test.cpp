@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
-#include <set>
 
 #include "scene/scene_view.hpp"
 #include "scenes/random.hpp"
@@ -56,14 +54,13 @@ struct Model {
     tree.find(asked, boxes, of_each);
     tree.find_pairs(boxes, groups, of_all);
     Pairs &found = of_each.found, &found_pairs = of_all.found, expected, expected_pairs;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
       for (std::uint32_t j = 0; j < boxes.size(); ++j) {
         if (!is_here[j] || !overlap(boxes[i], boxes[j])) continue;
         expected.push_back(std::uint64_t{i} << 32 | j);
         if (i < j && is_here[i] && (groups[i] == 0 || groups[i] != groups[j]))
           expected_pairs.push_back(scene::pair_key(i, j));
       }
-    }
     std::sort(found.begin(), found.end());
     std::sort(found_pairs.begin(), found_pairs.end());
     ASSERT_EQ(found, expected);

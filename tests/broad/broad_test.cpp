@@ -142,7 +142,7 @@ RC_GTEST_PROP(AllPairs, HoldBoxesAndSpheresAndGroupsAndIgnoredPairs,
   if (ignored_a % 8 != ignored_b % 8) ignored.insert(ignored_a % 8, ignored_b % 8);
   const broad::ObjectPairs pairs = test::all_pairs({objects, &ignored});
   auto next = pairs.begin();
-  for (std::uint32_t a = 0; a < places.size(); ++a) {
+  for (std::uint32_t a = 0; a < places.size(); ++a)
     for (std::uint32_t b = a + 1; b < places.size(); ++b) {
       const Place &p = places[a], &q = places[b];
       int square = 0;
@@ -158,7 +158,6 @@ RC_GTEST_PROP(AllPairs, HoldBoxesAndSpheresAndGroupsAndIgnoredPairs,
       RC_ASSERT(found == meet);
       if (found) ++next;
     }
-  }
   RC_ASSERT(next == pairs.end());
 }
 

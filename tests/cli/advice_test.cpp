@@ -91,9 +91,7 @@ TEST_F(Advice, AScaleMayBeOfAFileThatTheConfigurationNames) {
     EXPECT_LE(run.code, 1) << run.err;
     return run.code > 1 ? 0 : json::parse(run.out).at("objects").at(2).at("volume").get<double>();
   };
-  for (const char* file : {"c/slab.off", "slab.off", "./c/slab.off"}) {
-    EXPECT_EQ(volume(file), 22 * 9 * 27) << file;
-  }
+  for (const char* file : {"c/slab.off", "slab.off", "./c/slab.off"}) EXPECT_EQ(volume(file), 22 * 9 * 27) << file;
   EXPECT_EQ(error({"clash", "pipe1.off", "--config", "c/clash.json", "--scale", "slap.off=3"}),
             "impinge: --scale slap.off=3: it is none of the files to read, on the command line or in c/clash.json; the "
             "nearest name is 'c/slab.off'\n");

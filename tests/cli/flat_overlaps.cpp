@@ -37,7 +37,7 @@ bool overlap(const scenes::FlatPart& a, const scenes::FlatPart& b, double second
 std::vector<Overlap> overlaps(const std::vector<scenes::FlatPart>& parts, double seconds) {
   constexpr int kSteps = 1500;
   std::vector<Overlap> found;
-  for (std::size_t a = 0; a < parts.size(); ++a) {
+  for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b) {
       bool was = overlap(parts[a], parts[b], 0);
       if (was) found.push_back({a, b, std::nullopt, std::nullopt});
@@ -54,7 +54,6 @@ std::vector<Overlap> overlaps(const std::vector<scenes::FlatPart>& parts, double
         was = is;
       }
     }
-  }
   return found;
 }
 

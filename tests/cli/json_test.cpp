@@ -6,8 +6,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "meshes.hpp"
 #include "program.hpp"
@@ -115,9 +118,8 @@ TEST_F(JsonDocument, GoesWhereALinkPointsThoughNothingIsThere) {
   EXPECT_EQ(round.code, 2);
   EXPECT_NE(round.err.find("cannot write to 'round.json': Too many levels of symbolic links"), std::string::npos)
       << round.err;
-  for (const char* link : {"lost.json", "about.json", "round.json"}) {
+  for (const char* link : {"lost.json", "about.json", "round.json"})
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / link)) << link;
-  }
 }
 
 TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
@@ -173,6 +175,168 @@ TEST_F(JsonDocument, StreamsAMillionPairs) {
   const json& pair = answer.at("pairs").at(0);
   EXPECT_EQ(pair.at("crossing").get<int>() + pair.at("touching").get<int>() + pair.at("coplanar").get<int>(),
             triangles * triangles);
+}
+
+// The document of `impinge clash --json`.
+
+class ClashDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
+    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));  // penetrates a
+    folder.write("big.off", off(box({20, 0, 0}, {26, 6, 6})));
+    folder.write("small.off", off(box({22, 2, 2}, {24, 4, 4})));  // inside big
+    folder.write("sheet.off", off(sheet({29, 0}, {33, 3}, 1)));   // 3 from big
+  }
+  [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
+    return impinge(folder,
+                   joined({"clash", "a.off", "b.off", "big.off", "small.off", "sheet.off", "--json", "-"}, more));
+  }
+  Folder folder;
+};
+
+TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
+  const Ended run = clash({});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "");
+  const json answer = json::parse(run.out);
+  EXPECT_EQ(keys(answer), "counts decisions files groups objects pairs resolved settings tests types unit version");
+  EXPECT_EQ(answer.at("version"), 1);
+  EXPECT_EQ(answer.at("settings"), json::parse(R"({"tolerance":"auto","clearance":0,"depth_precision":0.05,
+    "regions":false,"volumes":false,"fail_on":["penetration","inside"],"ignore":[],"between":null,
+    "within_products":false,"scale":[],"config":null,"previous":null,"decisions":null})"));
+  EXPECT_EQ(answer.at("tests"), json::array());
+  EXPECT_EQ(answer.at("resolved"), json::array());
+  EXPECT_TRUE(answer.at("groups").is_null());
+  EXPECT_EQ(answer.at("types").at(4), (json{{"name", "sheet"}, {"parts", 1}}));
+  EXPECT_EQ(answer.at("objects").at(4).at("type"), 4);
+  ASSERT_EQ(answer.at("objects").size(), 5U);
+  for (const json& object : answer.at("objects"))
+    EXPECT_EQ(
+        keys(object),
+        "area class closed file first_open_edge first_self_crossing first_unclear_edge id incomplete inner_radius key "
+        "known_as name open_edges path "
+        "pieces placed product properties self_crossings triangles turned type unclear_edges volume");
+  // Triangles are counted as `check` counts them.
+  const json checked =
+      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
+  const json& count = checked.at("pairs").at(0);
+  json first = answer.at("pairs").at(0);
+  EXPECT_TRUE(std::regex_match(first.at("id").get<std::string>(),
+                               std::regex("[0-9a-f]{8}-[0-9a-f]{4}-5[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}")));
+  EXPECT_NE(first.at("id"), answer.at("pairs").at(1).at("id"));
+  first.erase("id");
+  EXPECT_EQ(keys(first.at("overlap_depth")), "a_in_b b_in_a");
+  EXPECT_TRUE(first.at("fails_below").is_null());  // a corner of each is the middle of the other
+  EXPECT_NEAR(first.at("tolerance").get<double>(), 0x1p-20 * 4 * std::sqrt(3), 0x1p-30);  // of two cubes of 2
+  first.erase("overlap_depth"), first.erase("fails_below"), first.erase("tolerance");
+  json expected = json::parse(R"({"test":null,"change":null,"status":null,"comment":null,"assignee":null,"due":null,
+    "was":null,"a":0,"b":1,"verdict":"penetrating","inner":null,"note":null,"incomplete":null,"axes":null,"fails":true})");
+  for (const char* const key : {"crossing", "touching", "coplanar"}) expected[key] = count.at(key);
+  EXPECT_EQ(first, expected);
+  EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
+  EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);
+  EXPECT_EQ(answer.at("pairs").size(), 2U);
+  json counts = answer.at("counts");
+  EXPECT_GE(counts.at("candidates"), 2);
+  counts.erase("candidates");
+  EXPECT_EQ(counts, json::parse(R"({"duplicate":0,"inside":1,"penetrating":1,"crossing":0,"touching":0,"apart":0,
+    "fail":2})"));
+}
+
+TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
+  const json objects = json::parse(clash({}).out).at("objects");
+  const json& solid = objects.at(2);
+  EXPECT_EQ(solid.at("name"), "big");
+  EXPECT_EQ(solid.at("class"), "solid");
+  EXPECT_EQ(solid.at("open_edges"), 0);
+  EXPECT_TRUE(solid.at("first_open_edge").is_null());
+  EXPECT_NEAR(solid.at("volume"), 216, 1e-9);
+  EXPECT_NEAR(solid.at("area"), 216, 1e-9);
+  EXPECT_NEAR(solid.at("inner_radius"), 3, 0.15);
+  const json& surface = objects.at(4);
+  EXPECT_EQ(surface.at("class"), "surface");
+  EXPECT_EQ(surface.at("closed"), false);
+  EXPECT_EQ(surface.at("open_edges"), 4);
+  EXPECT_EQ(surface.at("self_crossings"), 0);
+  EXPECT_TRUE(surface.at("volume").is_null());
+  EXPECT_TRUE(surface.at("inner_radius").is_null());
+  EXPECT_NEAR(surface.at("area"), 12, 1e-9);
+  // Which edge is the first is open; it is a side of the rectangle.
+  json edge = surface.at("first_open_edge");
+  ASSERT_EQ(edge.size(), 2U);
+  EXPECT_TRUE((edge[0][0] == edge[1][0]) != (edge[0][1] == edge[1][1])) << edge;
+  for (const json& end : edge) {
+    EXPECT_TRUE(end[0] == 29.0 || end[0] == 33.0) << edge;
+    EXPECT_TRUE(end[1] == 0.0 || end[1] == 3.0) << edge;
+    EXPECT_EQ(end[2], 1.0) << edge;
+  }
+}
+
+TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
+  const json answer = json::parse(
+      clash({"--depth", "0.01", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"})
+          .out);
+  EXPECT_EQ(answer.at("settings").at("tolerance"), 0.25);
+  EXPECT_EQ(answer.at("settings").at("clearance"), 3.5);
+  EXPECT_EQ(answer.at("settings").at("fail_on"), json::array({"clearance"}));
+  ASSERT_EQ(answer.at("pairs").size(), 3U);
+
+  const json& penetrating = answer.at("pairs").at(0);
+  EXPECT_EQ(penetrating.at("fails"), false);
+  const json& depth = penetrating.at("overlap_depth");
+  for (const char* side : {"a_in_b", "b_in_a"}) {
+    EXPECT_LE(depth.at(side).at(0), 1.0);
+    EXPECT_GE(depth.at(side).at(1), 1.0);
+    EXPECT_LE(depth.at(side).at(1).get<double>() - depth.at(side).at(0).get<double>(), 0.011);
+  }
+  EXPECT_TRUE(penetrating.at("distance").is_null());
+  EXPECT_TRUE(penetrating.at("nearest").is_null());
+  ASSERT_EQ(penetrating.at("regions").size(), 1U);
+  const json& region = penetrating.at("regions").at(0);
+  EXPECT_EQ(keys(region), "area box centroid change id length lines normal pairs triangles_a triangles_b");
+  EXPECT_EQ(region.at("box"), (json{{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}}));
+  EXPECT_EQ(region.at("centroid").size(), 3U);
+  EXPECT_EQ(region.at("normal").size(), 3U);
+  EXPECT_GT(region.at("pairs"), 0);
+  for (const json& line : region.at("lines"))
+    for (const json& point : line) EXPECT_EQ(point.size(), 3U);
+  for (const char* side : {"triangles_a", "triangles_b"}) {
+    EXPECT_FALSE(region.at(side).empty());
+    EXPECT_TRUE(std::is_sorted(region.at(side).begin(), region.at(side).end()));
+  }
+
+  const json& inside = answer.at("pairs").at(1);
+  EXPECT_TRUE(inside.at("regions").empty());
+  EXPECT_GE(inside.at("overlap_depth").at("b_in_a").at(1), 2.0);
+
+  const json& apart = answer.at("pairs").at(2);
+  EXPECT_EQ(apart.at("verdict"), "apart");
+  EXPECT_EQ(apart.at("fails"), true);
+  EXPECT_TRUE(apart.at("overlap_depth").is_null());
+  const double error = apart.at("distance_error");
+  EXPECT_GE(error, 0);
+  EXPECT_LE(error, 1e-12);
+  EXPECT_NEAR(apart.at("distance"), 3.0, error);
+  const json& nearest = apart.at("nearest");
+  EXPECT_EQ(nearest.at(0).at(0), 26.0);
+  EXPECT_EQ(nearest.at(1).at(0), 29.0);
+}
+
+TEST_F(ClashDocument, EchoesSettingsWithOddNames) {
+  const std::string name = "\x1b\"q\"\n\xff";
+  folder.write(name + ".off", off(box({0, 0, 8}, {2, 2, 9})));
+  const Ended run = impinge(folder, {"clash", "a.off", name + ".off", "--ignore", name, "a", "--scale", "a.off=0.5",
+                                     "--within-products", "--json", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
+  const json answer = json::parse(run.out);
+  const std::string shown = "\x1b\"q\"\n\xEF\xBF\xBD";
+  EXPECT_EQ(answer.at("settings").at("ignore"), json::array({json::array({shown, "a"})}));
+  EXPECT_EQ(answer.at("settings").at("scale"), json::array({json::array({"a.off", 0.5})}));
+  EXPECT_EQ(answer.at("settings").at("within_products"), true);
+  EXPECT_EQ(answer.at("objects").at(1).at("name"), shown);
+  EXPECT_TRUE(answer.at("pairs").empty());
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ AnimatedGltf two_channels(const json& third, const std::vector<double>& times, c
 TEST_F(Motion, AChannelThatCannotBeFollowedIsAnError) {
   const std::vector<double> kWay{-4, 0, 0, 0, 0, 0, 4, 0, 0};
   const std::vector<double> kNoTimes{0, std::nan(""), 8};
-  for (const auto& times : {std::vector<double>{0, 8, 4}, kNoTimes, {0, 8}}) {
+  for (const auto& times : {std::vector<double>{0, 8, 4}, kNoTimes, {0, 8}})
     for (const bool is_quiet : {false, true}) {
       folder.write("case.glb", two_channels({{"name", "third"}, {"mesh", 0}}, times, kWay).glb());
       const Ended ended =
@@ -44,7 +44,6 @@ TEST_F(Motion, AChannelThatCannotBeFollowedIsAnError) {
       EXPECT_EQ(ended.err.find("--animation"), std::string::npos) << "there is no other";
       EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.json"));
     }
-  }
   // Where its parts stand is known all the same.
   EXPECT_EQ(impinge(folder, {"clash", "case.glb"}).code, 1);
 }

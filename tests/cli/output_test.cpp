@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <tuple>
 
 #include "meshes.hpp"
 #include "program.hpp"

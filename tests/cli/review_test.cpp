@@ -106,9 +106,8 @@ TEST(Review, FailsWhatEachWordNames) {
   for (const auto& [word, meaning] : words) {
     const auto& [fail_on, named] = meaning;
     EXPECT_EQ(words_of(fail_on), std::vector<std::string>{word});
-    for (const Verdict verdict : all) {
+    for (const Verdict verdict : all)
       EXPECT_EQ(names(fail_on, verdict), named.contains(verdict)) << word << " " << static_cast<int>(verdict);
-    }
   }
   EXPECT_EQ(words_of(ReportOptions{}.fail_on), (std::vector<std::string>{"penetration", "inside"}));
 }

@@ -222,9 +222,7 @@ TEST(Plant, HasJustWhatWasPlantedInANamedTest) {
   const Tests found = pairs_of(json::parse(run.out));
   EXPECT_EQ(found.at("hard"), hard);
   for (const std::string& pair : all) EXPECT_TRUE(found.at("all").contains(pair)) << pair;
-  for (const std::string& pair : found.at("all")) {
-    EXPECT_TRUE(pair.ends_with(" apart!") || all.contains(pair)) << pair;
-  }
+  for (const std::string& pair : found.at("all")) EXPECT_TRUE(pair.ends_with(" apart!") || all.contains(pair)) << pair;
 }
 
 /// A bar along x through prongs that are one part.

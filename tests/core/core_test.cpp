@@ -7,7 +7,6 @@
 #include <cfenv>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "core/float_environment.hpp"
 #include "core/hash.hpp"
@@ -149,7 +148,7 @@ TEST(Hash, MixesAsSplitmix64) {
 }
 
 TEST(FloatEnvironment, IsNearestWithDenormalsAndRestoresTheCallers) {
-  for (const int rounding : kRoundings) {
+  for (const int rounding : kRoundings)
     for (const bool flush : {false, true}) {
       const test::CallersMode mode(rounding, flush);
       EXPECT_EQ(test::rounds_to_nearest_with_denormals(), rounding == FE_TONEAREST && !flush);
@@ -159,7 +158,6 @@ TEST(FloatEnvironment, IsNearestWithDenormalsAndRestoresTheCallers) {
       }
       EXPECT_TRUE(mode.is_untouched());
     }
-  }
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::vector<Contact> brute_force(const scenes::PlacedScene& scene) {
   std::vector<std::vector<Triangle>> world;
   for (const auto& object : scene.objects) world.push_back(world_triangles(meshes[object.mesh], object.pose));
   std::vector<Contact> contacts;
-  for (std::uint32_t a = 0; a < world.size(); ++a) {
+  for (std::uint32_t a = 0; a < world.size(); ++a)
     for (std::uint32_t b = a + 1; b < world.size(); ++b) {
       const std::uint32_t group = scene.objects[a].group;
       if (group != 0 && group == scene.objects[b].group) continue;
@@ -86,7 +86,6 @@ std::vector<Contact> brute_force(const scenes::PlacedScene& scene) {
           if (const auto kind = intersects(world[a][i], world[b][j]))
             contacts.push_back({a, b, i, j, static_cast<std::uint32_t>(*kind)});
     }
-  }
   return contacts;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "core/number.hpp"
 #include "core/vec3.hpp"
@@ -103,13 +102,12 @@ PairFamily sheared(std::string name, int bits) {
             };
             Pair pair{Triangle{Vec3{0, 0, 0}, u, v}, Triangle{off(), off(), off()}};
             const double s = random.integer(-255, 255), t = random.integer(-255, 255), r = random.integer(-255, 255);
-            for (Triangle& triangle : pair) {
+            for (Triangle& triangle : pair)
               for (Point& p : triangle) {
                 p.z += r * p.x + s * p.y;  // without rounding: these are integers below 2^53
                 p.x += t * p.y;
                 p = p + Vec3{7, -3, 11};
               }
-            }
             return pair;
           }};
 }
@@ -188,12 +186,11 @@ Pair varied(const Pair& pair, Random& random) {
   for (int i = 2; i > 0; --i) std::swap(axes[i], axes[random.integer(0, i)]);
   for (int axis = 0; axis < 3; ++axis) {
     int lowest = 300, highest = -358;
-    for (const Triangle& t : pair) {
+    for (const Triangle& t : pair)
       for (const Point& p : t) {
         const double x = component(p, axis);
         if (x != 0) lowest = std::min(lowest, lowest_bit(x)), highest = std::max(highest, exponent(x));
       }
-    }
     const int shift = lowest > highest ? 0 : random.integer(-358 - lowest, 299 - highest);
     factors[axis] = std::ldexp(random.integer(0, 1) == 0 ? 1 : -1, random.integer(0, 2) == 0 ? 0 : shift);
   }
@@ -212,13 +209,12 @@ Pair varied(const Pair& pair, Random& random) {
 
 std::string written(const Pair& pair) {
   std::string text;
-  for (const Triangle& t : pair) {
+  for (const Triangle& t : pair)
     for (const Point& p : t) {
       std::array<char, 128> point{};
       std::snprintf(point.data(), point.size(), "(%a, %a, %a) ", p.x, p.y, p.z);
       text += point.data();
     }
-  }
   return text;
 }
 

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, PairFamilies, testing::ValuesIn(test::pair_famil
 /// In any order, many times the same; coplanar but for rounding.
 TEST(Settle, TakesPairsOfPlacedMeshes) {
   Random random(7);
-  for (const double reach : {0.0, 10.0, 1e6}) {
+  for (const double reach : {0.0, 10.0, 1e6})
     for (int round = 0; round < 8; ++round) {
       const Pose pose_a = scenes::random_motion(random, reach);
       Pose pose_b = pose_a;
@@ -175,7 +175,6 @@ TEST(Settle, TakesPairsOfPlacedMeshes) {
         }
       }
     }
-  }
 }
 
 TEST(Settle, TakesAnyNumberOfPairs) {

@@ -137,13 +137,12 @@ TEST(Place, IsWorldVertex) {
     }
     PairBlock block;
     std::array<std::array<Point, kLanes>, 6> expected;
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const int vertex = random.integer(0, 29);
         block.offsets[i][lane] = 3 * vertex;
         expected[i][lane] = world_vertex(poses[i / 3], meshes[i / 3][vertex]);
       }
-    }
     for (const std::int64_t set : test::instruction_sets()) {
       const test::OnInstructionSet on(set);
       exact::place(block, meshes[0].data(), poses[0], meshes[1].data(), poses[1]);
@@ -248,7 +247,7 @@ TEST(Integers, AreMadeOfSixtyBits) {
   std::array<IntVec, 2> q;
   const double high = 0x1.8p59;
   for (const double scale : {1.0, 0x1p240, 0x1p-358}) {
-    for (const double low : {1.0, 0.5, 0.25, -1.0, -0.5}) {
+    for (const double low : {1.0, 0.5, 0.25, -1.0, -0.5})
       for (std::size_t axis = 0; axis < 3; ++axis) {
         std::array<double, 3> x{0, 0, 0}, y{0, 0, 0};
         x[axis] = scale * high, y[axis] = scale * low;
@@ -262,7 +261,6 @@ TEST(Integers, AreMadeOfSixtyBits) {
           EXPECT_EQ(qy[i], i == axis ? static_cast<std::int64_t>(low) : 0);
         }
       }
-    }
   }
   // Outside of the domain nothing fits, and nothing is done that is not defined.
   for (const double x : {0x1p301, 0x1p-359, 0x1p-1074, 0x1p1023, HUGE_VAL})

@@ -198,7 +198,7 @@ TEST(DeviceFilter, IsRightOfTrianglesOfDifferentSizes) {
 /// Coordinates of at most 1, as in a scaled world: near its middle, and far from it.
 TEST(DeviceFilter, IsRightAtItsBorderInDoubles) {
   if (!gpu::Devices::of_process().choose("").opened->with_doubles) GTEST_SKIP();
-  for (const double off : {0.0, 0x1p25}) {
+  for (const double off : {0.0, 0x1p25})
     for (const double finer : {1.0, 0x1p-8}) {
       Counts counts;
       const auto attacks = attacks_of<double>(0x1p-26, off, border_pair, 4000, finer);
@@ -206,7 +206,6 @@ TEST(DeviceFilter, IsRightAtItsBorderInDoubles) {
       std::cout << "apart " << counts.of[0] << ", unsure " << counts.of[1] << ", crossing " << counts.of[2] << '\n';
       for (const int count : counts.of) EXPECT_GT(count, 1000);
     }
-  }
 }
 
 /// A filter that never decided would be right as well. Errors as leaves have them on a device: 2^-18 of the extent.

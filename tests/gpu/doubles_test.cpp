@@ -75,7 +75,7 @@ TEST_F(Doubles, ChangeNoAnswerOfHardScenes) {
 TEST_F(Doubles, ChangeNoAnswerAtTheEndsOfTheDomain) {
   test::Seeded seeded(3);
   std::vector<test::NamedScene> all;
-  for (const int exponent : {-345, -340, 280}) {
+  for (const int exponent : {-345, -340, 280})
     for (const double away : {0.0, 1.0, 0x1p15}) {
       const double scale = std::ldexp(1.0, exponent);
       scenes::PlacedScene scene;
@@ -85,7 +85,6 @@ TEST_F(Doubles, ChangeNoAnswerAtTheEndsOfTheDomain) {
       scene.objects = {{.mesh = 0}, {.mesh = 1}, {.mesh = 0, .pose = {.t = {0.125 * scale, -0.25 * scale, 0}}}};
       all.push_back({"2^" + std::to_string(exponent) + ", moved by " + std::to_string(away), scene});
     }
-  }
   tell("ends of the domain", compare(all));
 }
 

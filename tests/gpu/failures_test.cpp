@@ -32,7 +32,7 @@ const Contacts& expected() {
 }
 
 TEST(DeviceFailures, ListsThatAreTooShortAreFilledAgainAndAgain) {
-  for (const std::uint32_t leaf_pairs : {1u, 300u}) {
+  for (const std::uint32_t leaf_pairs : {1u, 300u})
     for (const std::uint32_t hits : {1u, 2000u}) {
       const WithLimits limits({.stack = 1, .leaf_pairs = leaf_pairs, .hits = hits, .most_groups = 2});
       const auto found = test::scene_of(placed()).collide({.backend = "gpu"});
@@ -40,7 +40,6 @@ TEST(DeviceFailures, ListsThatAreTooShortAreFilledAgainAndAgain) {
       EXPECT_TRUE(found->warnings.empty()) << found->warnings[0];
       test::expect_same(expected(), *found);
     }
-  }
 }
 
 /// llvmpipe ends a shader after so many turns of its loops, without a word: a group must not have too much to do.
@@ -161,7 +160,7 @@ TEST(DeviceFailures, MeshesMakeWayForOthers) {
   const auto opened = gpu::Devices::of_process().choose("").opened;
   ASSERT_TRUE(opened);
   std::size_t most = 0;
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < 2; ++round)
     for (std::size_t i = 0; i + 1 < meshes.size(); ++i) {
       const Pose pose{.t = {0.5, 0.25, 0}};
       const auto found = collide(meshes[i], {}, meshes[i + 1], pose, {.backend = "gpu"});
@@ -171,7 +170,6 @@ TEST(DeviceFailures, MeshesMakeWayForOthers) {
       most = std::max(most, opened->meshes.size());
       EXPECT_LE(opened->device.bytes_in_use(), 2'500'000u);
     }
-  }
   EXPECT_LT(most, meshes.size());
   EXPECT_GT(most, 2u);
   meshes.clear();
@@ -213,7 +211,7 @@ TEST(DeviceFailures, EightThreadsShareADevice) {
   const Contacts& wanted = expected();
   constexpr std::string_view backends[] = {"gpu", "raster", "hybrid"};
   std::vector<std::jthread> threads;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
     threads.emplace_back([&, i] {
       for (int round = 0; round < 3; ++round) {
         const auto found = scene.collide({.threads = 1 + i % 2, .backend = backends[i % 3]});
@@ -222,7 +220,6 @@ TEST(DeviceFailures, EightThreadsShareADevice) {
         test::expect_same(wanted, *found);
       }
     });
-  }
 }
 
 /// A query is stopped while its walk is under way, and others want the memory of its mesh.

@@ -150,7 +150,7 @@ TEST(Raster, NeverContradictsExactArithmetic) {
 
 /// Nothing near the border: certain, however large, small or far the numbers are.
 TEST(Raster, IsCertainOfWhatIsPlain) {
-  for (const double scale : {1.0, 0x1p-340, 0x1p-140, 0x1p60, 0x1p290}) {
+  for (const double scale : {1.0, 0x1p-340, 0x1p-140, 0x1p60, 0x1p290})
     for (const double away : {0.0, 512.0}) {
       SCOPED_TRACE(testing::Message() << scale << ", " << away);
       const auto at = [&](double x, double y, double z) {
@@ -166,7 +166,6 @@ TEST(Raster, IsCertainOfWhatIsPlain) {
       const std::vector<Verdict> expected{Verdict::crossing, Verdict::no, Verdict::no};
       EXPECT_EQ(draw({batch})[0].verdicts, expected);
     }
-  }
 }
 
 /// A leaf's edges against many triangles, some edges and some triangles left out: quads that lie over each other, of

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "hierarchy/frame.hpp"
 #include "impinge/mesh.hpp"

@@ -72,7 +72,7 @@ constexpr double kRounding = 0x1.00001p-24, kFar = 1e20;
 /// C = F_A M F_Bᵀ, rounded once from what double made of it.
 void expect_true_matrix(const Frame& a, const Frame& b, const hierarchy::TreeRelation& relation,
                         const float (&found)[3][3]) {
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) {
       mpq_class exact = 0;
       for (int l = 0; l < 3; ++l)
@@ -80,7 +80,6 @@ void expect_true_matrix(const Frame& a, const Frame& b, const hierarchy::TreeRel
           exact += mpq_class(a.axes[l][i]) * mpq_class(relation.rows[l][m]) * mpq_class(b.axes[m][k]);
       ASSERT_LE(abs(mpq_class(found[i][k]) - exact), kRounding * abs(exact) + mpq_class(0x1p-49));
     }
-  }
 }
 
 /// c = F_A (M scale o_B + t - o_A), off by a quarter of the relation's error at most before it is rounded.
@@ -110,7 +109,7 @@ void expect_true_relations(const scenes::PlacedScene& scene) {
   const test::TreePair pair(scene, 8);
   const auto frames_a = frames_of(pair.first().tree), frames_b = frames_of(pair.second().tree);
   for (const Frame& a : frames_a) {
-    for (const Frame& b : frames_b) {
+    for (const Frame& b : frames_b)
       for (const std::int64_t set : test::instruction_sets()) {
         const test::OnInstructionSet on(set);
         float C[3][3], c[3];
@@ -118,7 +117,6 @@ void expect_true_relations(const scenes::PlacedScene& scene) {
         ASSERT_NO_FATAL_FAILURE(expect_true_matrix(a, b, pair.relation(), C));
         ASSERT_NO_FATAL_FAILURE(expect_true_offset(a, b, pair.relation(), c));
       }
-    }
   }
 }
 

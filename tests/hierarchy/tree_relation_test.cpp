@@ -48,13 +48,12 @@ TreeRelation related(Side& a, Side& b) {
 
 mpq_class most_off(const std::array<Rational3, 3>& m) {
   mpq_class most = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       mpq_class e = i == k ? -1 : 0;
       for (std::size_t l = 0; l < 3; ++l) e += m[l][i] * m[l][k];
       most = std::max<mpq_class>(most, abs(e));
     }
-  }
   return most;
 }
 
@@ -90,7 +89,7 @@ TEST(TreeRelation, ErrorHoldsForWorldVertices) {
     ASSERT_GE(a.unit, b.unit);
     const test::Unposed unposed(a.pose, a.unit);
     const std::array<Rational3, 3> m = matrix(relation);
-    for (const Point& p : a.mesh.vertices()) {
+    for (const Point& p : a.mesh.vertices())
       for (const Point& q : b.mesh.vertices()) {
         const Rational3 x = test::in_unit(test::rational(p), a.unit), y = test::in_unit(test::rational(q), b.unit);
         Rational3 off_by = unposed.direction(
@@ -103,7 +102,6 @@ TEST(TreeRelation, ErrorHoldsForWorldVertices) {
         ASSERT_LE(test::square(off_by), mpq_class(relation.error / 2) * mpq_class(relation.error / 2));
         shares.add(test::square(off_by), relation.error / 2);
       }
-    }
   }
   std::cout << "at most " << shares.greatest << " of the bound was used\n";
   EXPECT_GT(shares.greatest, 0.02);  // the attack comes near enough to notice a bound fifty times as small

@@ -38,7 +38,7 @@ void expect_orthonormal(const Mat3& rows) {
 TEST(PrincipalAxes, ClearTheMatrixWhereEigenvaluesAreApart) {
   test::Seeded seeded(1);
   for (const double second : {0.5, 0.1, 1e-4, 1e-9, 0.0}) {
-    for (const double third : {0.5, 0.1, 1e-4, 0.0}) {
+    for (const double third : {0.5, 0.1, 1e-4, 0.0})
       for (int i = 0; i < 50; ++i) {
         const Mat3 turn = to_mat3(scenes::random_rotation(seeded.random));
         const double scale = std::ldexp(1.0, seeded.random.integer(-60, 60));
@@ -49,7 +49,6 @@ TEST(PrincipalAxes, ClearTheMatrixWhereEigenvaluesAreApart) {
         for (const double x : {cleared[0].y, cleared[1].z, cleared[0].z})
           EXPECT_LE(std::abs(x), 2e-5 * scale) << second << ' ' << third;
       }
-    }
   }
 }
 
@@ -102,7 +101,7 @@ TEST(Arena, HandsOutAlignedMemoryThatDoesNotOverlap) {
   EXPECT_EQ(arena.bytes(), 0u);
   std::vector<std::vector<std::pair<std::uintptr_t, std::size_t>>> pieces(4);
   std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < pieces.size(); ++t) {
+  for (std::size_t t = 0; t < pieces.size(); ++t)
     threads.emplace_back([&, t] {
       scenes::Random random(t);
       for (int i = 0; i < 2000; ++i) {
@@ -110,7 +109,6 @@ TEST(Arena, HandsOutAlignedMemoryThatDoesNotOverlap) {
         pieces[t].emplace_back(reinterpret_cast<std::uintptr_t>(arena.allocate(size)), size);
       }
     });
-  }
   for (std::thread& thread : threads) thread.join();
   std::vector<std::pair<std::uintptr_t, std::size_t>> all;
   std::size_t asked = 0;

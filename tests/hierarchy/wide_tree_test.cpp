@@ -72,13 +72,12 @@ class Local {
 };
 
 void expect_true_frame(const Frame& frame) {
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       long double e = i == j ? -1 : 0;  // products of floats are exact, and sums next to it
       for (int l = 0; l < 3; ++l) e += static_cast<long double>(frame.axes[l][i]) * frame.axes[l][j];
       ASSERT_LE(std::abs(e), 0x1p-20 - 0x1p-50);
     }
-  }
   for (int l = 0; l < 3; ++l) {
     ASSERT_TRUE(std::isfinite(frame.origin[l]));
     ASSERT_EQ(frame.axes[l][3], 0);
@@ -144,7 +143,7 @@ class Inspection {
   }
 
   void expect_in_box(const WideNode& node, std::uint32_t lane, const std::vector<std::uint32_t>& ids) {
-    for (const std::uint32_t id : ids) {
+    for (const std::uint32_t id : ids)
       for (const std::uint32_t v : mesh_.triangles[id]) {
         const Local x(node.frame, mesh_.vertices[v], tree_.unit_exponent());
         for (int i = 0; i < 3; ++i) {
@@ -152,7 +151,6 @@ class Inspection {
           ASSERT_TRUE(x.is_within(i, 0, node.frame.radius));
         }
       }
-    }
   }
 
   void inspect(const WideLeaf& leaf) {
@@ -161,7 +159,7 @@ class Inspection {
     EXPECT_EQ(leaf.stride, (leaf.count + 15) / 16 * 16);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(leaf.row(0)) % 64, 0u);
     ASSERT_NO_FATAL_FAILURE(expect_true_frame(leaf.frame));
-    for (std::uint32_t j = 0; j < leaf.count; ++j) {
+    for (std::uint32_t j = 0; j < leaf.count; ++j)
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const Local x(leaf.frame, mesh_.vertices[mesh_.triangles[leaf.ids()[j]][corner]], tree_.unit_exponent());
         std::array<float, 3> stored;
@@ -173,7 +171,6 @@ class Inspection {
         }
         expect_inverse_error(leaf, stored);
       }
-    }
     for (int i = 0; i < 9; ++i)
       for (std::uint32_t j = leaf.count; j < leaf.stride; ++j) ASSERT_EQ(leaf.row(i)[j], WideLeaf::kNoTriangle);
   }
@@ -515,7 +512,7 @@ TEST(RefittedTree, IsTrueHoweverTheMeshIsDeformed) {
         scenes::with_duplicates(scenes::cube(), 20)}) {
     const Mesh mesh = test::mesh_of(numbers);
     const std::vector<Map> maps = deformations(seeded.random);
-    for (const std::uint32_t leaf_size : {1u, 7u, 16u, 256u}) {
+    for (const std::uint32_t leaf_size : {1u, 7u, 16u, 256u})
       for (std::size_t i = 0; i < maps.size(); ++i) {
         SCOPED_TRACE("leaf size " + std::to_string(leaf_size) + ", deformation " + std::to_string(i));
         WideTree source(test::numbers_of(mesh), leaf_size);
@@ -526,7 +523,6 @@ TEST(RefittedTree, IsTrueHoweverTheMeshIsDeformed) {
         ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(once), leaf_size, refitted).run_all(made));
         ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(twice), leaf_size, again).run_all(made));
       }
-    }
   }
 }
 

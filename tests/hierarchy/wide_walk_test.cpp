@@ -72,13 +72,12 @@ std::optional<scenes::MeshData> fan(const Point& corner, const Vec3& u, const Ve
   scenes::MeshData mesh;
   const std::uint32_t first = mesh.add_vertex(pin->x, pin->y, pin->z);
   // Beyond the triangles at the corner, others that only make the trees deeper.
-  for (int ring = 1; ring <= 3; ++ring) {
+  for (int ring = 1; ring <= 3; ++ring)
     for (int i = 0; i <= n; ++i) {
       const double s = static_cast<double>(i) / n;
       const Vec3 p = test::unposed(corner + (ring / 3.0) * ((1 - s) * u + s * v), pose);
       mesh.add_vertex(p.x, p.y, p.z);
     }
-  }
   const auto at = [&](int ring, int i) { return static_cast<std::uint32_t>(1 + (ring - 1) * (n + 1) + i); };
   for (int i = 0; i < n; ++i) {
     mesh.add_triangle(first, at(1, i), at(1, i + 1));

@@ -86,20 +86,19 @@ TEST(Hostile, TheSamplesThemselvesAreGood) {
 }
 
 TEST(Hostile, EveryTruncationHasAnAnswer) {
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : samples())
     for (std::size_t length = 0; length < sample.bytes.size(); ++length) {
       SCOPED_TRACE(sample.name + " cut to " + std::to_string(length));
       const bool is_read = expect_answer(sample, std::string_view(sample.bytes).substr(0, length));
       EXPECT_FALSE(is_read && sample.kind == Sample::Kind::binary);
     }
-  }
 }
 
 TEST(Hostile, MutationsHaveAnAnswer) {
   const unsigned seed = 4711;
   std::mt19937 random(seed);
   constexpr std::string_view kNasty = "-09.e+/\\# \n\r\t\xFF\x80in";
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : samples())
     for (int round = 0; round < 3000; ++round) {
       SCOPED_TRACE(sample.name + " seed " + std::to_string(seed) + " round " + std::to_string(round));
       std::string bytes = sample.bytes;
@@ -125,7 +124,6 @@ TEST(Hostile, MutationsHaveAnAnswer) {
       }
       expect_answer(sample, bytes);
     }
-  }
 }
 
 TEST(Hostile, TextWithAZeroByteIsRefused) {
@@ -144,13 +142,12 @@ TEST(Hostile, GarbageHasAnAnswer) {
   const unsigned seed = 12;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : samples())
     for (int round = 0; round < 200; ++round) {
       std::string bytes(random() % 2000, ' ');
       for (char& c : bytes) c = static_cast<char>(random());
       expect_answer(sample, bytes);
     }
-  }
 }
 
 }  // namespace

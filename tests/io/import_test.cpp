@@ -151,9 +151,8 @@ TEST(Import, GltfThatAssimpWouldMisreadIsRefused) {
   EXPECT_THAT(problem_of(requiring("KHR_mesh_quantization")), HasSubstr("extension 'KHR_mesh_quantization'"));
   EXPECT_THAT(problem_of(requiring("EXT_meshopt_compression")), HasSubstr("extension 'EXT_meshopt_compression'"));
   EXPECT_THAT(problem_of(requiring("KHR_draco_mesh_compression")), HasSubstr("holds nothing compressed"));
-  for (const char* harmless : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"}) {
+  for (const char* harmless : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"})
     EXPECT_EQ(read_text(requiring(harmless)).objects.size(), 2u) << harmless;
-  }
   text = indexed_gltf({0, 1, 2});
   replace(text, R"({"mesh":0})", R"({"mesh":0,"children":[0]})");
   EXPECT_THAT(problem_of(text), HasSubstr("its nodes form a loop"));

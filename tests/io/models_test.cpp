@@ -28,9 +28,8 @@ void expect_answer(const std::filesystem::path& file, std::chrono::seconds limit
 
 std::vector<std::filesystem::path> models() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels))
     if (entry.is_regular_file()) files.push_back(entry.path());
-  }
   std::sort(files.begin(), files.end());
   return files;
 }

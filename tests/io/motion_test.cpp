@@ -85,7 +85,7 @@ TEST(Motion, KeysAtOneTimeJumpThere) {
 /// About one axis the way between two rotations is that of the angle.
 TEST(Motion, RotationsTakeTheShorterWay) {
   for (const double from : {0.0, 0.3, 3.0, -2.0}) {
-    for (const double by : {1e-9, 0.1, 1.0, 3.1, -0.5, -3.1}) {
+    for (const double by : {1e-9, 0.1, 1.0, 3.1, -0.5, -3.1})
       for (const double sign : {1.0, -1.0}) {  // a quaternion and its negative are the same rotation
         const Quaternion a = about_z(from);
         Quaternion b = about_z(from + by);
@@ -101,7 +101,6 @@ TEST(Motion, RotationsTakeTheShorterWay) {
                       1e-12, std::to_string(from) + " by " + std::to_string(by) + " at " + std::to_string(t));
         }
       }
-    }
   }
 }
 

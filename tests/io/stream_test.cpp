@@ -100,9 +100,8 @@ TEST(ImportStream, GivesBackWhatWasWritten) {
 
 TEST(ImportStream, EveryTruncationIsAnError) {
   const std::string stream = small_stream();
-  for (std::size_t length = 0; length < stream.size(); ++length) {
+  for (std::size_t length = 0; length < stream.size(); ++length)
     EXPECT_FALSE(decode_import(std::string_view(stream).substr(0, length)).has_value()) << length;
-  }
 }
 
 /// Whatever is in a model's animations, where its nodes are can be asked.

@@ -51,13 +51,20 @@ def check():
         sys.exit(1)
 
 
+def choice(m):
+    """Between the two, as an expression, or as a statement if they end in a semicolon."""
+    if m.original.endswith(";"):
+        return f"if (::impinge_mutant == {m.id}) {{ {m.mutated} }} else {{ {m.original} }}"
+    return f"(::impinge_mutant == {m.id} ? ({m.mutated}) : ({m.original}))"
+
+
 def apply():
     check()
     for name in {m.file for m in table()}:
         text = (TREE / name).read_text()
         for m in table():
             if m.file == name:
-                text = text.replace(m.original, f"(::impinge_mutant == {m.id} ? ({m.mutated}) : ({m.original}))")
+                text = text.replace(m.original, choice(m))
         (TREE / name).write_text(f'#include "{HERE}/mutant.hpp"\n{text}')
 
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -26,12 +25,11 @@ using namespace test::filter;
 using scenes::Random;
 
 void put(const Pair& pair, std::size_t lane, PairStream& stream) {
-  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+  for (std::size_t vertex = 0; vertex < 3; ++vertex)
     for (std::size_t i = 0; i < 3; ++i) {
       stream.a[3 * vertex + i][lane] = pair.a[vertex][i];
       stream.b[3 * vertex + i][lane] = pair.b[vertex][i];
     }
-  }
   stream.error[lane] = pair.error;
   stream.id_a[lane] = static_cast<std::uint32_t>(lane), stream.id_b[lane] = static_cast<std::uint32_t>(1000 + lane);
 }

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -60,10 +59,9 @@ LeafPairs walked_whole(const paper::DualWalk& walk, hierarchy::WalkCounts& count
 /// The triangles that the leaves hold; fails where a pair of them comes twice.
 TrianglePairs pairs_of(const LeafPairs& leaf_pairs) {
   TrianglePairs pairs;
-  for (const paper::LeafPair& leaves : leaf_pairs) {
+  for (const paper::LeafPair& leaves : leaf_pairs)
     for (const std::uint32_t a : leaves.a->triangles)
       for (const std::uint32_t b : leaves.b->triangles) EXPECT_TRUE(pairs.emplace(a, b).second);
-  }
   return pairs;
 }
 

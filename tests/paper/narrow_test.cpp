@@ -150,9 +150,7 @@ void expect_true_batch(const test::LeavesOf& leaves, const std::vector<test::Con
   std::vector<exact::Contact> contacts;
   EXPECT_EQ(paper::decide(batch, pairs, contacts), unsure);
   std::vector<test::Contact> found;
-  for (const exact::Contact& c : contacts) {
-    found.push_back({0, 1, c.a, c.b, static_cast<std::uint32_t>(c.kind)});
-  }
+  for (const exact::Contact& c : contacts) found.push_back({0, 1, c.a, c.b, static_cast<std::uint32_t>(c.kind)});
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, expected);
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "scenes/hard.hpp"
@@ -88,12 +87,11 @@ RC_GTEST_PROP(LeafBlock, HasEveryEdgeOfEveryTriangle, ()) {
     if (edge.right != paper::LeafEdge::kNone) owned.insert({block.triangles[edge.right], low, high});
   }
   std::set<std::array<std::uint32_t, 3>> expected;
-  for (const std::uint32_t t : ids) {
+  for (const std::uint32_t t : ids)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax({indices[3 * t + i], indices[3 * t + (i + 1) % 3]});
       expected.insert({t, low, high});
     }
-  }
   RC_ASSERT(owned == expected);
   std::vector<std::uint32_t> sorted = ids;
   std::sort(sorted.begin(), sorted.end());

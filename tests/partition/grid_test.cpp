@@ -8,8 +8,6 @@
 #include <bit>
 #include <cmath>
 
-#include "scenes/random.hpp"
-
 namespace impinge {
 namespace {
 

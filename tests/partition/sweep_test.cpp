@@ -108,7 +108,7 @@ TEST(Sweep, StreamsLeavesOfEverySizeWhole) {
 TEST(Sweep, StreamsLongListsOfLeafPairs) {
   test::Seeded seeded(5);
   const auto soup = [&](double size) { return scenes::triangle_soup(seeded.random, 500, size); };
-  for (const double size : {0.02, 0.5}) {
+  for (const double size : {0.02, 0.5})
     for (const std::uint32_t leaf_size : {1u, 7u, 40u}) {
       const scenes::PlacedScene scene = scenes::pair_scene(soup(size), soup(0.5));
       const TreePair pair(scene, leaf_size);
@@ -116,7 +116,6 @@ TEST(Sweep, StreamsLongListsOfLeafPairs) {
       ASSERT_NO_FATAL_FAILURE(test::expect_contains(swept, pair.touching(test::brute_force(scene))));
       EXPECT_LT(swept.size(), 500u * 500);
     }
-  }
 }
 
 /// What the stream holds before is kept, and counts as full when it is.
@@ -175,13 +174,12 @@ class Coordinates {
   }
 
   void expect_true(const Corners& exact, const float (&rows)[9][PairStream::kStride], std::size_t lane, float error) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t i = 0; i < 3; ++i) {
         const mpq_class off = abs(mpq_class(rows[3 * corner + i][lane]) - exact[corner][i]);
         ASSERT_LE(off, mpq_class(error));
         greatest_ = std::max(greatest_, mpq_class(off / mpq_class(error)).get_d());
       }
-    }
   }
 
   std::vector<Corners> a_, b_;

@@ -47,13 +47,12 @@ TEST(Answer, IsTheSameForEveryThreadCount) {
   const scenes::PlacedScene placed = test::crowd(1);
   const Contacts expected = test::scene_of(placed).collide({.threads = 1}).value();
   EXPECT_GT(expected.triangles.size(), 3000u);
-  for (int threads = 0; threads <= 16; ++threads) {
+  for (int threads = 0; threads <= 16; ++threads)
     for (const char* backend : {"simd", "paper"}) {
       SCOPED_TRACE(std::string(backend) + ", " + std::to_string(threads) + " threads");
       const Scene scene = test::scene_of(placed);  // fresh trees
       test::expect_same(expected, scene.collide({.threads = threads, .backend = backend}).value());
     }
-  }
 }
 
 /// Each round meshes without a single node; every thread asks all questions in another order, so all split at once.
@@ -80,13 +79,12 @@ TEST(ConcurrentQueries, OfSharedFreshMeshesAgree) {
       }
     });
     std::uint64_t built = 0;
-    for (const auto& by_thread : found) {
+    for (const auto& by_thread : found)
       for (std::size_t k = 0; k < asked.size(); ++k) {
         ASSERT_TRUE(by_thread[k]);
         test::expect_same(expected[k], *by_thread[k]);
         built += by_thread[k]->statistics.nodes_built;
       }
-    }
     // Every node was made by one query alone: all together have made no more than the whole trees have.
     EXPECT_GT(built, 0u);
     EXPECT_LE(built, 4 * knot.triangle_count());

@@ -39,7 +39,7 @@ TEST(MeshCreate, NamesThePlaceOfWhatIsWrong) {
   expect_error(create(three, {0, 1, 2, 2, 1, 3}), Code::bad_mesh, {"triangle 1", "vertex 3"});
   expect_error(create(three, {0, 1, 0xFFFFFFFF}), Code::bad_mesh, {"triangle 0", "4294967295"});
   expect_error(create({}, {0, 0, 0}), Code::bad_mesh, {"triangle 0", "vertex 0"});
-  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity})
     for (std::size_t i = 0; i < 9; ++i) {
       std::vector<double> xyz = three;
       xyz[i] = bad;
@@ -49,7 +49,6 @@ TEST(MeshCreate, NamesThePlaceOfWhatIsWrong) {
       const std::vector<std::uint32_t> none;
       expect_error(Mesh::create(std::span<const float>(floats), none), Code::bad_mesh, {vertex.c_str(), "finite"});
     }
-  }
   for (const std::uint32_t size : {257u, 0xFFFFFFFFu})
     expect_error(create(three, {0, 1, 2}, {size}), Code::bad_option, {"leaf_size", std::to_string(size).c_str()});
   for (const std::uint32_t size : {0u, 1u, 256u}) EXPECT_TRUE(create(three, {0, 1, 2}, {size}));
@@ -171,7 +170,7 @@ TEST(Deformed, AnswersAsTheMeshOfTheSameNumbers) {
 TEST(Deformed, MeasuresAndJudgesAsTheMeshOfTheSameNumbers) {
   test::Seeded seeded(4);
   const scenes::MeshData ball = scenes::uv_sphere(24, 16), knot = scenes::torus_knot_of(968);
-  for (const double x : {1.2, 2.5, 9.0}) {
+  for (const double x : {1.2, 2.5, 9.0})
     for (const bool mild : {false, true}) {
       scenes::MeshData before = ball;
       for (double& c : before.xyz) c += mild ? 0.1 * std::sin(9 * c) : seeded.random.uniform(-1, 1);
@@ -201,7 +200,6 @@ TEST(Deformed, MeasuresAndJudgesAsTheMeshOfTheSameNumbers) {
         EXPECT_EQ(regions[i].lines, same[i].lines);
       }
     }
-  }
 }
 
 TEST(Deformed, NamesTheVertexThatIsWrong) {

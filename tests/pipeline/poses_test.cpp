@@ -72,7 +72,7 @@ TEST(CollidePoses, GivesTheRowsOfCollide) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), cube = test::mesh_of(scenes::cube());
   const Mesh soup = test::mesh_of(scenes::integer_soup(seeded.random, 60, 2));
   const std::vector<Pose> many = any_poses(seeded.random, 40), more = any_poses(seeded.random, 40), one{many[3]};
-  for (const char* backend : {"simd", "paper"}) {
+  for (const char* backend : {"simd", "paper"})
     for (const int threads : {1, 2, 8}) {
       const Options options{.threads = threads, .backend = backend};
       expect_rows(knot, many, cube, more, options);
@@ -81,7 +81,6 @@ TEST(CollidePoses, GivesTheRowsOfCollide) {
       expect_rows(soup, one, soup, one, options);
       expect_rows(cube, many, cube, many, options);
     }
-  }
   expect_rows(knot, many, soup, more, {.kinds = kTouching});
 }
 
@@ -89,7 +88,7 @@ TEST(CollidePoses, FindsAWitnessForEachPoseThatTouches) {
   test::Seeded seeded(2);
   const Mesh soup = test::mesh_of(scenes::integer_soup(seeded.random, 60, 2)), cube = test::mesh_of(scenes::cube());
   const std::vector<Pose> one(1), many = any_poses(seeded.random, 40);
-  for (const int threads : {1, 0}) {
+  for (const int threads : {1, 0})
     for (const std::uint8_t kinds : {kAllKinds, kTouching}) {
       const Options all{.kinds = kinds, .threads = threads};
       Options first = all;
@@ -107,7 +106,6 @@ TEST(CollidePoses, FindsAWitnessForEachPoseThatTouches) {
         EXPECT_EQ(witnesses[k].kinds[0], rows[k].kinds[static_cast<std::size_t>(at - rows[k].triangles.begin())]);
       }
     }
-  }
 }
 
 /// The limit is of the whole call: the rows stay, the last of them emptier.
@@ -141,14 +139,13 @@ TEST(Touches, WhereThePapersWayHasContacts) {
   int touching = 0;
   for (const Mesh* a : {&knot, &cube, &soup, &empty}) {
     const std::vector<Pose> poses_a = any_poses(seeded.random, 40), poses_b = any_poses(seeded.random, 40);
-    for (const Mesh* b : {&knot, &cube, &soup}) {
+    for (const Mesh* b : {&knot, &cube, &soup})
       for (std::size_t i = 0; i < poses_a.size(); ++i) {
         const bool expected = !collide(*a, poses_a[i], *b, poses_b[i], {.backend = "paper"}).value().objects.empty();
         EXPECT_EQ(touches(*a, poses_a[i], *b, poses_b[i]).value(), expected);
         EXPECT_EQ(touches(*b, poses_b[i], *a, poses_a[i], {}, &workspace).value(), expected);
         touching += expected ? 1 : 0;
       }
-    }
   }
   EXPECT_GT(touching, 40);
 }

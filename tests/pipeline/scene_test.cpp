@@ -9,7 +9,6 @@
 #include <limits>
 #include <set>
 
-#include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
@@ -224,7 +223,7 @@ struct Model {
   template <class Chosen>
   [[nodiscard]] std::vector<Pair> touching(const Chosen& is_chosen) const {
     std::set<Pair> pairs;
-    for (const Entry& p : entries) {
+    for (const Entry& p : entries)
       for (const Entry& q : entries) {
         if (p.id.index >= q.id.index || (p.group != 0 && p.group == q.group)) continue;
         if (ignored.contains({p.id.index, q.id.index}) || !(is_chosen(p) || is_chosen(q))) continue;
@@ -233,7 +232,6 @@ struct Model {
         for (std::size_t i = 0; i < 3; ++i) near = near && std::abs(p.pose.t[i] - q.pose.t[i]) <= 1;
         if (near) pairs.insert({p.id.index, q.id.index});
       }
-    }
     return {pairs.begin(), pairs.end()};
   }
   /// Whether a cube at this pose, which is not in the scene, touches any.

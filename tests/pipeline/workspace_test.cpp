@@ -62,7 +62,7 @@ std::vector<WorkspaceQuestion> all_questions() {
   const Pose pose = scenes::random_motion(random, 0.5), far{.t = {50, 0, 0}}, outside{.t = {0x1p301, 0, 0}};
   std::stop_source stopped;
   stopped.request_stop();
-  for (const char* backend : {"simd", "paper", "auto"}) {
+  for (const char* backend : {"simd", "paper", "auto"})
     for (const int threads : {1, 2}) {
       const Options plain{.threads = threads, .backend = backend};
       Options first = plain, limited = plain, touching = plain, stop = plain;
@@ -86,7 +86,6 @@ std::vector<WorkspaceQuestion> all_questions() {
       questions.push_back(question([=](Workspace* w) { return collide(empty, {}, cube, {}, plain, w); }));
       questions.push_back(question([=](Workspace* w) { return collide(cube, {}, cube, outside, plain, w); }));
     }
-  }
   questions.push_back(question([=](Workspace* w) { return collide(cube, {}, cube, {}, {.threads = -1}, w); }));
   return questions;
 }

@@ -22,7 +22,7 @@ io::Object object(const std::vector<double>& xyz, const std::vector<std::uint32_
 io::Object sphere(std::uint32_t rings, const Pose& pose = {}) {
   std::vector<double> xyz;
   std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i <= rings; ++i) {
+  for (std::uint32_t i = 0; i <= rings; ++i)
     for (std::uint32_t k = 0; k < 2 * rings; ++k) {
       const double theta = std::numbers::pi * i / rings, phi = std::numbers::pi * k / rings;
       xyz.insert(xyz.end(), {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
@@ -30,7 +30,6 @@ io::Object sphere(std::uint32_t rings, const Pose& pose = {}) {
       if (i < rings) triangles.insert(triangles.end(), {row + k, row + 2 * rings + k, row + 2 * rings + next});
       if (i < rings) triangles.insert(triangles.end(), {row + k, row + 2 * rings + next, row + next});
     }
-  }
   return object(xyz, triangles, pose);
 }
 

@@ -125,14 +125,13 @@ TEST_F(Files, OnePlaceTakesOneDocument) {
 
 TEST_F(Files, APlaceThatCannotBeWrittenIsSaidBeforeTheWork) {
   const auto before = contents();
-  for (const Output& output : kOutputs) {
+  for (const Output& output : kOutputs)
     for (const std::string place : {"missing/out", ".", "a.off/out", "/dev/null/out"}) {
       const Ended run = clash({output.option, place});
       EXPECT_EQ(run.code, 2) << output.option << ' ' << place;
       EXPECT_TRUE(run.err.starts_with("impinge: ") && run.err.find(place) != std::string::npos) << run.err;
       EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
-  }
   EXPECT_TRUE(contents() == before);
 }
 

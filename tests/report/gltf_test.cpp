@@ -132,13 +132,12 @@ void expect_region(const Glb& glb, const json& node, const json& region) {
     const std::vector<Vec> points = glb.positions(primitives.at(0).at("attributes").at("POSITION"));
     const std::vector<std::uint32_t> ends = glb.numbers<std::uint32_t>(primitives.at(0).at("indices"), 1);
     std::size_t at = 0;
-    for (const json& line : region.at("lines")) {
+    for (const json& line : region.at("lines"))
       for (std::size_t i = 1; i < line.size(); ++i, at += 2) {
         ASSERT_LT(at + 1, ends.size());
         expect_at(points.at(ends[at]), line.at(i - 1));
         expect_at(points.at(ends[at + 1]), line.at(i));
       }
-    }
     EXPECT_EQ(at, ends.size());
   }
   const json& dot = primitives.back();
@@ -227,14 +226,13 @@ TEST_F(Gltf, IsReadByAssimpInMetresWithYUp) {
     std::vector<Vec> found;
     for (const aiVector3D& p : ends) found.push_back({p.x, p.y, p.z});
     // In whatever order; each has one near it, and the other way round.
-    for (const auto& [these, those] : {std::pair{found, expected}, {expected, found}}) {
+    for (const auto& [these, those] : {std::pair{found, expected}, {expected, found}})
       for (const Vec& p : these) {
         const bool near = std::any_of(those.begin(), those.end(), [&](const Vec& q) {
           return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) < 1e-7;
         });
         EXPECT_TRUE(near) << p[0] << ' ' << p[1] << ' ' << p[2];
       }
-    }
   }
 }
 

@@ -254,7 +254,7 @@ TEST_F(PageFile, NoNameEndsItsBlock) {
 /// A sphere around the origin, of 2 * rings * rings triangle pairs.
 std::string sphere(int rings) {
   std::string vertices, faces;
-  for (int i = 0; i <= rings; ++i) {
+  for (int i = 0; i <= rings; ++i)
     for (int k = 0; k < 2 * rings; ++k) {
       const double theta = std::numbers::pi * i / rings, phi = std::numbers::pi * k / rings;
       vertices += std::to_string(std::sin(theta) * std::cos(phi)) + " " +
@@ -265,7 +265,6 @@ std::string sphere(int rings) {
                std::to_string(row + 2 * rings + next) + "\n3 " + std::to_string(row + k) + " " +
                std::to_string(row + 2 * rings + next) + " " + std::to_string(row + next) + "\n";
     }
-  }
   return "OFF\n" + std::to_string(2 * rings * (rings + 1)) + " " + std::to_string(4 * rings * rings) + " 0\n" +
          vertices + faces;
 }

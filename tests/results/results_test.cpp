@@ -360,14 +360,13 @@ TEST(ContactKey, HoldsItsPartsAndSortsInCanonicalOrder) {
   const std::array<std::uint32_t, 5> values{0, 1, 0x3FFFFFFF, 0x7FFFFFFD, 0x7FFFFFFE};
   std::vector<results::ContactKey> all;
   for (const std::uint32_t a : values) {
-    for (const std::uint32_t b : values) {
+    for (const std::uint32_t b : values)
       for (const Kind kind : {Kind::crossing, Kind::touching, Kind::coplanar}) {
         all.push_back(results::contact_key(a, b, kind));
         EXPECT_EQ(results::triangle_a(all.back()), a);
         EXPECT_EQ(results::triangle_b(all.back()), b);
         EXPECT_EQ(results::kind_of(all.back()), kind);
       }
-    }
   }
   EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
   EXPECT_EQ(std::set<results::ContactKey>(all.begin(), all.end()).size(), all.size());

@@ -8,7 +8,6 @@
 #include "core/pose.hpp"
 #include "scene/placed_block.hpp"
 #include "scene/validate_pose.hpp"
-#include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
@@ -19,7 +18,7 @@ namespace {
 
 void expect_holds_world_vertices(const scene::PlacedObject& object, const Mesh& mesh, const Pose& pose) {
   const mpq_class square = mpq_class(object.sphere.radius) * object.sphere.radius;
-  for (const auto& triangle : mesh.triangles()) {
+  for (const auto& triangle : mesh.triangles())
     for (const std::uint32_t i : triangle) {
       const Point w = world_vertex(pose, mesh.vertices()[i]);
       ASSERT_TRUE(overlap(object.box, {w, w}));
@@ -27,7 +26,6 @@ void expect_holds_world_vertices(const scene::PlacedObject& object, const Mesh& 
                       z = mpq_class(w.z) - object.sphere.center.z;
       ASSERT_LE(x * x + y * y + z * z, square);
     }
-  }
 }
 
 TEST(Place, BoundsHoldEveryWorldVertex) {

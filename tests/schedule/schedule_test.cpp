@@ -89,7 +89,7 @@ void sleep_microseconds(int n) { std::this_thread::sleep_for(std::chrono::micros
 TEST(ForEach, RunsEachOnceOnNoMoreThreadsThanAsked) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 16);
   int most_of_all = 0;
-  for (const int threads : {0, 1, 2, 3, 16, 1000}) {
+  for (const int threads : {0, 1, 2, 3, 16, 1000})
     for (const std::size_t n : {0, 1, 2, 5, 100}) {
       SCOPED_TRACE(std::to_string(n) + " by " + std::to_string(threads) + " threads");
       const auto times = std::make_unique<std::atomic<int>[]>(n);
@@ -108,7 +108,6 @@ TEST(ForEach, RunsEachOnceOnNoMoreThreadsThanAsked) {
       EXPECT_LE(most, threads == 0 ? 16 : threads);
       most_of_all = std::max<int>(most_of_all, most);
     }
-  }
   EXPECT_GT(most_of_all, 3);  // else nothing has been tried
 }
 
@@ -323,7 +322,7 @@ TEST(TwoEnded, GivesEachPieceOnceToManyThreads) {
   const auto times = std::make_unique<std::atomic<int>[]>(n);
   {
     std::vector<std::jthread> threads;
-    for (int t = 0; t < 8; ++t) {
+    for (int t = 0; t < 8; ++t)
       threads.emplace_back([&, t] {
         for (bool done = false; !done;) {
           const auto range = t % 2 == 0 ? row.take_front(1 + t) : row.take_back(1 + t);
@@ -331,7 +330,6 @@ TEST(TwoEnded, GivesEachPieceOnceToManyThreads) {
           done = range.empty();
         }
       });
-    }
   }
   for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(times[i], 1);
 }
@@ -339,7 +337,7 @@ TEST(TwoEnded, GivesEachPieceOnceToManyThreads) {
 /// Both sides end together, and where asking takes longer than the CPU alone the device gets nothing.
 TEST(DevicePortion, EndsWhenTheCpuDoes) {
   for (const double left : {1.0, 100.0, 1e6}) {
-    for (const double device : {0.1, 1.0, 50.0}) {
+    for (const double device : {0.1, 1.0, 50.0})
       for (const double question : {0.0, 0.01, 10.0}) {
         const schedule::Speeds speeds{.cpu = 2, .device = device, .question = question};
         const double x = schedule::device_portion(left, speeds);
@@ -351,7 +349,6 @@ TEST(DevicePortion, EndsWhenTheCpuDoes) {
           EXPECT_GE(question, left / 2);
         }
       }
-    }
   }
   EXPECT_EQ(schedule::device_portion(100, {.cpu = 0, .device = 1, .question = 0}), 0);
   EXPECT_EQ(schedule::device_portion(100, {.cpu = 1, .device = 0, .question = 0}), 0);
@@ -408,9 +405,9 @@ Ends run(const Race& race, const std::vector<double>& weights) {
 
 TEST(DevicePortions, LetBothSidesEndTogether) {
   test::Seeded seeded(5);
-  for (const double speed : {1 / 20.0, 1 / 5.0, 1 / 2.0, 1.0, 2.0, 5.0, 20.0}) {
+  for (const double speed : {1 / 20.0, 1 / 5.0, 1 / 2.0, 1.0, 2.0, 5.0, 20.0})
     for (const double misjudged : {0.5, 1.0, 2.0}) {
-      for (const int threads : {1, 2}) {  // more share single pieces with each other, too
+      for (const int threads : {1, 2})  // more share single pieces with each other, too
         for (const double question : {0.0, 2e-4}) {
           std::vector<double> weights(1024);  // a second of one thread's work
           for (double& weight : weights) weight = seeded.random.integer(1, 10) / (5.5 * 1024);
@@ -419,9 +416,7 @@ TEST(DevicePortions, LetBothSidesEndTogether) {
               << speed << ' ' << misjudged << ' ' << threads << ' ' << question << ": " << ends.cpu << ' '
               << ends.device;
         }
-      }
     }
-  }
 }
 
 /// As many pieces as one pair of objects is cut into.

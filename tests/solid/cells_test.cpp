@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "exact/triangle_pair.hpp"
-#include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"
@@ -198,7 +196,7 @@ struct Polycube {
   [[nodiscard]] MeshData mesh(Random& random) const {
     MeshData mesh;
     for (const auto& at : cubes) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
         for (const int way : {-1, 1}) {
           auto beyond = at;
           beyond[axis] += way;
@@ -216,7 +214,6 @@ struct Polycube {
           mesh.add_triangle(corners[turn], corners[turn + 1], corners[turn + 2]);
           mesh.add_triangle(corners[turn], corners[turn + 2], corners[(turn + 3) % 4]);
         }
-      }
     }
     return mesh;
   }
@@ -237,9 +234,9 @@ Polycube polycube(Random& random, int n) {
 std::uint8_t bits_at_samples(const Polycube& own, const Polycube& other) {
   std::uint8_t bits = 0;
   const double step = own.size / 16, beside = 0x1p-10;
-  for (const auto& at : own.cubes) {
+  for (const auto& at : own.cubes)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int end : {0, 1}) {
+      for (const int end : {0, 1})
         for (int i = 0; i < 256; ++i) {
           std::array<double, 3> c{own.size * at[0], own.size * at[1], own.size * at[2]};
           c[axis] += end * own.size;
@@ -255,9 +252,7 @@ std::uint8_t bits_at_samples(const Polycube& own, const Polycube& other) {
                   : in_front == own.contains(front) ? kSameSide
                                                     : kOtherSide;
         }
-      }
     }
-  }
   return bits;
 }
 

@@ -27,7 +27,7 @@ solid::Classification classified(const scenes::MeshData& shape, const Pose& pose
 }
 
 TEST(Classify, DamagedSolidsAreSolidOrCrackedWhatTheyWere) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
     for (const scenes::DamagedSolid& solid : scenes::damaged_solids(seed)) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << solid.name);
       const solid::Classification found = classified(solid.damaged);
@@ -35,7 +35,6 @@ TEST(Classify, DamagedSolidsAreSolidOrCrackedWhatTheyWere) {
       EXPECT_EQ(found.counts(), (solid.is_open ? Pieces{0, 1, 0} : Pieces{1, 0, 0}));
       EXPECT_EQ(found.unclear_edges, 0U);
     }
-  }
 }
 
 TEST(Classify, OpenShapesStaySurfaces) {

@@ -119,14 +119,13 @@ TEST(CutTriangle, TakesOutWhatManyShareWithIt) {
     if (is_degenerate({Point{0, 0, 0}, e, f})) continue;
     std::vector<Triangle> shared;
     const int n = random.integer(1, 8);
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const std::array<Triangle, 2> halves{Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
                                              Triangle{at(i, j), at(i, j + 1), at(i + 1, j + 1)}};
         for (const Triangle& half : halves)
           if (random.integer(0, 3) != 0) shared.push_back(half);
       }
-    }
     const auto in_plane = [&](Random& r) {
       const int i = r.integer(-2, 2 * n + 2);
       return 0.5 * at(i, r.integer(-2, 2 * n + 2));

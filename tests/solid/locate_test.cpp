@@ -132,7 +132,7 @@ TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
                             scenes::scaled(scenes::box({0, 0, 0}, {1, 2, 3}, 3), size, size, size),
                             scenes::scaled(scenes::torus_knot(2, 3, 12, 5), size, size, size),
                             scenes::scaled(tetrahedra(random, 12, 3), size, size, size)};
-    for (const scenes::MeshData& shape : shapes) {
+    for (const scenes::MeshData& shape : shapes)
       for (const Pose& pose : poses(random)) {
         const Placed body(shape, pose, seed % 2 == 0 ? 1 : 0);
         for (int i = 0; i < 4; ++i) {
@@ -141,7 +141,6 @@ TEST(WindingNumber, IsExactOnPlacedMeshesOfEverySize) {
             ASSERT_NO_FATAL_FAILURE(expect_agrees(body, p, random));
         }
       }
-    }
   }
 }
 

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "pipeline/mesh_state.hpp"
 #include "solid/body.hpp"
 #include "tests/core/support.hpp"
