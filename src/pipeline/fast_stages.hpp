@@ -29,9 +29,10 @@ class FastStages {
   struct Pair {
     Pair(const Query& query, const broad::ObjectPair& objects);
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
-    bool swapped;           ///< the first tree is that of the pair's second object
-    bool is_self = false;   ///< both are one object
-    Adjacency adjacency{};  ///< then
+    bool swapped;                    ///< the first tree is that of the pair's second object
+    bool is_self = false;            ///< both are one object
+    Adjacency adjacency{};           ///< then
+    const MeshState* own = nullptr;  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
     [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
@@ -45,6 +46,7 @@ class FastStages {
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
+  [[nodiscard]] const partition::EmbeddedStars* stars_of(const Pair& pair) const;
   void decide_neighbours(const Pair& pair);
 
   bool first_only_ = false;
