@@ -191,6 +191,10 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
       {{"impinge", [&](std::size_t) { ours = must(self_collide(deformed, {}, fast())).triangles; }},
        {"CGAL", [&](std::size_t) { theirs = cgal.self_intersections(); }}},
       effort, table);
+  add(subject, "refit and self",
+      {{"impinge", [&](std::size_t) { (void)must(self_collide(must(mesh.deformed(after.xyz)), {}, fast())); }},
+       {"CGAL", [&](std::size_t) { (void)cgal.self_intersections(); }}},
+      effort, table);
   if (ours != theirs) std::fprintf(stderr, "%s: %zu and %zu pairs\n", subject.name.c_str(), ours.size(), theirs.size());
   measure_impacts(subject, twisted(subject.data, 0.01).xyz, effort, table);
   measure_passage(subject, effort, table);

@@ -134,6 +134,32 @@ HWY_INLINE void bound_leaf(const WideLeaf& a, SweepState& s) {
   }
 }
 
+/// The corners of A's triangles that are embedded stars' vertices; in the places of others, what B's never have.
+HWY_INLINE void name_corners(const WideLeaf& a, SweepState& s) {
+  const hn::RebindToUnsigned<Lanes> du;
+  const hn::RebindToSigned<Lanes> di;
+  const auto* const corners = reinterpret_cast<const std::int32_t*>(s.stars->corners.data());
+  const auto most = hn::Set(du, EmbeddedStars::kNone - 1);
+  for (std::size_t lane = 0; lane < a.stride; lane += hn::Lanes(du)) {
+    const auto id = hn::BitCast(di, hn::Load(du, a.ids() + lane)), place = hn::Add(id, hn::Add(id, id));
+    for (std::size_t k = 0; k < 3; ++k)
+      hn::Store(hn::Min(hn::BitCast(du, hn::GatherIndex(di, corners + k, place)), most), du, s.corners_a[k] + lane);
+  }
+}
+
+/// A bit for each of A's triangles, one a lane from `first` on, that has one of the corners in common.
+HWY_INLINE std::uint32_t with_common_corner(const std::array<std::uint32_t, 3>& corners, std::size_t first,
+                                            const SweepState& s) {
+  const hn::RebindToUnsigned<Lanes> du;
+  const auto a0 = hn::Load(du, s.corners_a[0] + first), a1 = hn::Load(du, s.corners_a[1] + first),
+             a2 = hn::Load(du, s.corners_a[2] + first);
+  const auto has = [&](std::uint32_t corner) HWY_ATTR {
+    const auto b = hn::Set(du, corner);
+    return hn::Or(hn::Eq(a0, b), hn::Or(hn::Eq(a1, b), hn::Eq(a2, b)));
+  };
+  return mask_bits(Lanes(), hn::RebindMask(Lanes(), hn::Or(has(corners[0]), hn::Or(has(corners[1]), has(corners[2])))));
+}
+
 /// Turns to the next leaf pair of the group.
 void open_pair(SweepState& s) {
   const auto& member = s.group[s.next_pair];
@@ -141,10 +167,12 @@ void open_pair(SweepState& s) {
   s.next_first = s.end_first = 0;
   if (member.first_row == member.end_row) return;
   bound_leaf(a, s);
+  if (s.stars != nullptr) name_corners(a, s);
   s.end_first = a.count;
 }
 
 /// Lists what the next of A's triangles, one a lane, meet of B's.
+template <bool kWithStars>
 void find_hits(SweepState& s) {
   const Lanes d;
   const auto& member = s.group[s.next_pair - 1];
@@ -164,6 +192,10 @@ void find_hits(SweepState& s) {
     if (one_order) {
       const std::size_t place = row - member.first_lane, before = place - std::min(place, first);
       mask &= (1u << std::min<std::size_t>(before, SweepState::kMostLanes)) - 1;
+    }
+    if constexpr (kWithStars) {
+      const std::uint32_t id = s.pairs[s.next_pair - 1].b->ids()[row - member.first_lane];
+      if (mask != 0) mask &= ~with_common_corner(s.stars->corners[id], first, s);
     }
     s.hits[hits] = {row, mask};
     hits += mask != 0;
@@ -215,7 +247,7 @@ bool fill(SweepState& s, PairStream& out) {
       write_tile(s, out);
     }
     if (s.next_first < s.end_first) {
-      find_hits(s);
+      s.stars == nullptr ? find_hits<false>(s) : find_hits<true>(s);
     } else if (s.next_pair < s.group_size) {
       open_pair(s);
     } else {

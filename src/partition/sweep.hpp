@@ -8,6 +8,7 @@
 
 #include "hierarchy/tree_relation.hpp"
 #include "hierarchy/wide_leaf.hpp"
+#include "partition/embedded_stars.hpp"
 #include "partition/pair_stream.hpp"
 
 namespace impinge::partition {
@@ -24,6 +25,7 @@ struct alignas(64) SweepState {
   bool one_order = false;  ///< of a leaf and itself, only pairs whose second triangle is the later one
   std::span<const hierarchy::WideLeafPair> pairs;  ///< what is left, from the group at hand on
   const hierarchy::TreeRelation* relation = nullptr;
+  const EmbeddedStars* stars = nullptr;  ///< pairs with such a vertex in common are left out; null: none are
 
   // The group at hand: B's triangles, leaf after leaf, in the frames of A's leaves, and their boxes: least and greatest
   // x, y, z, larger by what neither leaf knows exactly.
@@ -39,7 +41,8 @@ struct alignas(64) SweepState {
 
   // The leaf pair at hand, next_pair - 1.
   alignas(64) float box_a[6][kMostInLeaf];
-  std::size_t next_first, end_first;  ///< A's triangles that are still to be looked at
+  alignas(64) std::uint32_t corners_a[3][kMostInLeaf];  ///< of the stars, if any
+  std::size_t next_first, end_first;                    ///< A's triangles that are still to be looked at
   struct {
     std::uint32_t row, mask;  ///< a triangle of B, and those of A, of as many as there are lanes, whose boxes it meets
   } hits[kStride];
@@ -54,10 +57,11 @@ struct alignas(64) SweepState {
 class Sweep {
  public:
   /// The work: leaf pairs of two trees, and how the second lies in the first. They stay as long as the work does.
-  /// `is_self`: both are one tree in one place, whose leaves give each pair of their own triangles once.
+  /// `is_self`: both are one tree in one place, whose leaves give each pair of their own triangles once, and, with
+  /// `stars`, none that has an embedded star's vertex in common.
   void begin(std::span<const hierarchy::WideLeafPair> pairs, const hierarchy::TreeRelation& relation,
-             bool is_self = false) {
-    state_.pairs = pairs, state_.relation = &relation, state_.one_order = is_self;
+             bool is_self = false, const EmbeddedStars* stars = nullptr) {
+    state_.pairs = pairs, state_.relation = &relation, state_.one_order = is_self, state_.stars = stars;
     state_.group_size = state_.next_pair = state_.next_first = state_.end_first = 0;
     state_.hit_count = state_.next_hit = 0;
   }

@@ -49,11 +49,11 @@ std::uint32_t common_bits(const Corners& a, const Corners& b) {
 
 /// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
 /// of what else is common the exact stage knows. Places are compared where no two triangles share an index.
-void mark_common_corners(const MeshData& mesh, Adjacency adjacency, partition::PairStream& stream) {
+void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStream& stream) {
   std::uint32_t any = 0;
   for (std::size_t i = 0; i < stream.size; ++i)
     any |= stream.common[i] = common_bits(mesh.triangles[stream.id_a[i]], mesh.triangles[stream.id_b[i]]);
-  if (any != 0 || adjacency == Adjacency::by_index) return;
+  if (any != 0 || by_index) return;
   const auto corners = [&mesh](std::uint32_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
     return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
@@ -68,6 +68,7 @@ FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
     : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {
   is_self = walk.is_self = objects.a == objects.b;
   adjacency = query.options.adjacency;
+  if (is_self) own = query.meshes[objects.a];
 }
 
 FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
@@ -115,14 +116,15 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
 void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
                         Statistics& statistics) {
   filtered_.crossing.clear(), filtered_.unsure.clear();
-  sweep_.begin(leaf_pairs, pair.walk.relation, pair.is_self);
+  const partition::EmbeddedStars* const stars = stars_of(pair);
+  sweep_.begin(leaf_pairs, pair.walk.relation, pair.is_self, stars);
   for (bool done = false; !done;) {
     stream_.size = 0;
     done = sweep_.fill(stream_);
     clock.charge(statistics.partition_seconds);
     if (stream_.size == 0) break;  // only at the end: reading the clock shows in small queries
     if (pair.is_self) {
-      mark_common_corners(*pair.a.mesh, pair.adjacency, stream_);
+      mark_common_corners(*pair.a.mesh, pair.adjacency == Adjacency::by_index || stars != nullptr, stream_);
       narrow::filter_self_pairs(stream_, filtered_);
     } else {
       narrow::filter_pairs(stream_, filtered_);
@@ -149,6 +151,18 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   for (const TrianglePair& crossing : filtered_.crossing) keep(crossing.a, crossing.b, Kind::crossing);
   for (const exact::Contact& contact : contacts_) keep(contact.a, contact.b, contact.kind);
   clock.charge(statistics.exact_seconds);
+}
+
+/// The stars that stay embedded in the world; null: none do. A search for one contact does not begin with looking for
+/// them.
+//
+// The world's vertices are R (x + d) + t with R d at most the rounding: d is at most sqrt 3 times as much, and as much
+// as R may be longer or shorter than a rotation. An affine map leaves what is embedded so.
+const partition::EmbeddedStars* FastStages::stars_of(const Pair& pair) const {
+  if (!pair.is_self || (first_only_ && slices_ < kPatientSlices)) return nullptr;
+  const partition::EmbeddedStars& stars = pair.own->stars.of(pair.own->data, *pair.own->closed, pair.walk.for_each);
+  const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, pair.own->data));
+  return !stars.corners.empty() && moved <= stars.slack ? &stars : nullptr;
 }
 
 /// Takes pairs with common vertices out of the unsure ones. (What surely crosses does so beyond these: relative

@@ -31,9 +31,10 @@ class FastStages {
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
     /// Whether the second mesh's tree comes first.
     static bool is_swapped(const MeshState& first, const MeshState& second);
-    bool swapped;           ///< the first tree is that of the pair's second object
-    bool is_self = false;   ///< both are one object
-    Adjacency adjacency{};  ///< then
+    bool swapped;                    ///< the first tree is that of the pair's second object
+    bool is_self = false;            ///< both are one object
+    Adjacency adjacency{};           ///< then
+    const MeshState* own = nullptr;  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
     [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
@@ -52,6 +53,7 @@ class FastStages {
  private:
   void decide(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,
               Statistics& statistics);
+  [[nodiscard]] const partition::EmbeddedStars* stars_of(const Pair& pair) const;
   void decide_neighbours(const Pair& pair);
 
   bool first_only_ = false;

@@ -9,6 +9,7 @@
 #include "impinge/mesh.hpp"
 #include "motion/features.hpp"
 #include "paper/obb_tree.hpp"
+#include "partition/embedded_stars.hpp"
 #include "pipeline/mesh_pieces.hpp"
 
 namespace impinge {
@@ -31,7 +32,8 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
         wide_tree(source.wide_tree.made_share() >= kRefitted
                       ? hierarchy::WideTree(source.wide_tree, data, for_each)
                       : hierarchy::WideTree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize)),
-        features(source.features) {}
+        features(source.features),
+        closed(source.closed) {}
 
   // Where the cost function is least (tests/schedule by counts, docs/performance.md by the clock). The paper's way
   // tests a mesh of up to kPlainDirect triangles directly, as one leaf. The wide tree, which measures distances too,
@@ -47,7 +49,9 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   mutable paper::ObbTree tree;
   mutable hierarchy::WideTree wide_tree;
   mutable MeshPiecesCache pieces_cache;
+  mutable partition::EmbeddedStarsCache stars;
   const std::shared_ptr<motion::FeaturesCache> features = std::make_shared<motion::FeaturesCache>();
+  const std::shared_ptr<partition::ClosedVertices> closed = std::make_shared<partition::ClosedVertices>();
 };
 
 }  // namespace impinge

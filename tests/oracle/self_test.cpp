@@ -99,6 +99,45 @@ MeshData unwelded(const MeshData& mesh) {
   return result;
 }
 
+/// Closed: about a ring that goes round the axis z so many times, with two apexes.
+MeshData bipyramid(std::uint32_t corners, double rounds, const Point& apex_a, const Point& apex_b) {
+  MeshData mesh;
+  for (const Point& apex : {apex_a, apex_b}) mesh.add_vertex(apex.x, apex.y, apex.z);
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle = rounds * 4 * std::acos(0.0) * i / corners;
+    mesh.add_vertex(std::cos(angle), std::sin(angle), 0.01 * (i % 3));
+  }
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const std::uint32_t one = 2 + i, next = 2 + (i + 1) % corners;
+    mesh.add_triangle(0, one, next), mesh.add_triangle(1, next, one);
+  }
+  return mesh;
+}
+
+/// Closed meshes, whose vertices are inside of a surface, that meet themselves about those or just do not.
+std::vector<MeshData> closed_meshes(scenes::Random& random) {
+  std::vector<MeshData> meshes{bipyramid(7, 1, {0, 0, 1}, {0, 0, -1}), bipyramid(9, 2, {0, 0, 1}, {0, 0, -1}),
+                               bipyramid(24, 1, {0.7, 0.7, 1e-3}, {0, 0, -1}),  // needles
+                               bipyramid(8, 1, {0, 0, 0.01}, {0, 0, 0.01}),     // its two sides on each other
+                               bipyramid(6, 1, {2, 0, 1}, {0, 0.5, 0})};        // an apex beside its ring
+  // An apex as good as on an edge of its ring, on either side.
+  for (int k = 20; k < 60; k += 10)
+    for (const double side : {-1.0, 1.0})
+      meshes.push_back(bipyramid(4, 1, {0.5 + std::ldexp(side, -k), 0.5, std::ldexp(1, -k)}, {0, 0, -1}));
+  for (const double noise : {0.1, 0.3, 1.0}) {
+    meshes.push_back(scenes::uv_sphere(8, 6));
+    for (double& x : meshes.back().xyz) x += noise * random.uniform(-1, 1);
+  }
+  for (int side = 1; side < 6; side += 2) {
+    meshes.push_back(scenes::uv_sphere(6, 5));
+    for (double& x : meshes.back().xyz) x = random.integer(0, side);
+  }
+  const MeshData noisy = meshes[meshes.size() - 5];
+  for (const double scale : {0x1p-290, 0x1p250}) meshes.push_back(scenes::scaled(noisy, scale, scale, scale));
+  for (const double far : {1e4, 1e15}) meshes.push_back(scenes::shifted(noisy, far, -far, far));
+  return meshes;
+}
+
 std::vector<MeshData> small_meshes(scenes::Random& random) {
   std::vector<MeshData> meshes{scenes::cube(),
                                unwelded(scenes::cube()),
@@ -115,14 +154,18 @@ std::vector<MeshData> small_meshes(scenes::Random& random) {
   meshes.push_back(fold);
   meshes.push_back(scenes::shifted(scenes::triangle_soup(random, 60, 0.5), 1e6, -1e6, 1e6));
   meshes.push_back(scenes::scaled(tangle(random, 12, 40, 3), 0x1p-70, 0x1p-70, 0x1p-70));
+  for (MeshData& closed : closed_meshes(random)) meshes.push_back(std::move(closed));
   return meshes;
 }
 
 TEST(SelfCollide, IsItsDefinition) {
   test::Seeded seeded(1);
   std::size_t reported = 0;
+  double reach = 1e14;
   for (const MeshData& numbers : small_meshes(seeded.random)) {
-    for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, 3)})
+    // Every other one so far away that vertices are rounded by about what their places differ by.
+    reach = reach == 3 ? 1e14 : 3;
+    for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, reach)})
       for (const Adjacency adjacency : {Adjacency::by_position, Adjacency::by_index}) {
         const auto expected = truth(test::mesh_of(numbers), pose, adjacency);
         reported += expected.size();
@@ -131,7 +174,7 @@ TEST(SelfCollide, IsItsDefinition) {
             SCOPED_TRACE(std::string(backend) + ", leaf size " + std::to_string(leaf_size));
             const auto found = self_collide(test::mesh_of(numbers, leaf_size), pose,
                                             {.threads = 1, .backend = backend, .adjacency = adjacency});
-            ASSERT_TRUE(found);
+            ASSERT_TRUE(found) << found.error().message;
             ASSERT_EQ(test::listed(*found), expected);
           }
       }

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The impinge authors
+// SPDX-License-Identifier: MIT
+#include "partition/embedded_stars.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/hard.hpp"
+#include "scenes/shapes.hpp"
+#include "tests/core/support.hpp"
+
+namespace impinge {
+namespace {
+
+using partition::EmbeddedStars;
+using scenes::MeshData;
+
+/// By vertex. Fails where a vertex is one in some of its triangles alone.
+std::vector<bool> embedded(const MeshData& numbers) {
+  const Mesh mesh = test::mesh_of(numbers);
+  const impinge::MeshData& data = test::numbers_of(mesh);
+  const EmbeddedStars stars =
+      partition::find_embedded_stars(data, partition::closed_vertices(data.triangles, data.vertices.size()));
+  std::vector<bool> found(data.vertices.size());
+  for (const bool second : {false, true}) {
+    for (std::size_t t = 0; t < stars.corners.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = data.triangles[t][k], name = stars.corners[t][k];
+        EXPECT_TRUE(name == v || name == EmbeddedStars::kNone);
+        if (second) {
+          EXPECT_EQ(found[v], name == v) << v;
+        }
+        if (name == v) found[v] = true;
+      }
+    }
+  }
+  return found;
+}
+
+/// A fan about the origin, which is vertex 0, whose ring goes round the axis z so many times; closed below it by a
+/// second apex, vertex 1, if asked for.
+MeshData fan(std::uint32_t corners, double rounds, bool is_closed) {
+  MeshData mesh;
+  mesh.add_vertex(0, 0, 0), mesh.add_vertex(0, 0, -5);
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle = 0.1 + rounds * 4 * std::acos(0.0) * i / corners;
+    mesh.add_vertex(std::cos(angle), std::sin(angle), -0.1);
+  }
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const std::uint32_t one = 2 + i, next = 2 + (i + 1) % corners;
+    if (is_closed || i > 0) mesh.add_triangle(0, one, next);
+    if (is_closed) mesh.add_triangle(1, next, one);
+  }
+  return mesh;
+}
+
+TEST(EmbeddedStars, AreThoseOfClosedVerticesThatTrianglesGoRoundOnce) {
+  EXPECT_TRUE(embedded(fan(7, 1, true))[0]);
+  EXPECT_FALSE(embedded(fan(9, 2, true))[0]) << "twice";
+  EXPECT_FALSE(embedded(fan(7, 1, false))[0]) << "not closed";
+  MeshData turned = fan(7, 1, true);
+  std::swap(turned.triangles[0], turned.triangles[1]);
+  EXPECT_FALSE(embedded(turned)[0]) << "a triangle turned over";
+  EXPECT_FALSE(embedded(scenes::with_duplicates(fan(7, 1, true), 2))[0]) << "a triangle twice";
+  MeshData folded = fan(7, 1, true);
+  folded.xyz[6] *= -0.5, folded.xyz[7] *= -0.5;
+  EXPECT_FALSE(embedded(folded)[0]) << "folded";
+}
+
+TEST(EmbeddedStars, AreThoseOfSmoothSurfaces) {
+  for (const bool as_is : {true, false}) {
+    MeshData sphere = scenes::uv_sphere(24, 16);
+    if (!as_is) sphere = scenes::scaled(scenes::shifted(sphere, 3, 2, 1), -1, 0.5, 2);
+    const std::vector<bool> found = embedded(sphere);
+    EXPECT_EQ(std::count(found.begin(), found.end(), true), std::ptrdiff_t(found.size()));
+  }
+  // A grid's inner vertices.
+  const std::vector<bool> found = embedded(scenes::bumpy_grid(10, 10));
+  EXPECT_EQ(std::count(found.begin(), found.end(), true), 81);
+  // Beyond where the bounds hold, none.
+  for (const double scale : {0x1p-310, 0x1p310})
+    EXPECT_EQ(embedded(scenes::scaled(scenes::uv_sphere(8, 6), scale, scale, scale)),
+              std::vector<bool>(scenes::uv_sphere(8, 6).vertex_count()));
+}
+
+}  // namespace
+}  // namespace impinge
