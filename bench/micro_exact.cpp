@@ -115,15 +115,16 @@ void add_pair(const std::string& name, Pair (*one)(scenes::Random&)) {
     run(state, inputs, [](const Pair& pair) { return exact::classify(pair[0], pair[1]); });
   });
   std::array<MeshData, 2> meshes;
+  std::vector<MeshData::Corners> triangles;
   std::vector<TrianglePair> pairs;
   for (const Pair& pair : inputs) {
-    for (std::size_t t = 0; t < 2; ++t) {
-      const auto first = static_cast<std::uint32_t>(meshes[t].vertices.size());
+    const auto first = static_cast<std::uint32_t>(meshes[0].vertices.size());
+    triangles.push_back({first, first + 1, first + 2});
+    for (std::size_t t = 0; t < 2; ++t)
       meshes[t].vertices.insert(meshes[t].vertices.end(), pair[t].begin(), pair[t].end());
-      meshes[t].triangles.push_back({first, first + 1, first + 2});
-    }
     pairs.push_back({static_cast<std::uint32_t>(pairs.size()), static_cast<std::uint32_t>(pairs.size())});
   }
+  for (MeshData& mesh : meshes) mesh.set_triangles(triangles);
   benchmark::RegisterBenchmark((name + "; settled").c_str(), [meshes, pairs](benchmark::State& state) {
     std::vector<exact::Contact> contacts;
     for (auto _ : state) {

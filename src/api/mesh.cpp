@@ -15,6 +15,7 @@
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
 #include "scene/bounding_sphere.hpp"
+#include "scene/vertex_numbers.hpp"
 
 namespace impinge {
 namespace {
@@ -44,59 +45,44 @@ void measure_corners(MeshData& mesh) {
   mesh.has_loose_vertices = std::find(used.begin(), used.end(), 0) != used.end();
 }
 
-void measure_vertices(MeshData& mesh) {
-  std::uint64_t hash = 0;
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3& v = mesh.vertices[i];
-    hash += mix(mix(mix(i, number_bits(v.x)), number_bits(v.y)), number_bits(v.z));
-  }
-  mesh.hash = mix(mix(mix(mesh.vertices.size(), mesh.triangles.size()), hash), mesh.corners_hash);
+Error bad_mesh(std::string message) { return {Code::bad_mesh, std::move(message)}; }
 
-  if (mesh.triangles.empty()) return;
+/// Everything else that a mesh's numbers tell.
+Result<void> measure_vertices(MeshData& mesh) {
+  scene::VertexNumbers numbers = scene::vertex_numbers(mesh.vertices);
+  if (!numbers.is_finite) {
+    const auto bad = std::ranges::find_if(
+        mesh.vertices, [](const Vec3& v) { return !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z); });
+    return bad_mesh("vertex " + std::to_string(bad - mesh.vertices.begin()) +
+                    " has a coordinate that is not a finite number");
+  }
+  mesh.hash =
+      mix(mix(mix(mesh.vertices.size(), mesh.triangles.size()), scene::vertex_hash(mesh.vertices)), mesh.corners_hash);
+  if (mesh.triangles.empty()) return {};
   std::vector<Vec3> some;
   if (mesh.has_loose_vertices) {
     const auto used = used_vertices(mesh);
     for (std::size_t i = 0; i < used.size(); ++i)
       if (used[i] != 0) some.push_back(mesh.vertices[i]);
+    numbers = scene::vertex_numbers(some);
   }
-  const std::vector<Vec3>& points = mesh.has_loose_vertices ? some : mesh.vertices;
-  mesh.box = {points[0], points[0]};
-  mesh.min_exponent = mesh.min_bit = std::numeric_limits<int>::max() / 4;  // as of a mesh of zeros
-  double least = kInfinity;
-  for (const Vec3& p : points) {
-    mesh.box = {min(mesh.box.lo, p), max(mesh.box.hi, p)};
-    for (const double x : {p.x, p.y, p.z}) {
-      if (x == 0) continue;
-      least = std::min(least, std::abs(x));
-      mesh.min_bit = std::min(mesh.min_bit, lowest_bit(x));
-    }
-  }
-  if (least < kInfinity) mesh.min_exponent = exponent(least);
+  mesh.box = numbers.box();
+  const bool is_zero = numbers.least == kInfinity;
+  mesh.min_exponent = is_zero ? std::numeric_limits<int>::max() / 4 : exponent(numbers.least);
+  mesh.min_bit = is_zero ? std::numeric_limits<int>::max() / 4 : exponent(numbers.last_place);
   mesh.max_abs = max(abs(mesh.box.lo), abs(mesh.box.hi));
   mesh.least_entry = least_entry(mesh.min_bit);
-  mesh.sphere = scene::bounding_sphere(points);
+  mesh.sphere = scene::bounding_sphere(mesh.has_loose_vertices ? some : mesh.vertices, numbers);
+  return {};
 }
-
-Error bad_mesh(std::string message) { return {Code::bad_mesh, std::move(message)}; }
 
 /// Three coordinates a vertex.
 template <class T>
-Result<std::vector<Vec3>> read_vertices(std::span<const T> xyz) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(xyz.size() / 3);
-  bool is_finite = true;
-  for (std::size_t i = 0; i < xyz.size() / 3; ++i) {
-    vertices.push_back(
-        {static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]), static_cast<double>(xyz[3 * i + 2])});
-    const Vec3 size = abs(vertices.back());
-    is_finite &= size.x < kInfinity && size.y < kInfinity && size.z < kInfinity;
-  }
-  if (!is_finite) {
-    const auto bad = std::ranges::find_if(
-        vertices, [](const Vec3& v) { return !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z); });
-    return bad_mesh("vertex " + std::to_string(bad - vertices.begin()) +
-                    " has a coordinate that is not a finite number");
-  }
+std::vector<Vec3> read_vertices(std::span<const T> xyz) {
+  std::vector<Vec3> vertices(xyz.size() / 3);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = {static_cast<double>(xyz[3 * i]), static_cast<double>(xyz[3 * i + 1]),
+                   static_cast<double>(xyz[3 * i + 2])};
   return vertices;
 }
 
@@ -109,19 +95,19 @@ Result<MeshData> read_numbers(std::span<const T> xyz, std::span<const std::uint3
   if (triangle_count > std::numeric_limits<std::int32_t>::max())
     return bad_mesh("the mesh has more than 2^31 - 1 triangles; cut it into several objects");
 
-  auto vertices = read_vertices(xyz);
-  if (!vertices) return vertices.error();
   MeshData mesh;
   mesh.precision = precision;
-  mesh.vertices = *std::move(vertices);
-  mesh.triangles.reserve(triangle_count);
+  mesh.vertices = read_vertices(xyz);
+  std::vector<MeshData::Corners> list;
+  list.reserve(triangle_count);
   for (std::size_t i = 0; i < triangle_count; ++i) {
-    mesh.triangles.push_back({triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]});
-    for (const std::uint32_t v : mesh.triangles.back())
+    list.push_back({triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]});
+    for (const std::uint32_t v : list.back())
       if (v >= vertex_count)
         return bad_mesh("triangle " + std::to_string(i) + " names vertex " + std::to_string(v) +
                         ", but there are only " + std::to_string(vertex_count) + " (counted from 0)");
   }
+  mesh.set_triangles(std::move(list));
   return mesh;
 }
 
@@ -149,7 +135,7 @@ Result<Mesh> Mesh::transformed(const Affine& map) const {
     MeshData mesh;
     mesh.precision = state_->data.precision;
     mesh.vertices = state_->data.vertices;
-    mesh.triangles = state_->data.triangles;
+    mesh.triangles = state_->data.triangles, mesh.shared_triangles = state_->data.shared_triangles;
     pose_all_vertices({map.m, map.t}, mesh.vertices);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
       const Vec3& v = mesh.vertices[i];
@@ -169,14 +155,12 @@ Result<Mesh> Mesh::deformed(std::span<const double> xyz) const {
     if (xyz.size() > 3 * n)
       return bad_mesh("there are coordinates of a vertex " + std::to_string(n) + ", but the mesh has only " +
                       std::to_string(n) + " (counted from 0), 3 coordinates each");
-    auto vertices = read_vertices(xyz);
-    if (!vertices) return vertices.error();
     MeshData mesh;
     mesh.precision = state_->data.precision;
-    mesh.vertices = *std::move(vertices);
-    mesh.triangles = state_->data.triangles;
+    mesh.vertices = read_vertices(xyz);
+    mesh.triangles = state_->data.triangles, mesh.shared_triangles = state_->data.shared_triangles;
     mesh.corners_hash = state_->data.corners_hash, mesh.has_loose_vertices = state_->data.has_loose_vertices;
-    measure_vertices(mesh);
+    if (auto measured = measure_vertices(mesh); !measured) return measured.error();
     return Mesh(std::make_shared<const MeshState>(std::move(mesh), *state_, on_threads(0)));
   });
 }
@@ -187,7 +171,7 @@ Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
                                        "; choose 1 to 256, or 0 for what each backend does best with"};
   if (!numbers) return numbers.error();
   measure_corners(*numbers);
-  measure_vertices(*numbers);
+  if (auto measured = measure_vertices(*numbers); !measured) return measured.error();
   return Mesh(std::make_shared<const MeshState>(*std::move(numbers), config));
 }
 

@@ -119,24 +119,29 @@ HWY_INLINE void turn(double* points, std::size_t size, const Frame& frame, doubl
   middle[0] = between(lo_x, hi_x), middle[1] = between(lo_y, hi_y), middle[2] = between(lo_z, hi_z);
 }
 
-/// Everything but the bounds, from the mesh's doubles and the old leaf's axes.
-void rewrite(const WideLeaf& old, const SoupSource& source, WideLeaf& leaf, float* reach) {
-  const std::size_t count = leaf.count, stride = leaf.stride, size = 3 * stride;
-  auto* const rows = reinterpret_cast<float*>(&leaf + 1);
-  std::copy_n(old.ids(), stride, reinterpret_cast<std::uint32_t*>(rows + 9 * stride));
-  const Vec3 near = source.corner(leaf.ids()[0], 0);
+/// Everything but the bounds, from the mesh's doubles. Each vertex is turned once.
+void rewrite(const RefitPlan& plan, const RefitPlan::Leaf& planned, const SoupSource& source, WideLeaf& leaf,
+             float* reach) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<float, decltype(d)> df;
-  alignas(64) double points[3 * 3 * kMostTriangles];  // from there; beyond the last triangle, there
-  for (std::size_t i = 0; i < 3 * size; i += hn::Lanes(d)) hn::Store(hn::Zero(d), d, points + i);
-  for (std::size_t j = 0; j < count; ++j) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 v = source.corner(leaf.ids()[j], corner);
-      double* const to = points + corner * stride + j;
-      to[0] = v.x - near.x, to[size] = v.y - near.y, to[2 * size] = v.z - near.z;
-    }
+  const std::size_t count = leaf.count, stride = leaf.stride;
+  const std::span vertices = plan.list(planned.vertices);
+  const std::size_t size = (vertices.size() + 7) / 8 * 8;
+  alignas(64) double points[3 * 3 * kMostTriangles];  // from the first; beyond the last, there
+  const Vec3 near = source.vertex(vertices[0]);
+  for (std::size_t j = 0; j < vertices.size(); ++j) {
+    const Vec3 v = source.vertex(vertices[j]);
+    points[j] = v.x - near.x, points[size + j] = v.y - near.y, points[2 * size + j] = v.z - near.z;
   }
-  carry_leaf_axes(old, points, leaf.frame);
+  for (std::size_t j = vertices.size(); j < size; ++j) points[j] = points[size + j] = points[2 * size + j] = 0;
+
+  const std::span samples = std::span(plan.samples).subspan(planned.axes.first_sample, planned.axes.samples);
+  Vec3 sampled[RefitPlan::kMostSamples];
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double* const at = points + (samples[k].place - planned.vertices.first);
+    sampled[k] = {at[0], at[size], at[2 * size]};
+  }
+  carry_axes(planned.axes, samples, sampled, leaf.frame);
   double middle[3];
   turn(points, size, leaf.frame, middle);
 
@@ -149,20 +154,32 @@ void rewrite(const WideLeaf& old, const SoupSource& source, WideLeaf& leaf, floa
     move[l] = leaf.frame.origin[l] - from[l];
   }
   leaf.frame.origin[3] = 0;
+  alignas(64) float moved[3][3 * kMostTriangles];
   for (std::size_t i = 0; i < 3; ++i) {
     const auto shift = hn::Set(d, axes[0][i] * move[0] + axes[1][i] * move[1] + axes[2][i] * move[2]);
     auto most = hn::Zero(df);
-    for (std::size_t j = 0; j < stride; j += hn::Lanes(d)) {
-      const auto is_used = hn::FirstN(df, j < count ? count - j : 0);
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto moved = hn::Sub(hn::Load(d, points + i * size + corner * stride + j), shift);
-        const auto rounded = hn::DemoteTo(df, moved);
-        most = hn::Max(most, hn::Abs(rounded));
-        hn::Store(hn::IfThenElse(is_used, rounded, hn::Set(df, WideLeaf::kNoTriangle)), df,
-                  rows + (3 * corner + i) * stride + j);
-      }
+    for (std::size_t j = 0; j < size; j += hn::Lanes(d)) {
+      const auto rounded = hn::DemoteTo(df, hn::Sub(hn::Load(d, points + i * size + j), shift));
+      most = hn::Max(most, hn::Abs(rounded));
+      hn::Store(rounded, df, moved[i] + j);
     }
     reach[i] = hn::GetLane(hn::MaxOfLanes(df, most));
+  }
+
+  auto* const rows = reinterpret_cast<float*>(&leaf + 1);
+  auto* const ids = reinterpret_cast<std::uint32_t*>(rows + 9 * stride);
+  const std::uint16_t* places = plan.corners.data() + planned.corners;
+  for (std::size_t corner = 0; corner < 3; ++corner, places += count) {
+    float* const to = rows + 3 * corner * stride;
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t place = places[j];
+      to[j] = moved[0][place], to[stride + j] = moved[1][place], to[2 * stride + j] = moved[2][place];
+    }
+  }
+  for (std::size_t j = 0; j < count; ++j) ids[j] = plan.order[planned.first + j];
+  for (std::size_t j = count; j < stride; ++j) {
+    for (std::size_t row = 0; row < 9; ++row) rows[row * stride + j] = WideLeaf::kNoTriangle;
+    ids[j] = 0;
   }
 }
 
@@ -227,10 +244,11 @@ const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& b
   return leaf;
 }
 
-const WideLeaf* refit_leaf(const WideLeaf& old, const SoupSource& source, Arena& arena) {
-  WideLeaf* const leaf = new_leaf(old.count, arena);
+const WideLeaf* refit_leaf(const RefitPlan& plan, const RefitPlan::Leaf& planned, const SoupSource& source,
+                           Arena& arena) {
+  WideLeaf* const leaf = new_leaf(planned.count, arena);
   float reach[3];
-  HWY_DYNAMIC_DISPATCH(rewrite)(old, source, *leaf, reach);
+  HWY_DYNAMIC_DISPATCH(rewrite)(plan, planned, source, *leaf, reach);
   set_bounds(reach, *leaf);
   return leaf;
 }

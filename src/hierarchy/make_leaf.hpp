@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hierarchy/arena.hpp"
+#include "hierarchy/refit_plan.hpp"
 #include "hierarchy/triangle_soup.hpp"
 #include "hierarchy/wide_leaf.hpp"
 
@@ -17,7 +18,8 @@ inline constexpr std::uint32_t kMostTriangles = 256;
 const WideLeaf* make_leaf(std::span<const SoupTriangle> triangles, const Vec3& base, const SoupSource& source,
                           Arena& arena);
 
-/// The same triangles where the source has them now. The axes are those of the old leaf, carried along.
-const WideLeaf* refit_leaf(const WideLeaf& old, const SoupSource& source, Arena& arena);
+/// A planned leaf where the source has its vertices now. Its axes have turned with them.
+const WideLeaf* refit_leaf(const RefitPlan& plan, const RefitPlan::Leaf& planned, const SoupSource& source,
+                           Arena& arena);
 
 }  // namespace impinge::hierarchy

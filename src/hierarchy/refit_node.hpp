@@ -2,26 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
-#include "hierarchy/wide_tree.hpp"
+#include "core/for_each.hpp"
+#include "hierarchy/refit_plan.hpp"
 
 namespace impinge::hierarchy {
 
-/// Along a node's axes, of a child.
-struct ChildBox {
-  float lo[3], hi[3];
-  float radius;  ///< the largest of the leaves below
-};
-
-/// What a child of a node has become: itself, and the leaves below in their order.
-struct RefittedChild {
-  TreeRef ref;
-  std::span<const WideLeaf* const> leaves;
-};
-
-/// A node whose children have been refitted: its frame is the old node's, turned as theirs, and its boxes hold what the
-/// leaves below hold.
-void refit_node(const WideNode& old, const RefittedChild (&children)[kWidth], WideNode& node);
+/// A planned node where the source has its vertices now: all but the children themselves. Its axes have turned with the
+/// vertices, and its boxes hold them.
+void refit_node(const RefitPlan& plan, const RefitPlan::Node& planned, const SoupSource& source, WideNode& node,
+                const ForEach& for_each);
 
 }  // namespace impinge::hierarchy

@@ -24,9 +24,8 @@ struct SoupSource {
   const MeshData& mesh;
   double unit;
 
-  [[nodiscard]] Vec3 corner(std::uint32_t triangle, std::size_t i) const {
-    return unit * mesh.vertices[mesh.triangles[triangle][i]];
-  }
+  [[nodiscard]] Vec3 corner(std::uint32_t triangle, std::size_t i) const { return vertex(mesh.triangles[triangle][i]); }
+  [[nodiscard]] Vec3 vertex(std::uint32_t i) const { return unit * mesh.vertices[i]; }
 };
 
 /// A point amid the triangles, where most of them are: what is near the base is stored precisely, however far away a

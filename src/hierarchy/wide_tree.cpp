@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "hierarchy/arena.hpp"
 #include "hierarchy/make_leaf.hpp"
 #include "hierarchy/refit_node.hpp"
+#include "hierarchy/refit_plan.hpp"
 #include "hierarchy/round_up.hpp"
 #include "hierarchy/triangle_soup.hpp"
 #include "hierarchy/wide_split.hpp"
@@ -49,23 +51,15 @@ int unit_exponent_of(const MeshData& mesh) {
 /// Together that is less than sqrt(3) u (2 |c| + 5 |d|), and |d| <= sqrt(3) reach but for less than a thousandth.
 double slack(double center, double reach) { return 0x1p-24 * (4 * center + 16 * reach) + kNothing; }
 
-/// Refitted triangles are split anew where they cost more than so many times what they did.
+/// Refitted triangles are split anew where they cost more than so many times what they did; a plan is given up when so
+/// much of a tree was.
 constexpr float kLoose = 2;
+constexpr double kGivenUp = 1 / 8.0;
 
 float half_surface(float x, float y, float z) { return x * y + y * z + z * x; }
 
 TreeRef ref_to(const WideLeaf* leaf) { return TreeRef(reinterpret_cast<std::uintptr_t>(leaf) | TreeRef::kLeafBit); }
 TreeRef ref_to(const WideNode* node) { return TreeRef(reinterpret_cast<std::uintptr_t>(node)); }
-TreeRef known_child(const WideNode& node, std::uint32_t lane) {
-  return TreeRef(node.child[lane].load(std::memory_order_acquire));
-}
-
-/// Calls `visit` with each leaf below, in the tree's order. All of it is made.
-template <class Visit>
-void visit_leaves(const TreeRef& ref, const Visit& visit) {
-  if (ref.is_leaf()) return visit(ref.leaf());
-  for (std::uint32_t lane = 0; lane < ref.node().size; ++lane) visit_leaves(known_child(ref.node(), lane), visit);
-}
 
 /// The surface of the children's boxes, by their triangles, in that of the box around all: how much of what meets the
 /// node meets a triangle's box below it.
@@ -94,11 +88,18 @@ struct WideTree::State {
     bool needs_base;  ///< one of its own, before anything else
   };
 
-  State(const MeshData& numbers, std::uint32_t most_in_leaf)
-      : leaf_size(most_in_leaf),
+  State(const MeshData& numbers, std::uint32_t most_in_leaf, std::shared_ptr<const RefitPlan> plan_of_other)
+      : plan(std::move(plan_of_other)),
+        plan_bytes(plan ? plan->bytes() : 0),
+        leaf_size(most_in_leaf),
         unit_exponent(unit_exponent_of(numbers)),
-        source{numbers, std::ldexp(1.0, -unit_exponent)} {}
+        source{numbers, std::ldexp(1.0, -unit_exponent)},
+        not_in_leaves(numbers.triangles.size()) {}
 
+  const std::shared_ptr<const RefitPlan> plan;
+  std::shared_ptr<const RefitPlan> own_plan;
+  std::once_flag own_plan_once;
+  std::atomic<std::size_t> plan_bytes;
   const std::uint32_t leaf_size;
   const int unit_exponent;
   const SoupSource source;
@@ -106,21 +107,18 @@ struct WideTree::State {
   std::atomic<std::uintptr_t> root{0};
   Vec3 base{};
   std::unique_ptr<SoupTriangle[]> soup;
+  std::once_flag soup_once;
   std::atomic<std::size_t> soup_size{0};
-  std::atomic<std::size_t> not_in_leaves{0};
+  std::atomic<std::size_t> not_in_leaves;
+  std::atomic<std::size_t> loose{0};  ///< triangles that were planned and are split anew
 
   TreeRef make_root(const ForEach& for_each);
   TreeRef make(Range range, const ForEach& for_each);
   TreeRef make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each);
-  struct Refitted {
-    TreeRef ref;
-    /// By how much surface costs have grown since triangles were split, here times, in the mean, below.
-    float growth;
-    [[nodiscard]] bool is_loose() const { return growth > kLoose; }
-  };
-  using Leaves = std::vector<const WideLeaf*>;
-  Refitted refit(const TreeRef& old, Leaves& leaves, std::atomic<bool>& any_loose, const ForEach& for_each);
-  void make_soup(const TreeRef& old, WideNode& node);
+  TreeRef refit(std::uint32_t number, bool is_leaf, float growth, const ForEach& for_each);
+  TreeRef make_planned(const WideNode& node, int lane, const ForEach& for_each);
+  void make_soup();
+  void count_leaf(std::size_t triangles);
   Range range_of(const WideNode& node, int lane) const;
 
   template <class Make>
@@ -154,20 +152,25 @@ TreeRef WideTree::State::make_once(std::atomic<std::uintptr_t>& slot, std::size_
   return TreeRef(bits);
 }
 
+void WideTree::State::make_soup() {
+  std::call_once(soup_once, [&] {
+    soup = std::make_unique_for_overwrite<SoupTriangle[]>(source.mesh.triangles.size());
+    soup_size = source.mesh.triangles.size();
+  });
+}
+
 TreeRef WideTree::State::make_root(const ForEach& for_each) {
-  const std::size_t n = source.mesh.triangles.size();
-  if (!soup) {
-    auto fresh = std::make_unique_for_overwrite<SoupTriangle[]>(n);
-    base = choose_base(source, n, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
-    run_each(for_each, (n + kChunk - 1) / kChunk, [&](std::size_t c) {
-      const std::size_t begin = c * kChunk, end = std::min(begin + kChunk, n);
-      for (std::size_t i = begin; i < end; ++i) fresh[i].id = static_cast<std::uint32_t>(i);
-      write_corners(source, base, {fresh.get() + begin, end - begin});
-    });
-    soup = std::move(fresh);
-    soup_size = n;
-    not_in_leaves = n;
+  if (plan) {
+    if (const TreeRef refitted = refit(0, plan->nodes.empty(), 1, for_each); refitted.is_made()) return refitted;
   }
+  const std::size_t n = source.mesh.triangles.size();
+  make_soup();
+  base = choose_base(source, n, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+  run_each(for_each, (n + kChunk - 1) / kChunk, [&](std::size_t c) {
+    const std::size_t begin = c * kChunk, end = std::min(begin + kChunk, n);
+    for (std::size_t i = begin; i < end; ++i) soup[i].id = static_cast<std::uint32_t>(i);
+    write_corners(source, base, {soup.get() + begin, end - begin});
+  });
   return make({base, 0, static_cast<std::uint32_t>(n), 0, false}, for_each);
 }
 
@@ -179,7 +182,7 @@ WideTree::State::Range WideTree::State::range_of(const WideNode& node, int lane)
     reach = std::max<double>(reach, std::abs(node.center[i][lane]) + node.half[i][lane]);
   }
   const double distance = max_component(abs(from_base)) + 2 * reach;
-  return {node.base, node.first[lane], node.count[lane], node.depth + 1, extent < kShrunk * distance};
+  return {node.base, node.first[lane], node.count[lane], node.depth + 1u, extent < kShrunk * distance};
 }
 
 TreeRef WideTree::State::make(Range range, const ForEach& for_each) {
@@ -190,11 +193,14 @@ TreeRef WideTree::State::make(Range range, const ForEach& for_each) {
   }
   if (range.count > leaf_size) return make_node(range, triangles, for_each);
   const WideLeaf* const leaf = make_leaf(triangles, range.base, source, arena);
-  if (not_in_leaves.fetch_sub(range.count) == range.count) {  // nobody reads the soup any more
-    soup.reset();
-    soup_size = 0;
-  }
+  count_leaf(range.count);
   return ref_to(leaf);
+}
+
+void WideTree::State::count_leaf(std::size_t triangles) {
+  if (not_in_leaves.fetch_sub(triangles) != triangles) return;
+  soup.reset();  // nobody reads it any more
+  soup_size = 0;
 }
 
 TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> triangles, const ForEach& for_each) {
@@ -203,7 +209,7 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
       triangles, {.base = range.base, .leaf_size = leaf_size, .halve = range.depth >= kDeepestPlannedSplit}, for_each);
   const SoupFrame& frame = parts.frame;
   node->base = range.base;
-  node->depth = range.depth;
+  node->depth = range.depth, node->planned = WideNode::kNotPlanned;
   node->size = parts.size;
   double center = 0, radius = 0;
   const double bases[3] = {range.base.x, range.base.y, range.base.z};
@@ -239,77 +245,37 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
   return ref_to(node);
 }
 
-/// Refits all below an old node and appends the leaves. Of loose nodes, which their parents leave out, the boxes are
-/// right all the same.
-WideTree::State::Refitted WideTree::State::refit(const TreeRef& old, Leaves& leaves, std::atomic<bool>& any_loose,
-                                                 const ForEach& for_each) {
-  if (old.is_leaf()) {
-    leaves.push_back(refit_leaf(old.leaf(), source, arena));
-    return {ref_to(leaves.back()), 1};
+/// Nothing if that would be loose. `growth` says how much worse the splits above have become.
+TreeRef WideTree::State::refit(std::uint32_t number, bool is_leaf, float growth, const ForEach& for_each) {
+  if (is_leaf) {
+    const RefitPlan::Leaf& planned = plan->leaves[number];
+    const WideLeaf* const leaf = refit_leaf(*plan, planned, source, arena);
+    count_leaf(planned.count);
+    return ref_to(leaf);
   }
-  const WideNode& was = old.node();
-  Leaves own[kWidth];
-  Refitted children[kWidth];
-  const std::uint32_t triangles = std::accumulate(was.count, was.count + was.size, 0u);
-  run_each(triangles > kLarge ? for_each : ForEach(), was.size, [&](std::size_t lane) {
-    children[lane] = refit(known_child(was, static_cast<std::uint32_t>(lane)), own[lane], any_loose, for_each);
-  });
-  RefittedChild refitted[kWidth];
-  for (std::size_t lane = 0; lane < was.size; ++lane) refitted[lane] = {children[lane].ref, own[lane]};
+  const RefitPlan::Node& planned = plan->nodes[number];
   auto* const node = new (arena.allocate(sizeof(WideNode))) WideNode;
-  refit_node(was, refitted, *node);
-  node->split_cost = was.split_cost;
-  float below = 0;
-  for (std::size_t lane = 0; lane < was.size; ++lane) {
-    leaves.insert(leaves.end(), own[lane].begin(), own[lane].end());
-    const bool is_loose = children[lane].is_loose();
-    below += static_cast<float>(was.count[lane]) * (is_loose ? 1 : children[lane].growth);
-    if (!is_loose) continue;
-    node->child[lane].store(0, std::memory_order_relaxed);
-    any_loose.store(true, std::memory_order_relaxed);
-  }
+  refit_node(*plan, planned, source, *node, for_each);
   const float cost = surface_cost(*node);
-  const float here = cost > 0 ? cost / was.split_cost : 1;  // infinite where it was flat, and is no more
-  return {ref_to(node), here * below / static_cast<float>(triangles)};
+  node->planned = number;
+  node->growth = growth * (cost > 0 ? cost / planned.split_cost : 1);  // infinite where it was flat, and is no more
+  if (!(node->growth > kLoose)) return ref_to(node);
+  loose += std::accumulate(planned.count, planned.count + planned.size, std::size_t{0});
+  return {};
 }
 
-/// The soup of the parts that are not made, which `old` has made.
-void WideTree::State::make_soup(const TreeRef& old, WideNode& node) {
-  for (std::uint32_t lane = 0; lane < node.size; ++lane) {
-    const TreeRef was = known_child(old.node(), lane), is = known_child(node, lane);
-    if (is.is_made()) {
-      if (!is.is_leaf()) make_soup(was, is.node());
-      continue;
-    }
-    const std::span triangles(soup.get() + node.first[lane], node.count[lane]);
-    std::size_t i = 0;
-    visit_leaves(was, [&](const WideLeaf& leaf) {
-      for (std::uint32_t j = 0; j < leaf.count; ++j) triangles[i++].id = leaf.ids()[j];
-    });
-    write_corners(source, node.base, triangles);
-    not_in_leaves += triangles.size();
-  }
+TreeRef WideTree::State::make_planned(const WideNode& node, int lane, const ForEach& for_each) {
+  const RefitPlan::Node& planned = plan->nodes[node.planned];
+  const TreeRef refitted = refit(planned.child[lane], planned.is_leaf[lane], node.growth, for_each);
+  if (refitted.is_made()) return refitted;
+  make_soup();
+  const Range range{{}, node.first[lane], node.count[lane], node.depth + 1u, true};
+  for (std::uint32_t i = range.first; i < range.first + range.count; ++i) soup[i].id = plan->order[i];
+  return make(range, for_each);
 }
 
-WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size) : state_(std::make_unique<State>(mesh, leaf_size)) {}
-WideTree::WideTree(WideTree& source, const MeshData& mesh, const ForEach& for_each)
-    : WideTree(mesh, source.state_->leaf_size) {
-  if (mesh.triangles.empty()) return;
-  source.build(for_each);
-  const TreeRef old(source.state_->root.load(std::memory_order_acquire));
-  std::atomic<bool> any_loose{false};
-  State::Leaves leaves;
-  const State::Refitted top = state_->refit(old, leaves, any_loose, for_each);
-  if (top.is_loose()) {
-    state_ = std::make_unique<State>(mesh, source.state_->leaf_size);
-    return;
-  }
-  state_->root.store(top.ref.bits(), std::memory_order_release);
-  if (!any_loose) return;
-  state_->soup_size = mesh.triangles.size();
-  state_->soup = std::make_unique_for_overwrite<SoupTriangle[]>(state_->soup_size);
-  state_->make_soup(old, top.ref.node());
-}
+WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size, std::shared_ptr<const RefitPlan> plan)
+    : state_(std::make_unique<State>(mesh, leaf_size, std::move(plan))) {}
 WideTree::~WideTree() = default;
 
 TreeRef WideTree::root(MadeNodes& made, const ForEach& for_each) {
@@ -318,8 +284,10 @@ TreeRef WideTree::root(MadeNodes& made, const ForEach& for_each) {
 }
 
 TreeRef WideTree::make_child(WideNode& node, int lane, MadeNodes& made, const ForEach& for_each) {
-  return state_->make_once(node.child[lane], node.count[lane], made,
-                           [&] { return state_->make(state_->range_of(node, lane), for_each); });
+  return state_->make_once(node.child[lane], node.count[lane], made, [&] {
+    return node.planned == WideNode::kNotPlanned ? state_->make(state_->range_of(node, lane), for_each)
+                                                 : state_->make_planned(node, lane, for_each);
+  });
 }
 
 void WideTree::build_below(const TreeRef& top) {
@@ -367,16 +335,24 @@ void WideTree::build(const ForEach& for_each) {
   });
 }
 
-double WideTree::made_share() const {
-  if (state_->root.load(std::memory_order_acquire) <= kBusy) return 0;
-  const auto all = static_cast<double>(state_->source.mesh.triangles.size());
-  return 1 - static_cast<double>(state_->not_in_leaves.load()) / all;
+std::shared_ptr<const RefitPlan> WideTree::plan(double least_share, const ForEach& for_each) {
+  State& s = *state_;
+  const auto all = static_cast<double>(s.source.mesh.triangles.size());
+  if (s.plan && static_cast<double>(s.loose.load()) <= kGivenUp * all) return s.plan;
+  if (all == 0 || all - static_cast<double>(s.not_in_leaves.load()) < least_share * all) return nullptr;
+  std::call_once(s.own_plan_once, [&] {
+    if (s.not_in_leaves.load() > 0) build(for_each);
+    s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source);
+    s.plan_bytes += s.own_plan->bytes();
+  });
+  return s.own_plan;
 }
 
 int WideTree::unit_exponent() const { return state_->unit_exponent; }
 
 std::size_t WideTree::bytes() const {
-  return sizeof(WideTree) + sizeof(State) + state_->arena.bytes() + state_->soup_size * sizeof(SoupTriangle);
+  return sizeof(WideTree) + sizeof(State) + state_->plan_bytes + state_->arena.bytes() +
+         state_->soup_size * sizeof(SoupTriangle);
 }
 
 }  // namespace impinge::hierarchy

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "core/for_each.hpp"
 #include "core/mesh_data.hpp"
@@ -24,6 +23,7 @@ inline constexpr int kWidth = 8;
 inline constexpr float kNoBox = -1e30f;
 
 struct WideNode;
+struct RefitPlan;
 
 /// A node or a leaf, or nothing yet.
 class TreeRef {
@@ -57,19 +57,22 @@ struct alignas(64) WideNode {
   std::uint32_t depth;
   Vec3 base;  ///< of the soup triangles below
   // For refitting alone.
-  float split_cost;  ///< how good its triangles' split was when it was made
+  std::uint32_t planned;  ///< its number in the plan it was refitted by; kNotPlanned if it was not
+  float split_cost;       ///< how good its triangles' split was when it was made
+  float growth;           ///< of a refitted one: how many times worse that and those above have become since
+  static constexpr std::uint32_t kNotPlanned = ~0u;
 };
 
 inline const Frame& frame_of(const TreeRef& ref) { return ref.is_leaf() ? ref.leaf().frame : ref.node().frame; }
 
-/// Top-down, by binned cuts of least surface. A node's children are made when a walk first reaches them, and stay; many
-/// walks may do so at once, and the tree is the same in whatever order they do. Needs the mesh to outlive it.
+/// Top-down, by binned cuts of least surface, or refitted to what a mesh has become, by a plan of the tree that it had
+/// once. A node's children are made when a walk first reaches them, and stay; many walks may do so at once, and the
+/// tree is the same in whatever order they do. Needs the mesh to outlive it.
 class WideTree {
  public:
-  WideTree(const MeshData& mesh, std::uint32_t leaf_size);
-  /// The tree of another mesh, wholly made, refitted to one of the same triangles with other vertices, from the bottom
-  /// up. Parts where this has made it loose are made anew, as walks reach them.
-  WideTree(WideTree& source, const MeshData& mesh, const ForEach& for_each = {});
+  /// With a plan the mesh has the triangles that it was made from. Parts where refitting leaves a loose tree are split
+  /// anew.
+  WideTree(const MeshData& mesh, std::uint32_t leaf_size, std::shared_ptr<const RefitPlan> plan = {});
   ~WideTree();
   WideTree(const WideTree&) = delete;
   WideTree& operator=(const WideTree&) = delete;
@@ -86,8 +89,9 @@ class WideTree {
 
   /// Makes all that is not made yet.
   void build(const ForEach& for_each = {});
-  /// How much of the triangles is in leaves that are made: from 0 to 1.
-  [[nodiscard]] double made_share() const;
+  /// For trees of the same triangles with other vertices: its own plan, unless too much of it is loose by now; else one
+  /// of this tree, if at least this share of it is made, from 0 to 1; the rest is made then. Else none.
+  std::shared_ptr<const RefitPlan> plan(double least_share = 0, const ForEach& for_each = {});
 
   [[nodiscard]] int unit_exponent() const;
   /// What the tree holds in memory now.

@@ -18,7 +18,7 @@ auto place(const Pose& pose) { return std::tie(pose.R, pose.t); }
 bool are_equal(const Mesh& a, const Mesh& b) {
   const MeshState &p = a.state(), &q = b.state();
   return &p == &q || (p.config.leaf_size == q.config.leaf_size && p.data.vertices == q.data.vertices &&
-                      p.data.triangles == q.data.triangles);
+                      std::ranges::equal(p.data.triangles, q.data.triangles));
 }
 
 }  // namespace

@@ -29,9 +29,8 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
       : data(std::move(numbers)),
         config(source.config),
         tree(data, source.tree.leaf_size()),
-        wide_tree(source.wide_tree.made_share() >= kRefitted
-                      ? hierarchy::WideTree(source.wide_tree, data, for_each)
-                      : hierarchy::WideTree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize)),
+        wide_tree(data, config.leaf_size > 0 ? config.leaf_size : kWideLeafSize,
+                  source.wide_tree.plan(kRefitted, for_each)),
         features(source.features),
         closed(source.closed) {}
 
@@ -40,7 +39,7 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   // does so only up to its leaf size: beyond it collisions would gain as long as the tree is not made, and distances
   // lose.
   static constexpr std::uint32_t kPlainLeafSize = 4, kPlainDirect = 128, kWideLeafSize = 16;
-  // Refitting a whole tree takes 0.4 of the time of making one (docs/motion.md), and of one in part more than its part.
+  // What is not made yet has to be made for the plan of a tree, which the next meshes then share.
   static constexpr double kRefitted = 1 / 3.0;
 
   const MeshData data;

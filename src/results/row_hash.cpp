@@ -3,12 +3,13 @@
 #include "results/row_hash.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "results/row_hash.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "core/mix-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::results::HWY_NAMESPACE {
@@ -17,15 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<std::uint64_t, 8>;
 using V = hn::Vec<Lanes>;
 
-/// `impinge::mix` of core/hash.hpp, for every lane.
-HWY_INLINE V mix(V x) {
-  const Lanes d;
-  x = hn::Add(x, hn::Set(d, 0x9E3779B97F4A7C15u));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<30>(x)), hn::Set(d, 0xBF58476D1CE4E5B9u));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<27>(x)), hn::Set(d, 0x94D049BB133111EBu));
-  return hn::Xor(x, hn::ShiftRight<31>(x));
-}
-HWY_INLINE V mix(V hash, V word) { return mix(hn::Xor(hash, mix(word))); }
+using impinge::HWY_NAMESPACE::mix;
 
 HWY_INLINE V contact_hashes(V contacts, V key_a, V key_b) {
   const Lanes d;
@@ -51,10 +44,7 @@ std::uint64_t row_hash(std::span<const ContactKey> row, std::uint64_t key_a, std
     const V hashes = contact_hashes(hn::Load(d, rest), keys_a, keys_b);
     sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, row.size() - i), hashes));
   }
-  // Not hn::SumOfLanes: for AVX-512 g++ 12 adds as signed numbers, which may overflow.
-  alignas(64) std::uint64_t lanes[8];
-  hn::Store(sum, d, lanes);
-  return std::accumulate(lanes, lanes + hn::Lanes(d), std::uint64_t{0});
+  return impinge::HWY_NAMESPACE::sum_of_lanes(sum);
 }
 
 }  // namespace impinge::results::HWY_NAMESPACE

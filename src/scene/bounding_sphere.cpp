@@ -3,6 +3,7 @@
 #include "scene/bounding_sphere.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -50,12 +51,60 @@ Sphere smallest_sphere(std::vector<Vec3>& points) {
   return best;
 }
 
+/// Of a point from a centre, in other units.
+struct Offset {
+  Vec3 middle;
+  double scale;
+  Vec3 center;
+
+  Vec3 operator()(const Vec3& p) const { return scale * (p - middle) - center; }
+};
+
+/// The point of greatest |offset|, the first of several.
+class FarthestPoint {
+ public:
+  FarthestPoint(std::span<const Vec3> points, const VertexNumbers& numbers)
+      : points_(points), boxes_(numbers.boxes), bounds_(boxes_.size()) {}
+
+  const Vec3& operator()(const Offset& offset) {
+    // Rounding is monotonic: by the same operations, the farthest corner of a run's box is at least as far as each
+    // point in it, as computed.
+    for (std::size_t run = 0; run < boxes_.size(); ++run) {
+      const Vec3 d = max(abs(offset(boxes_[run].lo)), abs(offset(boxes_[run].hi)));
+      bounds_[run] = dot(d, d);
+    }
+    const auto square_of = [&](std::size_t run) {
+      return greatest_square(points_of(run), offset.middle, offset.scale, offset.center);
+    };
+    // Runs that lie nearer than some point need not be looked at.
+    double least = square_of(static_cast<std::size_t>(std::ranges::max_element(bounds_) - bounds_.begin()));
+    double greatest = -1;
+    std::size_t found = 0;
+    for (std::size_t run = 0; run < bounds_.size(); ++run) {
+      if (bounds_[run] < least) continue;
+      if (const double square = square_of(run); square > greatest) greatest = square, found = run;
+      least = std::max(least, greatest);
+    }
+    return *std::ranges::find_if(points_of(found),
+                                 [&](const Vec3& p) { return dot(offset(p), offset(p)) == greatest; });
+  }
+
+ private:
+  [[nodiscard]] std::span<const Vec3> points_of(std::size_t run) const {
+    const std::size_t first = run * VertexNumbers::kRun;
+    return points_.subspan(first, std::min(VertexNumbers::kRun, points_.size() - first));
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const Box> boxes_;
+  std::vector<double> bounds_;
+};
+
 }  // namespace
 
-Sphere bounding_sphere(std::span<const Vec3> points) {
+Sphere bounding_sphere(std::span<const Vec3> points, const VertexNumbers& numbers) {
   if (points.empty()) return {};
-  Box box{points[0], points[0]};
-  for (const Vec3& p : points) box = {min(box.lo, p), max(box.hi, p)};
+  const Box box = numbers.box();
   const Vec3 middle = 0.5 * box.lo + 0.5 * box.hi;
   const double extent = max_component(0.5 * box.hi - 0.5 * box.lo);
   if (extent == 0) return {points[0], 0};
@@ -64,16 +113,8 @@ Sphere bounding_sphere(std::span<const Vec3> points) {
   const int magnitude = std::clamp(exponent(extent), -1000, 1000);
   const double unit = std::ldexp(1.0, magnitude), inverse_unit = std::ldexp(1.0, -magnitude);
   const auto scaled = [&](const Vec3& p) { return inverse_unit * (p - middle); };
-
-  const auto farthest_from = [&](const Vec3& center) {
-    double greatest = -1;
-    Vec3 farthest{};
-    for (const Vec3& p : points) {
-      const Vec3 q = scaled(p), d = q - center;
-      if (const double square = dot(d, d); square > greatest) greatest = square, farthest = q;
-    }
-    return farthest;
-  };
+  FarthestPoint farthest_by(points, numbers);
+  const auto farthest_from = [&](const Vec3& center) { return scaled(farthest_by({middle, inverse_unit, center})); };
 
   // Each round puts the farthest point on the border of the sphere around the support, so the sphere grows; it is the
   // smallest as soon as no point is outside (Gärtner, "Fast and Robust Smallest Enclosing Balls", 1999). Rounding may
@@ -94,8 +135,8 @@ Sphere bounding_sphere(std::span<const Vec3> points) {
   // Whatever rounding did to the centre, the radius reaches every point: a difference, a norm and a product are off by
   // less than 8 eps.
   const Vec3 center = middle + unit * sphere.center;
-  double radius = 0;
-  for (const Vec3& p : points) radius = std::max(radius, norm(inverse_unit * (p - center)));
+  const Offset offset{center, inverse_unit, {}};
+  const double radius = norm(offset(farthest_by(offset)));
   return {center, unit * (radius * (1 + 0x1p-49))};
 }
 

@@ -21,7 +21,9 @@ using test::Pair;
 void add_triangle(MeshData& mesh, const Triangle& triangle) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), triangle.begin(), triangle.end());
-  mesh.triangles.push_back({first, first + 1, first + 2});
+  std::vector<MeshData::Corners> triangles(mesh.triangles.begin(), mesh.triangles.end());
+  triangles.push_back({first, first + 1, first + 2});
+  mesh.set_triangles(std::move(triangles));
 }
 
 /// Pairs of equal triangle ids in two meshes at the identity, and what becomes of them.
@@ -144,11 +146,13 @@ TEST(Settle, TakesPairsOfPlacedMeshes) {
       Known known;  // one mesh of few vertices, many triangles
       for (MeshData* mesh : {&known.a, &known.b}) {
         for (int i = 0; i < 27; ++i) mesh->vertices.push_back({i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0});
+        std::vector<MeshData::Corners> triangles;
         for (int i = 0; i < 40; ++i) {
           const auto vertex = [&] { return static_cast<std::uint32_t>(random.integer(0, 26)); };
           const std::uint32_t u = vertex(), v = vertex();
-          mesh->triangles.push_back({u, v, vertex()});
+          triangles.push_back({u, v, vertex()});
         }
+        mesh->set_triangles(std::move(triangles));
       }
       const auto world = [](const MeshData& mesh, const Pose& pose, std::uint32_t id) {
         Triangle triangle;

@@ -518,12 +518,29 @@ TEST(RefittedTree, IsTrueHoweverTheMeshIsDeformed) {
         WideTree source(test::numbers_of(mesh), leaf_size);
         const Mesh once = test::mesh_of(deformed(numbers, maps[i])),
                    twice = test::mesh_of(deformed(deformed(numbers, maps[i]), maps[3]));
-        WideTree refitted(source, test::numbers_of(once)), again(refitted, test::numbers_of(twice));
+        WideTree refitted(test::numbers_of(once), leaf_size, source.plan()),
+            again(test::numbers_of(twice), leaf_size, refitted.plan());
         hierarchy::MadeNodes made;
         ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(once), leaf_size, refitted).run_all(made));
         ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(twice), leaf_size, again).run_all(made));
+        // By what has become of the first, which has a plan of its own where it was made anew.
+        WideTree later(test::numbers_of(twice), leaf_size, refitted.plan());
+        ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(twice), leaf_size, later).run_all(made));
       }
   }
+}
+
+TEST(RefittedTree, IsMadeAsWalksReachIt) {
+  const Mesh mesh = test::mesh_of(scenes::torus_knot_of(9612));
+  WideTree source(test::numbers_of(mesh), 16);
+  EXPECT_EQ(source.plan(0.5), nullptr);
+  WideTree refitted(test::numbers_of(mesh), 16, source.plan());
+  EXPECT_EQ(refitted.plan(0.5), source.plan(0.5));
+  hierarchy::MadeNodes made;
+  const hierarchy::TreeRef root = refitted.root(made);
+  EXPECT_EQ(made.nodes, 1u);
+  (void)refitted.child(root.node(), 0, made);
+  EXPECT_EQ(made.nodes, 2u);
 }
 
 /// What only turns keeps its boxes; what has become loose is made anew, as if it were a new mesh.
@@ -534,7 +551,7 @@ TEST(RefittedTree, IsTight) {
   const auto surfaces = [&](const scenes::MeshData& to) {
     WideTree source(test::numbers_of(mesh), 16);
     const Mesh moved = test::mesh_of(to);
-    WideTree refitted(source, test::numbers_of(moved));
+    WideTree refitted(test::numbers_of(moved), 16, source.plan());
     return leaf_surface(refitted).sum / leaf_surface(moved).sum;
   };
   EXPECT_LT(surfaces(scenes::baked(knot, scenes::random_motion(seeded.random, 10))), 1.1);
@@ -547,15 +564,15 @@ TEST(RefittedTree, IsTheSameOnEveryInstructionSetAndByThreads) {
   test::Seeded seeded(8);
   const Mesh mesh = test::mesh_of(knot), moved = test::mesh_of(deformed(knot, deformations(seeded.random)[3]));
   WideTree source(test::numbers_of(mesh), 16);
-  WideTree plain(source, test::numbers_of(moved));
+  WideTree plain(test::numbers_of(moved), 16, source.plan());
   const std::string expected = test::bytes_of(plain);
   for (const std::int64_t set : test::instruction_sets()) {
     const test::OnInstructionSet on(set);
-    WideTree refitted(source, test::numbers_of(moved));
+    WideTree refitted(test::numbers_of(moved), 16, source.plan());
     EXPECT_TRUE(test::bytes_of(refitted) == expected);
   }
-  WideTree shared(source, test::numbers_of(moved),
-                  [](std::size_t count, const auto& body) { on_threads(count, body); });
+  WideTree shared(test::numbers_of(moved), 16, source.plan());
+  shared.build([](std::size_t count, const auto& body) { on_threads(count, body); });
   EXPECT_TRUE(test::bytes_of(shared) == expected);
 }
 

@@ -7,12 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/number.hpp"
 #include "scenes/shapes.hpp"
+#include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
 namespace {
+
+Sphere sphere_of(std::span<const Vec3> points) { return scene::bounding_sphere(points, scene::vertex_numbers(points)); }
 
 void expect_holds_all(const Sphere& sphere, std::span<const Vec3> points) {
   const mpq_class radius(sphere.radius);
@@ -121,7 +126,7 @@ TEST(BoundingSphere, HoldsEveryPointAndIsTheSmallest) {
       SCOPED_TRACE("shape " + std::to_string(shape));
       const int n = seed % 2 == 0 ? seeded.random.integer(1, 10) : seeded.random.integer(20, 500);
       const std::vector<Vec3> points = random_points(seeded.random, n, shape);
-      const Sphere sphere = scene::bounding_sphere(points);
+      const Sphere sphere = sphere_of(points);
       expect_holds_all(sphere, points);
       expect_tight(sphere, points);
     }
@@ -133,14 +138,14 @@ TEST(BoundingSphere, HoldsEveryPointFarAwayTinyAndHuge) {
     test::Seeded seeded(seed);
     for (const double scale : {0x1p-300, 0x1p-70, 1.0, 0x1p60, 0x1p290}) {
       const std::vector<Vec3> unit = random_points(seeded.random, 100, static_cast<int>(seed % 6));
-      const double radius = scene::bounding_sphere(unit).radius;
+      const double radius = sphere_of(unit).radius;
       std::vector<Vec3> points;
       for (const Vec3& p : unit) points.push_back(scale * p);
-      const Sphere scaled = scene::bounding_sphere(points);
+      const Sphere scaled = sphere_of(points);
       expect_holds_all(scaled, points);
       EXPECT_LE(scaled.radius, scale * radius * (1 + 1e-9));
       for (Vec3& p : points) p = p + scale * Vec3{1e6, -1e6, 3e6};
-      const Sphere far = scene::bounding_sphere(points);
+      const Sphere far = sphere_of(points);
       expect_holds_all(far, points);
       EXPECT_LE(far.radius, scale * (radius + 1e-8));
     }
@@ -152,16 +157,57 @@ TEST(BoundingSphere, OfKnownShapes) {
     const Mesh m = test::mesh_of(mesh);
     return std::vector<Vec3>(m.vertices().begin(), m.vertices().end());
   };
-  EXPECT_NEAR(scene::bounding_sphere(points_of(scenes::cube())).radius, std::sqrt(0.75), 1e-12);
-  EXPECT_NEAR(scene::bounding_sphere(points_of(scenes::uv_sphere(40, 30))).radius, 1, 1e-9);
-  EXPECT_NEAR(scene::bounding_sphere(points_of(scenes::pipe(24, 4, 1, 2, false))).radius, std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(sphere_of(points_of(scenes::cube())).radius, std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(sphere_of(points_of(scenes::uv_sphere(40, 30))).radius, 1, 1e-9);
+  EXPECT_NEAR(sphere_of(points_of(scenes::pipe(24, 4, 1, 2, false))).radius, std::sqrt(2.0), 1e-9);
   // An isosceles triangle with an obtuse apex: the centroid and its farthest vertex would give 2.03.
   const std::vector<Vec3> obtuse{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}};
-  EXPECT_NEAR(scene::bounding_sphere(obtuse).radius, 2, 1e-12);
-  EXPECT_EQ(scene::bounding_sphere({}).radius, 0);
+  EXPECT_NEAR(sphere_of(obtuse).radius, 2, 1e-12);
+  EXPECT_EQ(sphere_of({}).radius, 0);
   const std::vector<Vec3> same(9, Vec3{1, 2, 3});
-  EXPECT_EQ(scene::bounding_sphere(same).radius, 0);
-  EXPECT_EQ(scene::bounding_sphere(same).center, (Vec3{1, 2, 3}));
+  EXPECT_EQ(sphere_of(same).radius, 0);
+  EXPECT_EQ(sphere_of(same).center, (Vec3{1, 2, 3}));
+}
+
+/// Against one coordinate after the other, on every instruction set; with numbers of all sizes, zeros, and what is not
+/// finite in each place.
+TEST(VertexNumbers, AreThoseOfTheCoordinates) {
+  test::Seeded seeded(4);
+  for (const std::size_t n : {1, 7, 63, 64, 65, 200}) {
+    std::vector<Vec3> vertices(n);
+    const int reach = seeded.random.integer(0, 1074);
+    const auto number = [&] {
+      const double x = std::ldexp(seeded.random.uniform(-1, 1), seeded.random.integer(-reach, reach / 2));
+      const int kind = seeded.random.integer(0, 9);
+      return kind == 0 ? 0.0 : kind == 1 ? -0.0 : kind == 2 ? std::ldexp(1.0, std::ilogb(x)) : kind < 6 && std::abs(x) < 1 ? float(x) : x;
+    };
+    for (Vec3& v : vertices) v = {number(), number(), number()};
+    Box box{vertices[0], vertices[0]};
+    double least = kInfinity, last_place = kInfinity;
+    for (const Vec3& v : vertices) {
+      box = {min(box.lo, v), max(box.hi, v)};
+      for (const double x : {v.x, v.y, v.z}) {
+        if (x == 0) continue;
+        least = std::min(least, std::abs(x));
+        last_place = std::min(last_place, std::ldexp(1.0, lowest_bit(x)));
+      }
+    }
+    for (const std::int64_t set : test::instruction_sets()) {
+      const test::OnInstructionSet on(set);
+      const scene::VertexNumbers found = scene::vertex_numbers(vertices);
+      EXPECT_TRUE(found.is_finite);
+      EXPECT_EQ(found.box().lo, box.lo);
+      EXPECT_EQ(found.box().hi, box.hi);
+      EXPECT_EQ(found.least, least);
+      EXPECT_EQ(found.last_place, last_place);
+      for (std::size_t i = 0; i < 3 * n; ++i) {
+        double& x = i % 3 == 0 ? vertices[i / 3].x : i % 3 == 1 ? vertices[i / 3].y : vertices[i / 3].z;
+        const double was = std::exchange(x, i % 2 == 0 ? kInfinity : std::nan(""));
+        EXPECT_FALSE(scene::vertex_numbers(vertices).is_finite) << i;
+        x = was;
+      }
+    }
+  }
 }
 
 }  // namespace
