@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/orthogonal.hpp"
+
 namespace impinge::measure {
 namespace {
 
@@ -160,14 +162,6 @@ std::optional<TriangleDistance> apart_by(const Vec3& n, const Local& local, doub
   if (!(gap > kMargin) || !(local.unit * (gap - kMargin + allowance) > enough_apart)) return std::nullopt;
   return TriangleDistance{std::numeric_limits<double>::infinity(), local.unit * kMargin, local.unit * (gap - kMargin),
                           local.world(local.a[0]), local.world(local.b[0])};
-}
-
-/// Without its part along d. Once more, since the first time may leave nothing but rounding.
-Vec3 orthogonal_to(const Vec3& d, Vec3 v) {
-  const double dd = dot(d, d);
-  if (dd > 0)
-    for (int time = 0; time < 2; ++time) v = v - dot(v, d) / dd * d;
-  return v;
 }
 
 /// The normal of the slab between the features that the points are on.

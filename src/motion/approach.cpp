@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/number.hpp"
+#include "core/orthogonal.hpp"
 
 // Two convex hulls are apart by more than d at a time if a vector n of length 1 or less has n . (b - a) > d for all
 // their corners a and b. Corners move linearly. Let n go linearly from a unit vector at the start of a part of the time
@@ -29,12 +30,6 @@ constexpr double kFloor = 0x1p-46;
 constexpr double kRelative = 0x1p-10, kAbsolute = 0x1p-32;
 
 double mixed(double a, double b, double t) { return (1 - t) * a + t * b; }
-
-/// Without its part along d. Once more, since the first time may leave nothing but rounding.
-Vec3 orthogonal_to(const Vec3& d, Vec3 v) {
-  for (int time = 0; time < 2; ++time) v = v - dot(v, d) / dot(d, d) * d;
-  return v;
-}
 
 /// The smallest f(b) - f(a) of points a, the first `kFirst`, and b, the others.
 template <std::size_t kFirst, class Value>

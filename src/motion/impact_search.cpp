@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/number.hpp"
 #include "core/stopped.hpp"
 #include "motion/approach.hpp"
 #include "motion/filter.hpp"
