@@ -41,6 +41,10 @@ class FastStages {
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
+  /// Whether what the last slices left is enough for another thread: to hand it over costs more than a small slice.
+  [[nodiscard]] bool is_worth_sharing() const;
+  /// Before the first slice of what was handed over.
+  void resume();
   /// Of the last slice.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
