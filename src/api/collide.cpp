@@ -23,35 +23,38 @@
 namespace impinge {
 namespace {
 
-/// A mesh and where it is to be placed.
-struct Placements {
-  const Mesh& mesh;
-  std::span<const Pose> poses;
-  std::string_view name;  ///< of the poses in messages; empty: there is but one
-};
-
-/// Appends a mesh at each of these poses. Errors: `bad_pose`, with its place where the poses have a name.
-Result<void> place_all(const Placements& placements, int threads, Workspace::State& memory) {
-  const std::span<const Pose> poses = placements.poses;
-  const MeshState& mesh = placements.mesh.state();
-  constexpr std::size_t kAtOnce = 512;  // some tens of microseconds
+/// Appends a mesh at each of these poses. Errors: `bad_pose` of the first one that is, with its place where the poses
+/// have a name.
+Result<void> place_all(const Mesh& mesh, std::span<const Pose> poses, const std::string& name, int threads,
+                       Workspace::State& memory) {
+  constexpr std::size_t kAtOnce = 512;  // some 50 microseconds' work
   const std::size_t first = memory.placed.size(), chunks = (poses.size() + kAtOnce - 1) / kAtOnce;
   memory.placed.resize(first + poses.size());
-  memory.meshes.resize(first + poses.size(), &mesh);
+  memory.meshes.resize(first + poses.size(), &mesh.state());
   std::atomic<bool> are_valid = true;
   run_each(chunks > 1 ? on_threads(threads) : ForEach(), chunks, [&](std::size_t chunk) {
-    for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, poses.size()); ++i) {
-      if (!scene::validate(poses[i])) return are_valid.store(false);
-      memory.placed[first + i] = scene::place(mesh.data, poses[i], 0);
+    const std::size_t end = std::min((chunk + 1) * kAtOnce, poses.size());
+    scene::PlacedBlock block;
+    for (std::size_t i = chunk * kAtOnce; i < end; i += block.size()) {
+      block.clear();
+      while (block.size() < std::min(scene::PlacedBlock::kMost, end - i))
+        block.add(mesh.state().data, poses[i + block.size()]);
+      block.compute();
+      for (std::size_t k = 0; k < block.size(); ++k) {
+        if (!block.is_valid(k) && !scene::validate(poses[i + k])) {
+          are_valid = false;
+          return;
+        }
+        block.write(k, memory.placed[first + i + k]);
+        memory.placed[first + i + k].group = 0;
+      }
     }
   });
-  for (std::size_t i = 0; i < poses.size() && !are_valid; ++i) {
-    const auto valid = scene::validate(poses[i]);
-    if (valid) continue;
-    if (placements.name.empty()) return valid.error();
-    return Error{valid.error().code,
-                 std::string(placements.name) + "[" + std::to_string(i) + "]: " + valid.error().message};
-  }
+  for (std::size_t i = 0; i < poses.size() && !are_valid; ++i)
+    if (auto valid = scene::validate(poses[i]); !valid) {
+      if (name.empty()) return valid.error();
+      return Error{valid.error().code, name + "[" + std::to_string(i) + "]: " + valid.error().message};
+    }
   return {};
 }
 
@@ -132,7 +135,7 @@ Result<Contacts> self_collide(const Mesh& mesh, const Pose& pose, const Options&
     if (auto valid = validate(options); !valid) return valid.error();
     const QueryMemory memory(workspace);
     memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
-    if (auto placed = place_all({mesh, {&pose, 1}, ""}, 1, *memory); !placed) return placed.error();
+    if (auto placed = place_all(mesh, {&pose, 1}, "", 1, *memory); !placed) return placed.error();
     if (mesh.triangle_count() > 0) memory->pairs.push_back({0, 0});
     return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
   });
@@ -150,8 +153,8 @@ Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a
       return Error{Code::bad_option, "there are more than 2^31 - 1 poses; ask in parts"};
     const QueryMemory memory(workspace);
     memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
-    if (auto placed = place_all({mesh_a, poses_a, "poses_a"}, options.threads, *memory); !placed) return placed.error();
-    if (auto placed = place_all({mesh_b, poses_b, "poses_b"}, options.threads, *memory); !placed) return placed.error();
+    if (auto placed = place_all(mesh_a, poses_a, "poses_a", options.threads, *memory); !placed) return placed.error();
+    if (auto placed = place_all(mesh_b, poses_b, "poses_b", options.threads, *memory); !placed) return placed.error();
     const auto count_a = static_cast<std::uint32_t>(poses_a.size()),
                count_b = static_cast<std::uint32_t>(poses_b.size());
     const std::uint32_t rows = std::min(count_a, count_b) == 0 ? 0 : std::max(count_a, count_b);

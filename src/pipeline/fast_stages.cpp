@@ -3,6 +3,7 @@
 #include "pipeline/fast_stages.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "exact/settle.hpp"
 #include "pipeline/on_threads.hpp"
@@ -14,15 +15,15 @@ namespace {
 // A slice of work: long enough that clocks and hand-overs do not show, short enough that threads share one large pair.
 constexpr hierarchy::WalkLimits kSlice{.leaf_pairs = 512, .box_tests = 65536};
 
-/// A search for one contact begins with a single pair of leaves and takes on twice as much with each slice: it ends
-/// soon where contacts abound, and where there are none it costs little more than the search for all.
-constexpr unsigned kFullSlice = 9;  // from this one on they are as long as those of a search for all
+/// A search for one contact begins with a single pair of leaves, the nearest, and takes on twice as much with each
+/// slice, up to those of the search for all: it ends soon where contacts abound.
+constexpr unsigned kWholeSlice = std::countr_zero(kSlice.leaf_pairs);
 hierarchy::WalkLimits first_slice(unsigned number) {
-  const std::size_t effort = std::size_t{1} << std::min(number, kFullSlice);
+  const std::size_t effort = std::size_t{1} << std::min(number, kWholeSlice);
   return {.leaf_pairs = effort,
           .box_tests = 1024 * effort,
           .at_once = std::min(effort, hierarchy::WalkLimits::kMostAtOnce),
-          .nearest_first = true};
+          .nearest_first = number == 0};
 }
 
 /// After so many slices without a contact the search leaves the branch that gave none, and again after each that
@@ -88,7 +89,8 @@ void FastStages::configure(const Options& options) {
   any_is_enough_ = first_only_ && options.kinds == kAllKinds;
 }
 
-bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kFullSlice; }
+bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kWholeSlice; }
+void FastStages::resume() { slices_ = kWholeSlice; }
 
 void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
                            Statistics& statistics) {

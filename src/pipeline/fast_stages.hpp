@@ -44,11 +44,12 @@ class FastStages {
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
+  /// Whether what the last slices left is enough for another thread: to hand it over costs more than a small slice.
+  [[nodiscard]] bool is_worth_sharing() const;
+  /// Before the first slice of what was handed over.
+  void resume();
   /// Of the last slice.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
-  /// Whether the next slice is so long that another thread may take a part of what is left: a search for one contact
-  /// begins with slices that are shorter than handing one over takes.
-  [[nodiscard]] bool is_worth_sharing() const;
 
  private:
   void decide(const Pair& pair, std::span<const hierarchy::WideLeafPair> leaf_pairs, StageClock& clock,

@@ -171,13 +171,18 @@ class Pipeline {
     }
   }
 
-  /// The caller's thread does the first slice of a lone pair: small queries end before another thread would wake. False
-  /// if work remains.
+  /// The caller's thread begins with a lone pair: small queries end before another thread would wake. False if work
+  /// remains.
   bool work_on_first() {
     if (pairs().size() != 1 || is_apart(pairs()[0])) return false;
     Worker<Stages>& worker = crew_.take(options_);
-    run_slice(typename Stages::Pair(query_, pairs()[0]), 0, true, worker);
-    const bool done = worker.stack.empty() || settled(0);
+    const typename Stages::Pair pair(query_, pairs()[0]);
+    bool done = false, fresh = true;
+    do {
+      run_slice(pair, 0, fresh, worker);
+      done = worker.stack.empty() || settled(0);
+      fresh = false;
+    } while (!done && !worker.stages.is_worth_sharing() && !options_.stop.stop_requested());
     if (done) report_done();
     if (!done) first_stack_ = std::exchange(worker.stack, {});
     worker.stack.clear();
@@ -432,12 +437,11 @@ class Pipeline {
     if (!is_apart(pairs()[object_pair])) {
       const typename Stages::Pair pair(query_, pairs()[object_pair]);
       bool fresh = worker.stack.empty();
+      if (!fresh) worker.stages.resume();
       while ((fresh || !worker.stack.empty()) && !options_.stop.stop_requested() && !settled(object_pair)) {
         run_slice(pair, object_pair, fresh, worker);
         fresh = false;
-        if constexpr (std::is_same_v<Stages, FastStages>)
-          if (!worker.stages.is_worth_sharing()) continue;
-        share(object_pair, worker);
+        if (worker.stages.is_worth_sharing()) share(object_pair, worker);
       }
       worker.stack.clear();
     }

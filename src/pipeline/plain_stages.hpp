@@ -41,6 +41,9 @@ class PlainStages {
   /// batches stay under way, and a later call finishes them.
   void run_slice(const Pair& pair, std::uint32_t object_pair, bool fresh, std::vector<Step>& stack, StageClock& clock,
                  Statistics& statistics);
+  /// All slices are of one size.
+  [[nodiscard]] static bool is_worth_sharing() { return true; }
+  static void resume() {}
   /// Finishes what is under way.
   void finish(StageClock& clock, Statistics& statistics);
   /// Forgets what is under way.

@@ -82,6 +82,7 @@ TEST(CollidePoses, GivesTheRowsOfCollide) {
       expect_rows(cube, many, cube, many, options);
     }
   expect_rows(knot, many, soup, more, {.kinds = kTouching});
+  expect_rows(cube, any_poses(seeded.random, 1100), cube, any_poses(seeded.random, 1100), {.threads = 2});
 }
 
 TEST(CollidePoses, FindsAWitnessForEachPoseThatTouches) {
@@ -190,8 +191,8 @@ TEST(CollidePoses, OfNothingIsNothing) {
 TEST(CollidePoses, NamesWhatIsWrong) {
   const Mesh cube = test::mesh_of(scenes::cube());
   const std::vector<Pose> one(1), two(2), three(3);
-  std::vector<Pose> bad(4), far(4);
-  bad[2].R[0] = 5;
+  std::vector<Pose> bad(1100), far(4);
+  bad[2].R[0] = bad[1000].R[0] = 5;
   far[1].t = {0x1p301, 0, 0};
   const auto code_of = [](const Result<Contacts>& result) {
     EXPECT_FALSE(result);
