@@ -242,20 +242,23 @@ void Commands::wait() {
 
 namespace {
 
-void make_visible(VkCommandBuffer commands, VkPipelineStageFlags stages, VkAccessFlags access) {
+struct Stages {
+  VkPipelineStageFlags before, after;
+};
+void make_visible(VkCommandBuffer commands, const Stages& stages, VkAccessFlags access) {
   const VkMemoryBarrier all{
       .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT, .dstAccessMask = access};
-  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, stages, 0, 1, &all, 0, nullptr, 0, nullptr);
+  vkCmdPipelineBarrier(commands, stages.before, stages.after, 0, 1, &all, 0, nullptr, 0, nullptr);
 }
 
 }  // namespace
 
-void barrier(VkCommandBuffer commands) {
-  make_visible(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
+void barrier(VkCommandBuffer commands, VkPipelineStageFlags stages) {
+  make_visible(commands, {stages, stages}, VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
 }
 
 void hand_to_host(VkCommandBuffer commands) {
-  make_visible(commands, VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
+  make_visible(commands, {VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT}, VK_ACCESS_HOST_READ_BIT);
 }
 
 void copy(VkCommandBuffer commands, const Buffer& from, std::uint64_t from_byte, const Buffer& to,

@@ -125,8 +125,9 @@ class Commands {
   bool is_running_ = false;
 };
 
-/// What was written before is seen by all that follows: kernels, copies and indirect dispatches.
-void barrier(VkCommandBuffer commands);
+/// What was written before is seen by all that follows: kernels, copies, indirect dispatches and drawing, or those of
+/// some stages.
+void barrier(VkCommandBuffer commands, VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
 /// What was written before is seen by the host once it has waited.
 void hand_to_host(VkCommandBuffer commands);
 void copy(VkCommandBuffer commands, const Buffer& from, std::uint64_t from_byte, const Buffer& to,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "hierarchy/round_up.hpp"
 
@@ -125,6 +126,12 @@ FlatTree flatten(hierarchy::WideTree& tree, const ForEach& for_each) {
   const TreeRef root = tree.root(nodes_made);
   const Frame& frame = root.is_leaf() ? root.leaf().frame : root.node().frame;
   FlatTree flat{.root = 0, .base = {frame.origin[0], frame.origin[1], frame.origin[2]}, .reach = 0, .levels = 0};
+  // Room for leaves that are two thirds full: a vector that grows is copied, and a page that is not written to costs
+  // nothing.
+  const std::size_t triangles =
+      root.is_leaf() ? root.leaf().count : std::accumulate(root.node().count, root.node().count + root.node().size, 0u);
+  const std::size_t leaves = 3 * triangles / (2 * kTileSize) + 1;
+  flat.leaves.reserve(leaves), flat.nodes.reserve(leaves / 2), flat.places.reserve(leaves + leaves / 2);
   flat.root = Flattener(tree, flat).add(root, 0);
   std::sort(flat.places.begin(), flat.places.end());
   return flat;

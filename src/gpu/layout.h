@@ -90,15 +90,20 @@ struct Hit {
   uint a, b, pair;
 };
 
+/// A step of the walk.
+struct WalkStep {
+  uint stack_size;                                       // with those that are taken
+  uint first, take;                                      // which items it takes
+  uint walk_groups[3], plan_groups[3], sweep_groups[3];  // for indirect dispatch
+};
+
 /// What the kernels know of the work, and what the host reads back.
 struct Control {
-  uint stack_size;                                       // with those that were taken, until the next step
-  uint first, take;                                      // which items a step takes
-  uint walk_groups[3], fill_groups[3], sweep_groups[3];  // for indirect dispatch
-  uint leaf_pairs;                                       // in the list
-  uint swept;                                            // of them, those that the sweep came to the end of
-  uint again;                                            // leaf pairs whose hits found no room
-  uint hits;                                             // asked for, which may be more than there is room for
+  WalkStep steps[2];  // the one at hand, and the one that is planned
+  uint leaf_pairs;    // in the list
+  uint swept;         // of them, those that the sweep came to the end of
+  uint again;         // leaf pairs whose hits found no room
+  uint hits;          // asked for, which may be more than there is room for
   uint box_tests, box_tests_high, triangle_pairs, triangle_pairs_high;
 };
 
@@ -107,7 +112,7 @@ struct WalkConfig {
   uint stack_capacity, stack_reserve, leaf_capacity, hit_capacity;
   uint most_groups;  // that one dispatch may have
   uint first_only;   // a pair of objects with a crossing needs no more tests
-  uint only_sweep;   // for `plan.comp`: the walk's steps are over
+  uint step;         // which of Control::steps is at hand
 };
 
 /// In one image of backend "raster": a triangle, and edges of one leaf that follow one another in a row. Its first

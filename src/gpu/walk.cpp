@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstring>
 
-#include "shaders/fill.comp.h"
 #include "shaders/plan.comp.h"
 #include "shaders/sweep.comp.h"
 #include "shaders/sweep_doubles.comp.h"
@@ -27,6 +26,10 @@ constexpr std::uint32_t kMostSteps = 96;  ///< of a walk in one part
 /// a shader silently after 65,535. A device that offers as many groups as Vulkan demands goes round once.
 constexpr std::uint64_t kMostRounds = 16;
 
+/// What the commands of a walk are.
+constexpr VkPipelineStageFlags kKernels =
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
+
 WalkConfig config_of(const Limits& limits) {
   const auto fit = [&](std::uint64_t wanted, std::uint64_t least, std::size_t size) {
     return static_cast<std::uint32_t>(std::max(std::min<std::uint64_t>(wanted, limits.largest_buffer / size), least));
@@ -39,7 +42,7 @@ WalkConfig config_of(const Limits& limits) {
       .hit_capacity = fit(limits.hits, kMostHitsAtOnce, sizeof(Hit)),
       .most_groups = limits.most_groups,
       .first_only = 0,
-      .only_sweep = 0};
+      .step = 0};
 }
 
 Buffer list(Device& device, std::uint32_t items, std::size_t size, Buffer::Use use) {
@@ -71,11 +74,10 @@ std::uint64_t long_count(std::uint32_t low, std::uint32_t high) { return std::ui
 
 WalkKernels::WalkKernels(Device& device, bool doubles)
     : with_doubles(doubles),
-      plan(device, shader_plan_comp, {kControl}, sizeof(WalkConfig)),
+      plan(device, shader_plan_comp, {kControl, kStack}, sizeof(WalkConfig)),
       walk(device, shader_walk_comp,
            {kNodesA, kNodesB, kLeavesA, kLeavesB, kRelations, kSettled, kControl, kStack, kLeafPairs},
            sizeof(WalkConfig)),
-      fill(device, shader_fill_comp, {kControl, kStack}, sizeof(WalkConfig)),
       sweep(device, sweep_shader(doubles), sweep_bindings(doubles), sizeof(WalkConfig)) {}
 
 DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
@@ -89,7 +91,7 @@ DeviceWalk::DeviceWalk(Device& device, const WalkKernels& kernels)
       again_(list(device, config_.leaf_capacity, sizeof(WorkItem), Buffer::Use::device)),
       hit_buffers_{list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback),
                    list(device, config_.hit_capacity, sizeof(Hit), Buffer::Use::readback)},
-      bindings_(device, {&kernels.plan, &kernels.walk, &kernels.fill, &kernels.sweep}),
+      bindings_(device, {&kernels.plan, &kernels.walk, &kernels.sweep}),
       commands_(device) {
   bindings_.set(kControl, control_);
   bindings_.set(kStack, stack_);
@@ -132,7 +134,7 @@ void DeviceWalk::start(const WalkInput& input) {
   const std::uint32_t pieces = static_cast<std::uint32_t>(item_count_ / (config_.stack_capacity / (2 * kChildren) + 1));
   steps_ = std::min(input.levels + 1 + pieces, kMostSteps);
   next_ = {};
-  next_.stack_size = static_cast<uint>(item_count_);
+  next_.steps[0].stack_size = static_cast<uint>(item_count_);
   part_ = 0, hits_ = {}, work_ = {};
   bindings_.set(kHits, hit_buffers_[0]);
   commands_.start([&](VkCommandBuffer commands) { record(commands, true); });
@@ -146,9 +148,10 @@ bool DeviceWalk::advance() {
   work_.triangle_pairs += long_count(done.triangle_pairs, done.triangle_pairs_high);
   work_.leaf_pairs += done.leaf_pairs - done.again;
   hits_ = {hit_buffers_[part_ % 2].mapped<const Hit>(), std::min(done.hits, config_.hit_capacity)};
-  if (done.stack_size == 0 && done.again == 0) return false;
+  const uint left = done.steps[config_.step].stack_size;
+  if (left == 0 && done.again == 0) return false;
   next_ = {};
-  next_.stack_size = done.stack_size;
+  next_.steps[0].stack_size = left;
   next_.leaf_pairs = done.again;
   steps_ = kMostSteps;
   ++part_;
@@ -158,17 +161,15 @@ bool DeviceWalk::advance() {
 }
 
 void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
-  const auto plan = [&](bool only_sweep) {
-    WalkConfig config = config_;
-    config.only_sweep = only_sweep ? 1 : 0;
-    kernels_.plan.bind(commands, bindings_.of(kernels_.plan), &config);
-    vkCmdDispatch(commands, 1, 1, 1);
-    barrier(commands);
-  };
+  config_.step = 0;
   const auto run = [&](const Kernel& kernel, std::size_t groups) {
     kernel.bind(commands, bindings_.of(kernel), &config_);
-    vkCmdDispatchIndirect(commands, control_.handle(), groups);
-    barrier(commands);
+    vkCmdDispatchIndirect(commands, control_.handle(), config_.step * sizeof(WalkStep) + groups);
+    barrier(commands, kKernels);
+  };
+  const auto plan = [&] {
+    run(kernels_.plan, offsetof(WalkStep, plan_groups));
+    config_.step = 1 - config_.step;
   };
   if (is_first) {
     const std::uint64_t all_poses = relation_count_ * pose_bytes();
@@ -179,15 +180,15 @@ void DeviceWalk::record(VkCommandBuffer commands, bool is_first) {
   } else {
     copy(commands, again_, 0, leaf_pairs_, 0, next_.leaf_pairs * sizeof(WorkItem));
   }
+  std::fill_n(next_.steps[0].plan_groups, 3, 1);
   vkCmdUpdateBuffer(commands, control_.handle(), 0, sizeof next_, &next_);
-  barrier(commands);
+  barrier(commands, kKernels);
+  plan();
   for (std::uint32_t step = 0; step < steps_; ++step) {
-    plan(false);
-    run(kernels_.walk, offsetof(Control, walk_groups));
-    run(kernels_.fill, offsetof(Control, fill_groups));
+    run(kernels_.walk, offsetof(WalkStep, walk_groups));
+    plan();
   }
-  plan(true);
-  run(kernels_.sweep, offsetof(Control, sweep_groups));
+  run(kernels_.sweep, offsetof(WalkStep, sweep_groups));
   copy(commands, control_, 0, read_control_, 0, sizeof(Control));
   hand_to_host(commands);
 }

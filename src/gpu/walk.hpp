@@ -16,7 +16,7 @@ namespace impinge::gpu {
 struct WalkKernels {
   WalkKernels(Device& device, bool doubles);
   const bool with_doubles;  ///< sweeps in them too
-  Kernel plan, walk, fill, sweep;
+  Kernel plan, walk, sweep;
 };
 
 /// What is to be walked: pairs of nodes of trees of two pages, of the relations written before.

@@ -96,8 +96,11 @@ class DevicePart::Sorter {
 
   std::optional<gpu::MeshStore::Use> bring(const MeshState& mesh) {
     try {
-      part_.has_brought_meshes_ |= !part_.opened_->meshes.holds(&mesh.wide_tree);
-      return part_.opened_->meshes.use({&mesh.wide_tree, &mesh.data, mesh.weak_from_this()}, part_.for_each_);
+      const bool is_there = part_.opened_->meshes.holds(&mesh.wide_tree);
+      std::optional<gpu::MeshStore::Use> use(
+          part_.opened_->meshes.use({&mesh.wide_tree, &mesh.data, mesh.weak_from_this()}, part_.for_each_));
+      part_.has_brought_meshes_ |= !is_there;
+      return use;
     } catch (const gpu::Failure&) {
       if (part_.opened_->device.is_lost()) throw;
       return std::nullopt;

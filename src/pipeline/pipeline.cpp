@@ -48,9 +48,10 @@ constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 constexpr int kSlicesForPieces = 8;
 
-// Hybrid queries: shorter ones are left to the CPU until a device is open and calibrated, and so many kinds of them are
-// remembered. A node takes as long to make as so many tests of boxes at most.
-constexpr double kShort = 1e-3;
+// Hybrid queries: short ones are left to the CPU until a device is open and calibrated, and then too those that end
+// before a device would answer. So many kinds of them are remembered. A node takes as long to make as so many tests of
+// boxes at most.
+constexpr double kShort = 1e-3, kSoonerThanAnyDevice = 1e-4;
 constexpr std::size_t kMostKinds = 64;
 constexpr std::uint64_t kBoxTestsForANode = 1000;
 /// Of what both sides' speeds ask for, what the device is given from the beginning: it takes more if there is more
@@ -253,7 +254,9 @@ class Pipeline {
     ways_ = &memory_.ways[kind()];
     since_choice_ = StageClock();
     if (ways_->is_empty()) return;
-    if (memory_.device == nullptr || !is_calibrated(memory_.device)) {
+    if (ways_->last_seconds() < kSoonerThanAnyDevice) {
+      way_ = schedule::Way::cpu;
+    } else if (memory_.device == nullptr || !is_calibrated(memory_.device)) {
       if (ways_->last_seconds() < kShort) way_ = schedule::Way::cpu;
     } else {
       way_ = quickest_way();
@@ -398,7 +401,7 @@ class Pipeline {
   /// Takes over the device's results, or its work.
   void finish(const DeviceDriver& driver) {
     std::span<const DevicePiece> undone = driver.left();
-    is_typical_ = driver.complaint().empty() && !driver.has_brought_meshes();
+    is_typical_ = !driver.has_brought_meshes();
     if (!driver.complaint().empty()) {
       undone = driver.done();
       if (first_only_)

@@ -358,20 +358,24 @@ TEST(Hybrid, EachWayIsTriedAndGivesTheSameAnswer) {
   const auto ask = [&](const char* backend, Workspace& workspace) {
     return collide_poses(knot, poses, knot, {&poses[0], 1}, {.backend = backend}, &workspace).value();
   };
-  Workspace workspace;
-  const Contacts expected = ask("paper", workspace);
+  Workspace of_reference;
+  const Contacts expected = ask("paper", of_reference);
   EXPECT_GT(expected.triangles.size(), 1000u);
-  std::set<std::pair<bool, bool>> sides;  // whether the device had a part, and the CPU beside it
+  // Whether the device had a part, and the CPU beside it.
+  const std::set<std::pair<bool, bool>> ways{{true, true}, {true, false}, {false, false}};
+  std::set<std::pair<bool, bool>> seen;
   const auto start = std::chrono::steady_clock::now();
-  const std::set<std::pair<bool, bool>> wanted{{true, true}, {true, false}, {false, false}};
-  const auto have_all = [&] { return std::includes(sides.begin(), sides.end(), wanted.begin(), wanted.end()); };
-  while (!have_all() && std::chrono::steady_clock::now() - start < std::chrono::seconds(60)) {
-    claim(kQuick);
-    const Contacts found = ask("hybrid", workspace);
-    test::expect_same(expected, found);
-    sides.emplace(found.statistics.device_seconds > 0, found.statistics.cpu_seconds > 0);
+  while (seen != ways && std::chrono::steady_clock::now() - start < std::chrono::seconds(60)) {
+    Workspace workspace;
+    for (int query = 0; query < 5; ++query) {
+      claim(kQuick);
+      const Contacts found = ask("hybrid", workspace);
+      test::expect_same(expected, found);
+      const std::pair sides{found.statistics.device_seconds > 0, found.statistics.cpu_seconds > 0};
+      if (ways.contains(sides)) seen.insert(sides);
+    }
   }
-  EXPECT_TRUE(have_all());
+  EXPECT_EQ(seen, ways);
 }
 
 /// What backends give to a device that nobody forces on them.

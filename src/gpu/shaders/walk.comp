@@ -118,7 +118,7 @@ uint child_b(uint ref, uint j) { return is_leaf(ref) ? ref : nodes_b[ref].child[
 void main() {
   const uint lane = gl_LocalInvocationID.x, i = lane / kDeviceWidth, j = lane % kDeviceWidth;
   const uint stride = gl_NumWorkGroups.x * kWalkedTogether;
-  for (uint begin = gl_WorkGroupID.x * kWalkedTogether; begin < control.take; begin += stride) {
+  for (uint begin = gl_WorkGroupID.x * kWalkedTogether; begin < control.steps[config.step].take; begin += stride) {
     if (lane == 0) {
       open_count = 0;
       leaf_count = 0;
@@ -127,7 +127,8 @@ void main() {
     barrier();
     if (lane < kWalkedTogether) {
       sizes[lane] = 0;
-      if (begin + lane < control.take) prepare(lane, stack[control.first + begin + lane]);
+      if (begin + lane < control.steps[config.step].take)
+        prepare(lane, stack[control.steps[config.step].first + begin + lane]);
     }
     barrier();
     for (uint box = lane; box < kWalkedTogether * 2 * kDeviceWidth; box += kGroupSize)
@@ -142,7 +143,7 @@ void main() {
     uint to_open = atomicAdd(open_count, open), to_leaf = atomicAdd(leaf_count, leaves);
     barrier();
     if (lane == 0) {
-      first_open = open_count > 0 ? atomicAdd(control.stack_size, open_count) : 0;
+      first_open = open_count > 0 ? atomicAdd(control.steps[config.step].stack_size, open_count) : 0;
       first_leaf = leaf_count > 0 ? atomicAdd(control.leaf_pairs, leaf_count) : 0;
       const uint before = atomicAdd(control.box_tests, tests);
       if (before + tests < before) atomicAdd(control.box_tests_high, 1);
