@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// What deforms and touches itself: refitted trees against built ones, with a query and without, and against those that
-/// queries make as they need them; self-collision; and impacts between two states. With IMPINGE_CCD_DIR in the
-/// environment, those of its steps too (docs/motion.md).
+/// What deforms and touches itself: trees refitted as far as a query needs them and wholly, against built ones, with a
+/// query and without, and against those made without a plan; self-collision; and impacts between two states. With
+/// IMPINGE_CCD_DIR in the environment, those of its steps too (docs/motion.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -172,6 +172,7 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
   const auto ask = [&](const Mesh& deformed) { (void)must(collide(deformed, poses.a, mesh, poses.b, fast())); };
   add(subject, "refit",
       {{"impinge", [&](std::size_t) { (void)must(mesh.deformed(after.xyz)); }},
+       {"impinge, all of the tree", [&](std::size_t) { must(must(mesh.deformed(after.xyz)).build_tree(1)); }},
        {"impinge built anew", [&](std::size_t) { (void)built(after); }},
        {"impinge without tree", [&](std::size_t) { (void)make_mesh(after); }},
        {"FCL", [&](std::size_t) { fcl.refit(after); }},
@@ -180,7 +181,7 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
       effort, table);
   add(subject, "refit and query",
       {{"impinge", [&](std::size_t) { ask(must(mesh.deformed(after.xyz))); }},
-       {"impinge as far as needed", [&](std::size_t) { ask(must(sparse.deformed(after.xyz))); }},
+       {"impinge without a plan", [&](std::size_t) { ask(must(sparse.deformed(after.xyz))); }},
        {"FCL", [&](std::size_t) { fcl.refit(after), (void)fcl.collide(poses.a, fcl_other, poses.b); }},
        {"Embree", [&](std::size_t) { embree.deform(after, poses.a), (void)embree.collide(embree_other); }}},
       effort, table);

@@ -78,8 +78,8 @@ class Mesh {
 
   /// The same triangles with other vertices: `xyz` holds 3 finite coordinates for each vertex. Every answer is that of
   /// a mesh created from these numbers. Where a third of this mesh's tree is made, by queries or `build_tree`, the rest
-  /// is made and the tree refitted, but for parts that have become loose; else queries make one as they need it, as the
-  /// backends "paper" and "raster" always do. Errors: `bad_mesh` (not as many coordinates, not finite).
+  /// is made once, and queries refit what they reach of it, but for parts that have become loose; else they make a tree
+  /// as the backends "paper" and "raster" always do. Errors: `bad_mesh` (not as many coordinates, not finite).
   Result<Mesh> deformed(std::span<const double> xyz) const;
 
   [[nodiscard]] std::size_t vertex_count() const noexcept;

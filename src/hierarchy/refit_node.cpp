@@ -89,7 +89,7 @@ void set_frame(const RefitPlan& plan, const RefitPlan::Axes& axes, const SoupSou
 
 void refit_node(const RefitPlan& plan, const RefitPlan::Node& planned, const SoupSource& source, WideNode& node,
                 const ForEach& for_each) {
-  node.size = planned.size, node.depth = planned.depth, node.split_cost = planned.split_cost;
+  node.size = planned.size, node.depth = planned.depth;
   set_frame(plan, planned.axes, source, node.frame);
   double low[kWidth][3] = {}, high[kWidth][3] = {};
   const std::uint32_t triangles = planned.first[planned.size - 1] + planned.count[planned.size - 1] - planned.first[0];

@@ -17,8 +17,8 @@ constexpr std::uint32_t kNodeSamples = RefitPlan::kMostSamples, kLeafSamples = 5
 
 class Planner {
  public:
-  explicit Planner(const SoupSource& source)
-      : source_(source), listed_(source.mesh.vertices.size()), place_(source.mesh.vertices.size()) {}
+  Planner(const SoupSource& source, const RefitPlan* before)
+      : source_(source), before_(before), listed_(source.mesh.vertices.size()), place_(source.mesh.vertices.size()) {}
 
   /// Returns its place in `nodes` or `leaves`.
   std::uint32_t add(const TreeRef& ref) { return ref.is_leaf() ? add_leaf(ref.leaf()) : add_node(ref.node()); }
@@ -41,7 +41,7 @@ class Planner {
   std::uint32_t add_node(const WideNode& node) {
     const auto number = static_cast<std::uint32_t>(plan.nodes.size());
     plan.nodes.emplace_back();
-    RefitPlan::Node planned{.size = node.size, .depth = node.depth, .split_cost = node.split_cost};
+    RefitPlan::Node planned{.size = node.size, .depth = node.depth, .split_cost = cost_of(node)};
     for (std::uint32_t lane = 0; lane < node.size; ++lane) {
       const TreeRef child(node.child[lane].load(std::memory_order_acquire));
       planned.first[lane] = static_cast<std::uint32_t>(plan.order.size()), planned.count[lane] = node.count[lane];
@@ -52,6 +52,10 @@ class Planner {
     planned.axes = fit(node.frame, {planned.vertices, planned.size}, kNodeSamples);
     plan.nodes[number] = planned;
     return number;
+  }
+
+  [[nodiscard]] float cost_of(const WideNode& node) const {
+    return node.planned == WideNode::kNotPlanned ? node.cost : before_->nodes[node.planned].split_cost;
   }
 
   /// The vertices of triangles in the order.
@@ -108,6 +112,7 @@ class Planner {
   }
 
   const SoupSource& source_;
+  const RefitPlan* before_;
   std::vector<std::uint32_t> listed_, place_;  ///< of each vertex, the last list that it is in, and where in it
   std::uint32_t lists_ = 0;
 };
@@ -120,8 +125,9 @@ std::size_t RefitPlan::bytes() const {
          bytes_of(vertices) + bytes_of(corners);
 }
 
-std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const SoupSource& source) {
-  Planner planner(source);
+std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const SoupSource& source,
+                                                 const RefitPlan* before) {
+  Planner planner(source, before);
   planner.add(root);
   return std::make_shared<const RefitPlan>(std::move(planner.plan));
 }

@@ -63,7 +63,8 @@ struct RefitPlan {
   [[nodiscard]] std::size_t bytes() const;
 };
 
-/// Of a tree that is wholly made, from where its vertices are.
-std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const SoupSource& source);
+/// Of a tree that is wholly made, from where its vertices are. `before` is the plan that parts of it were refitted by.
+std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const SoupSource& source,
+                                                 const RefitPlan* before);
 
 }  // namespace impinge::hierarchy

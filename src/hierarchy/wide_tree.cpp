@@ -241,7 +241,7 @@ TreeRef WideTree::State::make_node(const Range& range, std::span<SoupTriangle> t
     if (is_used) radius = std::max(radius, reach + margin);
   }
   node->frame.radius = round_up(radius);
-  node->split_cost = surface_cost(*node);
+  node->cost = surface_cost(*node);
   return ref_to(node);
 }
 
@@ -258,15 +258,15 @@ TreeRef WideTree::State::refit(std::uint32_t number, bool is_leaf, float growth,
   refit_node(*plan, planned, source, *node, for_each);
   const float cost = surface_cost(*node);
   node->planned = number;
-  node->growth = growth * (cost > 0 ? cost / planned.split_cost : 1);  // infinite where it was flat, and is no more
-  if (!(node->growth > kLoose)) return ref_to(node);
+  node->cost = growth * (cost > 0 ? cost / planned.split_cost : 1);  // infinite where it was flat, and is no more
+  if (!(node->cost > kLoose)) return ref_to(node);
   loose += std::accumulate(planned.count, planned.count + planned.size, std::size_t{0});
   return {};
 }
 
 TreeRef WideTree::State::make_planned(const WideNode& node, int lane, const ForEach& for_each) {
   const RefitPlan::Node& planned = plan->nodes[node.planned];
-  const TreeRef refitted = refit(planned.child[lane], planned.is_leaf[lane], node.growth, for_each);
+  const TreeRef refitted = refit(planned.child[lane], planned.is_leaf[lane], node.cost, for_each);
   if (refitted.is_made()) return refitted;
   make_soup();
   const Range range{{}, node.first[lane], node.count[lane], node.depth + 1u, true};
@@ -342,7 +342,7 @@ std::shared_ptr<const RefitPlan> WideTree::plan(double least_share, const ForEac
   if (all == 0 || all - static_cast<double>(s.not_in_leaves.load()) < least_share * all) return nullptr;
   std::call_once(s.own_plan_once, [&] {
     if (s.not_in_leaves.load() > 0) build(for_each);
-    s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source);
+    s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source, s.plan.get());
     s.plan_bytes += s.own_plan->bytes();
   });
   return s.own_plan;

@@ -58,8 +58,9 @@ struct alignas(64) WideNode {
   Vec3 base;  ///< of the soup triangles below
   // For refitting alone.
   std::uint32_t planned;  ///< its number in the plan it was refitted by; kNotPlanned if it was not
-  float split_cost;       ///< how good its triangles' split was when it was made
-  float growth;           ///< of a refitted one: how many times worse that and those above have become since
+  /// How good its triangles' split was when it was made; of a refitted one, how many times worse that and those above
+  /// have become since.
+  float cost;
   static constexpr std::uint32_t kNotPlanned = ~0u;
 };
 

@@ -179,7 +179,11 @@ TEST(VertexNumbers, AreThoseOfTheCoordinates) {
     const auto number = [&] {
       const double x = std::ldexp(seeded.random.uniform(-1, 1), seeded.random.integer(-reach, reach / 2));
       const int kind = seeded.random.integer(0, 9);
-      return kind == 0 ? 0.0 : kind == 1 ? -0.0 : kind == 2 ? std::ldexp(1.0, std::ilogb(x)) : kind < 6 && std::abs(x) < 1 ? float(x) : x;
+      return kind == 0                     ? 0.0
+             : kind == 1                   ? -0.0
+             : kind == 2                   ? std::ldexp(1.0, std::ilogb(x))
+             : kind < 6 && std::abs(x) < 1 ? float(x)
+                                           : x;
     };
     for (Vec3& v : vertices) v = {number(), number(), number()};
     Box box{vertices[0], vertices[0]};
