@@ -49,7 +49,8 @@ std::uint32_t common_bits(const Corners& a, const Corners& b) {
 }
 
 /// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
-/// of what else is common the exact stage knows. Places are compared where no two triangles share an index.
+/// of what else is common the exact stage knows. Places are compared where no two triangles share an index, unless the
+/// mesh is known to have such (`by_index`).
 void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStream& stream) {
   std::uint32_t any = 0;
   for (std::size_t i = 0; i < stream.size; ++i)

@@ -182,6 +182,29 @@ TEST(SelfCollide, IsItsDefinition) {
   EXPECT_GT(reported, 1000u);
 }
 
+/// A flat fan whose apex is inside of its ring by less than what vertices are rounded by in the world, where it is
+/// outside: neighbours are folded onto each other there.
+TEST(SelfCollide, SeesWhatRoundingFolds) {
+  for (const int exponent : {4, 9, 20, 40}) {
+    SCOPED_TRACE(exponent);
+    const double half = std::ldexp(1, exponent - 53);  // of the unit in the last place there
+    MeshData fan;
+    fan.add_vertex(0.5 - 0.99 * half, 0.5, 0), fan.add_vertex(0, 0, -1);
+    fan.add_vertex(1 - 1.01 * half, 0, 0), fan.add_vertex(0, 1, 0), fan.add_vertex(-1, 0, 0), fan.add_vertex(0, -1, 0);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t one = 2 + i, next = 2 + (i + 1) % 4;
+      fan.add_triangle(0, one, next), fan.add_triangle(1, next, one);
+    }
+    const Mesh mesh = test::mesh_of(fan);
+    Pose pose;
+    pose.t[0] = std::ldexp(1, exponent);
+    const auto expected = truth(mesh, pose, Adjacency::by_index);
+    ASSERT_FALSE(expected.empty());
+    EXPECT_EQ(test::listed(self_collide(mesh, pose).value()), expected);
+    EXPECT_TRUE(self_collide(mesh)->objects.empty());
+  }
+}
+
 TEST(SelfCollide, IsTheSameOnEveryInstructionSetAndByThreads) {
   MeshData knots = scenes::torus_knot_of(9612);  // two, through each other
   const MeshData other = scenes::shifted(knots, 0.3, 0.2, 0.1);
