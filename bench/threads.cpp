@@ -6,11 +6,16 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "bench/crowd.hpp"
 #include "bench/ours.hpp"
 #include "bench/rough_sheets.hpp"
+#include "impinge/clash.hpp"
+#include "scenes/contact_depth.hpp"
+#include "scenes/motion.hpp"
+#include "scenes/shapes.hpp"
 
 namespace impinge::bench {
 namespace {
@@ -39,6 +44,76 @@ std::vector<Work> works(bool quick) {
            }}};
 }
 
+constexpr std::uint64_t kSeed = 20080901;
+
+/// Knots that just miss each other, and the same in half of the rows; what a robot of seven bodies may touch; verdicts;
+/// a tree.
+std::vector<Work> works_of_many_threads(bool quick) {
+  const auto knot = std::make_shared<const Mesh>(make_mesh(scenes::torus_knot_of(20'000)));
+  const auto poses = std::make_shared<std::array<std::vector<Pose>, 2>>();
+  scenes::Random random(kSeed);
+  for (int i = 0; i < (quick ? 10 : 1000); ++i) {
+    const scenes::PosePair pair = must(scenes::near_first_touch(random, *knot, *knot, i % 2 == 0 ? -0.01 : 0.03));
+    for (int k = 0; k < 10; ++k) (*poses)[0].push_back(pair.a), (*poses)[1].push_back(pair.b);
+  }
+  std::vector<Work> works;
+  for (const auto find : {Options::Find::first, Options::Find::all})
+    works.push_back({find == Options::Find::first ? "poses first contact" : "poses all contacts", [=] {
+                       const auto workspace = std::make_shared<Workspace>();
+                       return [=](int threads) {
+                         Options options = fast(threads);
+                         options.find = find;
+                         workspace->recycle(
+                             must(collide_poses(*knot, (*poses)[0], *knot, (*poses)[1], options, workspace.get())));
+                       };
+                     }});
+  const auto crowd = std::make_shared<Crowd>(quick ? 100 : 1000);
+  const auto scene = std::make_shared<Scene>();
+  const Mesh body = make_mesh(crowd->scene().meshes.front());
+  std::vector<ObjectId> ids;
+  for (const Pose& pose : crowd->frame(0)) ids.push_back(must(scene->add(body, pose)));
+  must(scene->update());
+  ids.resize(7);
+  std::vector<Pose> configurations;
+  for (std::size_t i = 0; i < (quick ? 100u : 10'000u); ++i)
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      configurations.push_back(crowd->frame(0)[(i * 7919 + k) % crowd->frame(0).size()]);
+  works.push_back({"configurations of 7 bodies", [=] {
+                     return [=](int threads) {
+                       (void)must(scene->collide_configurations(ids, configurations, {.threads = threads}));
+                     };
+                   }});
+  works.push_back({"verdicts on all pairs", [=] {
+                     return [=](int threads) {
+                       ClashOptions options;
+                       options.threads = threads;
+                       (void)must(find_clashes(*scene, options));
+                     };
+                   }});
+  const auto sheets = std::make_shared<scenes::PlacedScene>(rough_sheets(quick ? 20'000 : 1'000'000));
+  works.push_back({"mesh and tree of " + count(sheets->meshes[0].triangle_count()) + " triangles",
+                   [=] { return [=](int threads) { must(make_mesh(sheets->meshes[0]).build_tree(threads)); }; }});
+  return works;
+}
+
+/// What more threads bring, as far as the machine has them.
+void measure_speedups(const Arguments& arguments) {
+  const int repeats = arguments.quick ? 2 : 7, most = static_cast<int>(std::thread::hardware_concurrency());
+  Table table({"work", "threads", "milliseconds", "speedup"});
+  for (const Work& work : works_of_many_threads(arguments.quick)) {
+    const auto ask = work.copy();
+    ask(1);
+    std::array<std::vector<double>, 5> seconds;
+    for (int i = 0; i < repeats; ++i)
+      for (std::size_t k = 0; k < seconds.size() && (1 << k) <= most; ++k)
+        seconds[k].push_back(wall_seconds_of([&] { ask(1 << k); }));
+    for (std::size_t k = 0; k < seconds.size() && (1 << k) <= most; ++k)
+      table.add({work.name, std::to_string(1 << k), milliseconds(median(seconds[k])),
+                 digits(median(seconds[0]) / median(seconds[k]))});
+  }
+  table.write(arguments.folder, "thread_counts");
+}
+
 }  // namespace
 
 void bench_main(const Arguments& arguments) {
@@ -65,6 +140,7 @@ void bench_main(const Arguments& arguments) {
                digits(shares.low), digits(shares.high)});
   }
   table.write(arguments.folder, "threads");
+  measure_speedups(arguments);
 }
 
 }  // namespace impinge::bench

@@ -198,9 +198,11 @@ class Pipeline {
       crew_.give_back(worker);
       return;
     }
-    // Where pairs abound a task is several of them: most are done in a microsecond or two.
+    // Where pairs abound a task is several of them, since most are done in a microsecond or two, and taking up a task
+    // is a turn at a lock; each thread gets some sixteen tasks, so that all end together.
     const auto number = static_cast<std::uint32_t>(pairs().size());
-    const std::uint32_t at_once = std::clamp<std::uint32_t>(number / 1024, 1, 16);
+    const auto threads = static_cast<std::uint32_t>(schedule::concurrency(options_.threads));
+    const std::uint32_t at_once = std::clamp<std::uint32_t>(number / 16 / threads, 1, 16);
     std::vector<Task> tasks;
     tasks.reserve(number / at_once + 1);
     for (std::uint32_t i = 0; i < number; i += at_once) tasks.push_back({i, std::min(at_once, number - i), {}});
