@@ -23,7 +23,9 @@ class OnADevice : public testing::Environment {
     const auto choice = gpu::Devices::of_process().choose("");
     ASSERT_TRUE(choice.opened) << choice.complaint;
     const std::string_view name = choice.opened->device.physical().properties.deviceName;
-    const std::string_view wanted = driver() == "swiftshader" ? "SwiftShader" : driver() == "lavapipe" ? "llvmpipe" : driver();
+    const std::string_view wanted = driver() == "swiftshader" ? "SwiftShader"
+                                    : driver() == "lavapipe"  ? "llvmpipe"
+                                                              : driver();
     EXPECT_NE(name.find(wanted), std::string_view::npos) << name;
   }
   void TearDown() override {
