@@ -172,7 +172,7 @@ void measure(const Subject& subject, const Effort& effort, Table& table) {
   const auto ask = [&](const Mesh& deformed) { (void)must(collide(deformed, poses.a, mesh, poses.b, fast())); };
   add(subject, "refit",
       {{"impinge", [&](std::size_t) { (void)must(mesh.deformed(after.xyz)); }},
-       {"impinge, all of the tree", [&](std::size_t) { must(must(mesh.deformed(after.xyz)).build_tree(1)); }},
+       {"impinge the whole tree", [&](std::size_t) { must(must(mesh.deformed(after.xyz)).build_tree(1)); }},
        {"impinge built anew", [&](std::size_t) { (void)built(after); }},
        {"impinge without tree", [&](std::size_t) { (void)make_mesh(after); }},
        {"FCL", [&](std::size_t) { fcl.refit(after); }},

@@ -92,6 +92,8 @@ void add(Statistics& sum, const Statistics& statistics) {
 
 void Table::add(std::vector<std::string> cells) {
   if (cells.size() != rows_.front().size()) fail("a row of the table has too few or too many cells");
+  for (const std::string& cell : cells)
+    if (cell.find(',') != std::string::npos) fail("a cell holds a comma: " + cell);
   rows_.push_back(std::move(cells));
 }
 
@@ -100,7 +102,6 @@ void Table::write(const std::filesystem::path& folder, const std::string& name) 
   std::printf("\n%s\n", name.c_str());
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (row[i].find(',') != std::string::npos) fail("a cell holds a comma: " + row[i]);
       file << (i == 0 ? "" : ",") << row[i];
       std::printf("%s%s", i == 0 ? "  " : " | ", row[i].c_str());
     }
