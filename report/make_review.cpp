@@ -148,6 +148,7 @@ Result<Clashes> judge_all(const Review& review, const Scene& scene) {
   options.stop = review.options.stop;
   Result<Clashes> clashes = find_clashes(scene, options);
   if (options.stop.stop_requested()) return interrupted();
+  if (!clashes) return with_label(clashes.error(), review.assembly);
   return clashes;
 }
 

@@ -99,4 +99,6 @@ from ._sweeps import (
 )
 
 __version__ = _core.VERSION
+# For `help` and `import *`.
+__all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]
 _files.take_environment()

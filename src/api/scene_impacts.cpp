@@ -55,7 +55,8 @@ class SceneMotion {
       const MeshState& before = mesh.state();
       const bool is_same_mesh = &before == scene_.meshes[i];
       if (is_same_mesh && pose.R == now.pose.R && pose.t == now.pose.t) continue;
-      if (!is_same_mesh && !std::ranges::equal(before.data.triangles, now.mesh->triangles)) continue;
+      const bool are_shared = before.data.shared_triangles == now.mesh->shared_triangles;
+      if (!are_shared && !std::ranges::equal(before.data.triangles, now.mesh->triangles)) continue;
       starts_.back() = {&before, scene::place(before.data, pose, now.group), true};
       if (!starts_.back().placed.in_domain)
         return not_in_range("object " + std::to_string(i) + ", at the start of its motion,");
