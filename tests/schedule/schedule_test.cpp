@@ -291,6 +291,12 @@ TEST(Cost, IsLeastWhereSmallMeshesAreTestedDirectly) {
   EXPECT_GT(costs(scenes::uv_sphere(8, 17), pose, 0, "paper", kPaper[0]).counts.leaf_pairs, 1u);
 }
 
+TEST(Concurrency, IsNoMoreThanThereIs) {
+  const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  EXPECT_EQ(schedule::concurrency(1), 1);
+  EXPECT_EQ(schedule::concurrency(1'000'000), static_cast<int>(most));
+}
+
 // --- the split between CPU and device
 // ------------------------------------------------------------------------------------
 
