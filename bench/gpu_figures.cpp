@@ -148,14 +148,15 @@ class Report {
     }
     progress(entry.name + ": make it");
     const Question question = entry.make();
-    const std::vector<Measured> measured = measure(entry, question);
+    std::vector<Measured> measured = measure(entry, question);
     std::vector<std::string> cells{entry.name, question.triangles,
                                    grouped(measured[0].answer.contacts / static_cast<std::uint64_t>(question.queries))};
     for (std::size_t i = 0; i < kBackends.size(); ++i)
       cells.push_back(cell(entry, measured, i, milliseconds(time(measured, i) / question.queries)));
     const bool is_whole = has(measured, 1) && has(measured, 2);
     cells.push_back(is_whole ? digits(time(measured, 2) / std::min(time(measured, 0), time(measured, 1))) : "-");
-    for (const std::string& side : is_whole ? predicted(question) : std::vector<std::string>(4, "-"))
+    for (const std::string& side :
+         is_whole ? predicted(question, measured[2].workspace) : std::vector<std::string>(4, "-"))
       cells.push_back(side);
     line(cells);
     if (is_whole) add_detail(entry, question, measured);
@@ -230,11 +231,10 @@ class Report {
          grouped(a.contacts) + ", hash " + std::to_string(b.fingerprint) + ", not " + std::to_string(a.fingerprint));
   }
 
-  /// A hybrid query that says what it expected, which the timed ones do without.
-  std::vector<std::string> predicted(const Question& question) const {
+  /// One more hybrid query, which says what it expected; the timed ones, in the same workspace, do without.
+  std::vector<std::string> predicted(const Question& question, Workspace& workspace) const {
     Options with = options("hybrid");
     with.predict_cost = true;
-    Workspace workspace;
     return sides(question.ask(with, workspace).statistics);
   }
 

@@ -211,7 +211,7 @@ void add_backend(CLI::App& command, std::string& backend) {
           "--backend", backend,
           "what does the work: auto (simd, or hybrid for long work where a GPU is), simd, paper (the paper's method, "
           "plainly), gpu (a device), raster (the paper's way in image space: a device draws the tests), or hybrid (a "
-          "device and the CPU together); the answer is the same")
+          "device, the CPU or both, whichever is quickest); the answer is the same")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"}).description(""));
 }

@@ -239,8 +239,8 @@ the CPU.
     R"(Where they are used:
   --backend gpu     the device does the work, and the CPU what cannot be decided
                     in floating point
-  --backend hybrid  both share it, so that they end together; small questions
-                    stay on the CPU
+  --backend hybrid  the device, the CPU or both, whichever was quickest before;
+                    small questions stay on the CPU
   --device N|NAME   which device, by its number in the list or part of its name
   IMPINGE_DEVICE    a variable that says the same for every run)" +
         exit_codes("there is a device that can be used", "",

@@ -52,7 +52,7 @@ struct Statistics {
   double device_predicted_seconds = 0;  ///< of the device's part, by constants of its own; 0 unless `predict_cost`
   double device_seconds = 0;            ///< what the device's part took, by the clock; the counts above include it
   double device_wait_seconds = 0;       ///< of these, while whoever served it did nothing but wait
-  double cpu_seconds = 0;               ///< what the CPU's part took beside it, by the clock; 0 unless "hybrid"
+  double cpu_seconds = 0;               ///< where "hybrid" lets both take work: of the CPU's part, by the clock
   double broad_seconds = 0;
   double hierarchy_seconds = 0;
   double partition_seconds = 0;

@@ -56,20 +56,20 @@ struct Options {
   ///   "gpu"     a device that Vulkan knows of (devices.hpp); what it cannot do is left to the CPU, with a warning
   ///   "raster"  the paper's image space: as "paper", with the tests of edges and triangles drawn by a device's
   ///             rasterizer
-  ///   "hybrid"  a device and the CPU together, so that both end at once
+  ///   "hybrid"  the CPU, a device, or both so that they end at once: whichever took least in earlier queries alike
   std::string_view backend = "auto";
   /// Which device: its number in `devices()`, or part of its name. Empty: what the environment's IMPINGE_DEVICE says
   /// (the same, or "none"), or else the first that can be used. Error: `no_device` if there are devices, but none of
   /// that name.
   std::string_view device{};
-  /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself, by the cost
-  /// function: small queries stay on the CPU, and nothing goes to a device that is a program on the CPU.
+  /// How much of a query "hybrid" gives to the device: 0 (nothing) to 1. Below 0 it sees for itself: small queries stay
+  /// on the CPU, and nothing goes to a device that is a program on the CPU.
   double device_share = -1;
   Adjacency adjacency = Adjacency::by_position;
   bool statistics = false;    ///< read the clock for the times in `Statistics`; its counts are always there
   bool predict_cost = false;  ///< calibrate once, and fill the predicted time; includes `statistics`
   Progress* progress = nullptr;
-  std::stop_token stop{};
+  std::stop_token stop{};  ///< a device looks at it between submissions alone, one of which may be all of its work
 };
 
 }  // namespace impinge

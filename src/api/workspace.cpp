@@ -3,13 +3,14 @@
 #include "impinge/workspace.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pipeline/workspace_state.hpp"
 
 namespace impinge {
 namespace {
 
-/// A thread's own memory is kept from query to query if it has not grown beyond this.
+/// A thread's own memory is kept from query to query if it has not grown beyond this; how long queries took, always.
 constexpr std::size_t kMostContactsKept = 1 << 16, kMostPairsKept = 1 << 16;
 
 struct ThreadMemory {
@@ -90,8 +91,11 @@ QueryMemory::~QueryMemory() {
   if (!is_threads_own_) return;
   thread_memory().is_taken = false;
   if (state_->assembly.keys.capacity() > kMostContactsKept ||
-      (has_distances_ && state_->nearest.pairs_kept() > kMostPairsKept))
-    thread_memory().workspace = Workspace();
+      (has_distances_ && state_->nearest.pairs_kept() > kMostPairsKept)) {
+    Workspace smaller;
+    smaller.state().ways = std::move(state_->ways);
+    thread_memory().workspace = std::move(smaller);
+  }
 }
 
 }  // namespace impinge

@@ -76,7 +76,7 @@ void Device::submit(VkCommandBuffer commands, VkFence fence) {
 // device is a program that needs the processor.
 void Device::wait(VkFence fence) {
   constexpr std::chrono::milliseconds kPatience{2};
-  const bool is_program = physical_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !limits_.trusts_software;
+  const bool is_program = physical_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   VkResult result = VK_NOT_READY;
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (!is_program && result == VK_NOT_READY && std::chrono::steady_clock::now() < until) {

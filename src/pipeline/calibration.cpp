@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -275,9 +276,12 @@ class Known {
     const auto found = constants_.find(name);
     return found != constants_.end() ? found->second : constants_[name] = measure();
   }
-  bool has(const std::string& name) {
-    const std::lock_guard lock(mutex_);
-    return constants_.contains(name);
+  /// Does not wait while others are measured.
+  std::optional<Constants> find(const std::string& name) {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return std::nullopt;
+    const auto found = constants_.find(name);
+    return found != constants_.end() ? std::optional(found->second) : std::nullopt;
   }
   template <class Change>
   void change(const std::string& name, const Change& change) {
@@ -348,6 +352,12 @@ std::string processor() {
 #endif
 }
 
+/// What a backend's constants on this processor are kept under.
+std::string processor_name(const std::string& way, std::uint32_t leaf_size) {
+  static const std::string name = processor();
+  return way + (leaf_size == 0 ? "" : " in leaves of " + std::to_string(leaf_size)) + ", " + name;
+}
+
 /// The first line of a calibration's text. Texts of other versions begin otherwise and are ignored.
 constexpr std::string_view kCalibrationTitle = "impinge calibration 2";
 
@@ -357,7 +367,12 @@ schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevi
   return known_devices().get(name_of(*device), [&] { return calibrate(device); });
 }
 
-bool is_calibrated(const std::shared_ptr<gpu::ReadyDevice>& device) { return known_devices().has(name_of(*device)); }
+std::optional<KnownConstants> known_constants(const std::shared_ptr<gpu::ReadyDevice>& device) {
+  const auto of_device = known_devices().find(name_of(*device));
+  const auto of_cpu = known_processors().find(processor_name("simd", 0));
+  if (!of_device || !of_cpu) return std::nullopt;
+  return KnownConstants{*of_device, *of_cpu};
+}
 
 void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds) {
   if (!(predicted_seconds > 0) || !(seconds > 0)) return;
@@ -391,10 +406,9 @@ schedule::CostConstants calibrated_constants(std::string_view backend, std::uint
     static const schedule::CostConstants raster = calibrate(backend, {});
     return raster;
   }
-  static const std::string name = processor();
   const std::string way = backend == "paper" || backend == "scalar" ? "paper" : "simd";
-  const std::string leaves = leaf_size == 0 ? "" : " in leaves of " + std::to_string(leaf_size);
-  return known_processors().get(way + leaves + ", " + name, [&] { return calibrate(way, {.leaf_size = leaf_size}); });
+  return known_processors().get(processor_name(way, leaf_size),
+                                [&] { return calibrate(way, {.leaf_size = leaf_size}); });
 }
 
 }  // namespace impinge

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "schedule/cost.hpp"
@@ -24,8 +25,12 @@ schedule::CostConstants calibrated_constants(std::string_view backend, std::uint
 /// before. A gpu::Failure passes.
 schedule::DeviceConstants calibrated_device(const std::shared_ptr<gpu::ReadyDevice>& device);
 
-/// Whether that would take no time.
-bool is_calibrated(const std::shared_ptr<gpu::ReadyDevice>& device);
+/// The device's and the constants of "simd", if both take no time to get: nothing while any are being measured.
+struct KnownConstants {
+  schedule::DeviceConstants device;
+  schedule::CostConstants cpu;
+};
+std::optional<KnownConstants> known_constants(const std::shared_ptr<gpu::ReadyDevice>& device);
 
 /// A part of a query was predicted to take so long, and took so long: the constants follow, a little at a time.
 void refine_calibration(const std::shared_ptr<gpu::ReadyDevice>& device, double predicted_seconds, double seconds);

@@ -3,6 +3,7 @@
 #include "pipeline/device_driver.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <new>
 #include <string_view>
 #include <thread>
@@ -93,6 +94,7 @@ bool DeviceDriver::open() {
 // for its speed to be known, and when what is then left would take it longer than the constant time of a portion on the
 // device.
 void DeviceDriver::drive_by_cost(const DevicePart::Sink& sink) {
+  assert(!reserved_ || device_);
   if (!reserved_ && !is_worth_asking(query_.options.device)) return;
   while (!device_ && seconds_without + seconds_since(work_.start) < kPatientSeconds && !is_over())
     std::this_thread::sleep_for(kPause);

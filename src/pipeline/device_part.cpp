@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -134,7 +135,7 @@ DevicePart::~DevicePart() = default;
 
 std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, const Sink& sink,
                                          Statistics& statistics) {
-  std::vector<DevicePiece> left;
+  std::vector<DevicePiece> left;  // each piece once
   // A walk that is left before its end ends here, before the meshes that it reads are let go.
   struct Running {
     std::unique_ptr<gpu::DeviceWalk>& walk;
@@ -150,13 +151,16 @@ std::vector<DevicePiece> DevicePart::run(std::span<const DevicePiece> pieces, co
     Sorter sorter(*this);
     Running running{walk};
     StageClock clock;
+    const auto left_before = static_cast<std::ptrdiff_t>(left.size());
     for (const DevicePiece& piece : some)
       if (!sorter.add(piece)) left.push_back(piece);
     for (auto& [pages, batch] : sorter.batches()) {
       const std::vector<std::uint32_t> too_far = write(batch, walk->room_for(batch.relations.size()));
-      std::copy_if(some.begin(), some.end(), std::back_inserter(left), [&](const DevicePiece& piece) {
+      const auto is_too_far = [&](const DevicePiece& piece) {
         return std::binary_search(too_far.begin(), too_far.end(), piece.object_pair);
-      });
+      };
+      left.erase(std::remove_if(left.begin() + left_before, left.end(), is_too_far), left.end());
+      std::copy_if(some.begin(), some.end(), std::back_inserter(left), is_too_far);
       if (batch.items.empty()) continue;
       walk->start({batch.items, pages.first, pages.second, batch.levels,
                    first_only_ && (query_.options.kinds & kCrossing) != 0});

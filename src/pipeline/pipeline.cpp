@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -111,7 +112,8 @@ class Pipeline {
     if (ways_ != nullptr) {
       double seconds = 0;
       since_choice_.charge(seconds);
-      const bool is_typical = is_typical_ && statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
+      const bool is_typical = is_typical_ && (is_device_ready_ || way_ == schedule::Way::cpu) &&
+                              statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
       ways_->add(way_, statistics, seconds, is_typical);
     }
     if (options_.predict_cost) predict(statistics);
@@ -252,24 +254,27 @@ class Pipeline {
   void choose_way() {
     way_ = options_.backend == "gpu" ? schedule::Way::device : schedule::Way::both;
     if (way_ == schedule::Way::device || options_.device_share >= 0 || pairs().empty()) return;
-    if (memory_.ways.size() >= kMostKinds) memory_.ways.clear();
-    ways_ = &memory_.ways[kind()];
+    const std::uint64_t own = kind();
+    if (memory_.ways.size() >= kMostKinds && !memory_.ways.contains(own)) memory_.ways.clear();
+    ways_ = &memory_.ways[own];
     since_choice_ = StageClock();
+    std::optional<KnownConstants> known;
+    if (memory_.device != nullptr) known = known_constants(memory_.device);
+    is_device_ready_ = known.has_value();
     if (ways_->is_empty()) return;
     if (ways_->last_seconds() < kSoonerThanAnyDevice) {
       way_ = schedule::Way::cpu;
-    } else if (memory_.device == nullptr || !is_calibrated(memory_.device)) {
-      if (ways_->last_seconds() < kShort) way_ = schedule::Way::cpu;
-    } else {
-      way_ = quickest_way();
+    } else if (known) {
+      way_ = quickest_way(*known);
+    } else if (ways_->last_seconds() < kShort) {
+      way_ = schedule::Way::cpu;
     }
     memory_.asks_device = way_ != schedule::Way::cpu;
   }
 
-  schedule::Way quickest_way() {
+  schedule::Way quickest_way(const KnownConstants& known) {
     using schedule::Way;
-    const schedule::DeviceConstants device = calibrated_device(memory_.device);
-    const schedule::CostConstants cpu = calibrated_constants("simd");
+    const auto& [device, cpu] = known;
     const Statistics& last = ways_->last();
     schedule::WaySeconds expected{};
     const auto of = [&](Way way) -> double& { return expected[static_cast<std::size_t>(way)]; };
@@ -576,6 +581,7 @@ class Pipeline {
   StageClock since_choice_{false};
   double first_share_ = 0;
   bool is_typical_ = true;
+  bool is_device_ready_ = false;  ///< open and calibrated when the way was chosen
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ class HandOver {
 /// each one that ends.
 tbb::task_arena& arena_of(int threads);
 
-/// The number of threads that an option stands for: 0 is all there are.
+/// The number of threads that an option stands for: 0 is all there are, and so is more than that.
 int concurrency(int threads);
 
 /// Runs body(0) to body(n - 1) on the caller's and other threads of its arena, up to `threads` in all (0: all there

@@ -419,6 +419,7 @@ TEST_P(ByItself, ADeviceThatGainsIsGivenWorkAndNoOther) {
 }
 
 TEST_P(ByItself, AProgramOnTheCpuIsGivenNothing) {
+  if (devices().value().at(0).type != DeviceInfo::Type::cpu) GTEST_SKIP() << "the device is hardware";
   const test::WithLimits not_declared_hardware({});
   claim(kQuick);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(ask(GetParam()).statistics.device_seconds, 0);

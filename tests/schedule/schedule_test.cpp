@@ -291,6 +291,12 @@ TEST(Cost, IsLeastWhereSmallMeshesAreTestedDirectly) {
   EXPECT_GT(costs(scenes::uv_sphere(8, 17), pose, 0, "paper", kPaper[0]).counts.leaf_pairs, 1u);
 }
 
+TEST(Concurrency, IsNoMoreThanThereIs) {
+  const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  EXPECT_EQ(schedule::concurrency(1), 1);
+  EXPECT_EQ(schedule::concurrency(1'000'000), static_cast<int>(most));
+}
+
 // --- the split between CPU and device
 // ------------------------------------------------------------------------------------
 
@@ -434,7 +440,6 @@ TEST(DevicePortions, AreNoneWhereADeviceGainsNothing) {
   EXPECT_GT(run({.device_speed = 20, .question = 0.1}, weights).device_weight, 0.5);
 }
 
-/// What is kept in a file comes back, and what is no calibration is passed over.
 /// Whatever the cost function expects, within a factor of 2, soon each query goes the way that takes least, and does so
 /// again when that changes.
 TEST(Ways, AreTheQuickest) {
@@ -449,16 +454,31 @@ TEST(Ways, AreTheQuickest) {
       const double least = *std::min_element(truth.begin(), truth.end());
       schedule::WaySeconds expected{};
       for (std::size_t i = 0; i < schedule::kWays; ++i) expected[i] = truth[i] * seeded.random.uniform(0.5, 2);
+      std::array<std::uint64_t, schedule::kWays> tests{};  // some ways do many needless ones
+      for (std::uint64_t& number : tests) number = static_cast<std::uint64_t>(seeded.random.integer(1, 100)) * 100'000;
       double late = 0;  // in the second half
       for (int query = 0; query < queries; ++query) {
         const schedule::Way way = ways.quickest(expected);
         const double seconds = truth[static_cast<std::size_t>(way)] * seeded.random.uniform(1, 1.01);
         if (query >= queries / 2) late += seconds;
-        ways.add(way, {.box_tests = 1'000'000}, seconds, true);
+        ways.add(way, {.box_tests = tests[static_cast<std::size_t>(way)]}, seconds, true);
       }
       EXPECT_LE(late / (queries - queries / 2), 1.05 * least);
     }
   }
+}
+
+/// Not even when it has been forgotten for long.
+TEST(Ways, AreTriedOnceIfFarSlower) {
+  schedule::Ways ways;
+  const schedule::WaySeconds expected{1, 1, 1}, truth{1, 1.5, 1000};
+  int slow = 0;
+  for (int query = 0; query < 20'000; ++query) {
+    const schedule::Way way = ways.quickest(expected);
+    slow += way == schedule::Way::device ? 1 : 0;
+    ways.add(way, {}, truth[static_cast<std::size_t>(way)], true);
+  }
+  EXPECT_EQ(slow, 1);
 }
 
 /// A query that made a tree or uploaded a mesh says nothing of the next.
@@ -472,6 +492,7 @@ TEST(Ways, ForgetWhatIsDoneOnlyOnce) {
   EXPECT_EQ(ways.quickest({3, 2, 1}), schedule::Way::device);
 }
 
+/// What is kept in a file comes back, and what is no calibration is passed over.
 TEST(Calibration, IsTextThatComesBack) {
   const std::string title = "impinge calibration 2\n";
   set_calibration(title + "device 1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
