@@ -88,6 +88,7 @@ bool FastStages::Pair::is_swapped(const MeshState& first, const MeshState& secon
 void FastStages::configure(const Options& options) {
   first_only_ = options.find == Options::Find::first;
   any_is_enough_ = first_only_ && options.kinds == kAllKinds;
+  looked_at_ = 0;
 }
 
 bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kWholeSlice; }
@@ -97,7 +98,7 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
                            Statistics& statistics) {
   hierarchy::WalkCounts counts;
   leaf_pairs_.clear(), keys_.clear();
-  if (fresh) pair.walk.start(stack, counts), slices_ = 0;
+  if (fresh) pair.walk.start(stack, counts), slices_ = 0, looked_at_ = 0;
   pair.walk.advance(stack, leaf_pairs_, first_only_ ? first_slice(slices_++) : kSlice, counts);
   if (first_only_ && slices_ >= kPatientSlices) turn_over(stack);
   clock.charge(statistics.hierarchy_seconds);
@@ -105,6 +106,7 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   statistics.nodes_built += counts.made.nodes;
   statistics.triangles_sorted += counts.made.triangles;
   statistics.leaf_pairs += leaf_pairs_.size();
+  looked_at_ += leaf_pairs_.size();
   if (leaf_pairs_.empty()) return;
 
   // Of a search for one contact the nearest leaves, which come last, are looked at by themselves while slices are
@@ -156,13 +158,14 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   clock.charge(statistics.exact_seconds);
 }
 
-/// The stars that stay embedded in the world; null: none do. A search for one contact does not begin with looking for
-/// them.
+/// The stars that stay embedded in the world; null: none do. To look for them takes about as long as to look at all
+/// triangles: a search for one contact does so only after as many.
 //
 // The world's vertices are R (x + d) + t with R d at most the rounding: d is at most sqrt 3 times as much, and as much
 // as R may be longer or shorter than a rotation. An affine map leaves what is embedded so.
 const partition::EmbeddedStars* FastStages::stars_of(const Pair& pair) const {
-  if (!pair.is_self || (first_only_ && slices_ < kPatientSlices)) return nullptr;
+  if (!pair.is_self) return nullptr;
+  if (first_only_ && looked_at_ * MeshState::kWideLeafSize < pair.own->data.triangles.size()) return nullptr;
   const partition::EmbeddedStars& stars = pair.own->stars.of(pair.own->data, *pair.own->closed, pair.walk.for_each);
   const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, pair.own->data));
   return !stars.corners.empty() && moved <= stars.slack ? &stars : nullptr;

@@ -60,6 +60,7 @@ class FastStages {
   bool first_only_ = false;
   bool any_is_enough_ = false;  ///< then, of any kind
   unsigned slices_ = 0;         ///< of a search for one contact
+  std::size_t looked_at_ = 0;   ///< leaf pairs of such a search
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;
   partition::Sweep sweep_;
   partition::PairStream stream_;
