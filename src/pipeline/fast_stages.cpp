@@ -70,7 +70,7 @@ FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
     : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {
   is_self = walk.is_self = objects.a == objects.b;
   adjacency = query.options.adjacency;
-  if (is_self) own = query.meshes[objects.a];
+  if (is_self) own = query.meshes[objects.a], stop = &query.options.stop;
 }
 
 FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
@@ -165,9 +165,11 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
 // as R may be longer or shorter than a rotation. An affine map leaves what is embedded so.
 const partition::EmbeddedStars* FastStages::stars_of(const Pair& pair) const {
   if (!pair.is_self) return nullptr;
-  if (first_only_ && looked_at_ * MeshState::kWideLeafSize < pair.own->data.triangles.size()) return nullptr;
-  const partition::EmbeddedStars& stars = pair.own->stars.of(pair.own->data, *pair.own->closed, pair.walk.for_each);
-  const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, pair.own->data));
+  const MeshState& own = *pair.own;
+  const bool is_early = first_only_ && looked_at_ * MeshState::kWideLeafSize < own.data.triangles.size();
+  if (is_early && own.stars.known() == nullptr) return nullptr;
+  const partition::EmbeddedStars& stars = own.stars.of(own.data, *own.closed, pair.walk.for_each, *pair.stop);
+  const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, own.data));
   return !stars.corners.empty() && moved <= stars.slack ? &stars : nullptr;
 }
 
