@@ -49,9 +49,10 @@ std::uint32_t common_bits(const Corners& a, const Corners& b) {
 }
 
 /// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
-/// of what else is common the exact stage knows. Places are compared where no two triangles share an index, unless the
-/// mesh is known to have such (`by_index`).
-void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStream& stream) {
+/// of what else is common the exact stage knows. Places are compared where no two triangles share an index, unless
+/// neighbours are by index alone or one of the triangles has an embedded star's vertex: its neighbours share indices.
+void mark_common_corners(const MeshData& mesh, bool by_index, const partition::EmbeddedStars* stars,
+                         partition::PairStream& stream) {
   std::uint32_t any = 0;
   for (std::size_t i = 0; i < stream.size; ++i)
     any |= stream.common[i] = common_bits(mesh.triangles[stream.id_a[i]], mesh.triangles[stream.id_b[i]]);
@@ -60,8 +61,13 @@ void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStr
     const auto& [a, b, c] = mesh.triangles[t];
     return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
   };
+  const auto has_star = [stars](std::uint32_t t) {
+    constexpr std::uint32_t kNone = partition::EmbeddedStars::kNone;
+    return stars != nullptr && stars->corners[t] != std::array{kNone, kNone, kNone};
+  };
   for (std::size_t i = 0; i < stream.size; ++i)
-    stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
+    if (!has_star(stream.id_a[i]) && !has_star(stream.id_b[i]))
+      stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
 }
 
 }  // namespace
@@ -129,7 +135,7 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
     clock.charge(statistics.partition_seconds);
     if (stream_.size == 0) break;  // only at the end: reading the clock shows in small queries
     if (pair.is_self) {
-      mark_common_corners(*pair.a.mesh, pair.adjacency == Adjacency::by_index || stars != nullptr, stream_);
+      mark_common_corners(*pair.a.mesh, pair.adjacency == Adjacency::by_index, stars, stream_);
       narrow::filter_self_pairs(stream_, filtered_);
     } else {
       narrow::filter_pairs(stream_, filtered_);
