@@ -98,7 +98,9 @@ class Mesh {
   /// Makes the whole tree now, on up to `threads` threads (0: all there are). Without it queries make what they need of
   /// it. Errors: `bad_option` (a negative number).
   [[nodiscard]] Result<void> build_tree(int threads = 0) const;
-  /// What the mesh holds in memory now, beyond its vertices and triangles: above all the part of its tree that is made.
+  /// What the mesh holds in memory now, beyond its vertices and triangles: the part of its tree that is made, and what
+  /// `self_collide` keeps of its vertices. What meshes deformed from each other share counts in each. Its pieces, edges
+  /// and features do not count.
   [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Internal: what the stages work on.

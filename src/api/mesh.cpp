@@ -185,7 +185,10 @@ Result<void> Mesh::build_tree(int threads) const {
   });
 }
 
-std::size_t Mesh::memory_bytes() const { return sizeof(MeshState) + state_->tree.bytes() + state_->wide_tree.bytes(); }
+std::size_t Mesh::memory_bytes() const {
+  return sizeof(MeshState) + state_->tree.bytes() + state_->wide_tree.bytes() + state_->stars.bytes() +
+         state_->closed->bytes();
+}
 
 Precision Mesh::precision() const noexcept { return state_->data.precision; }
 std::size_t Mesh::vertex_count() const noexcept { return state_->data.vertices.size(); }

@@ -125,7 +125,7 @@ class TrianglesAgainstBoxes {
   }
 
   /// The square of a lower bound of the distance between any of the triangles and a box; 0 if they may share a point.
-  /// At most 1e36.
+  /// At most 3e36: each axis counts for 1e36 at most.
   HWY_INLINE float square_gap(int box) const {
     const TriangleLanes d;
     const V zero = hn::Zero(d), far = hn::Set(d, 1e18f);

@@ -21,7 +21,9 @@ struct WalkLimits {
   std::size_t leaf_pairs;             ///< stop after so many
   std::uint64_t box_tests;            ///< stop after so many
   std::size_t at_once = kMostAtOnce;  ///< pairs of nodes taken off the stack together
-  bool nearest_first = false;         ///< of each pair's children, first the two whose boxes' centres are closest
+  /// Of each pair's children, first the two whose boxes' centres are closest; of a leaf against a node that is much the
+  /// smaller, the child whose centre is closest to the plane of a triangle that may meet its box.
+  bool nearest_first = false;
 };
 
 /// The walk down two wide trees together: eight boxes against eight at a time, without recursion. What remains to be

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/stopped.hpp"
 #include "core/strict_arithmetic.hpp"
 
 // Project the triangles of a vertex v along a direction d, and let each of them then be oriented alike, strictly: each
@@ -105,6 +106,9 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
+/// Triangles or vertices between two looks at the stop token, and in one piece of work.
+constexpr std::size_t kPiece = 8192;
+
 /// The directions along which x, y, z are constant.
 constexpr Sectors kAcross[3] = {0x0cc66, 0x30b85, 0x0361b};
 
@@ -129,14 +133,17 @@ struct Star {
 
 }  // namespace
 
-std::vector<bool> closed_vertices(std::span<const Corners> triangles, std::size_t vertex_count) {
+std::vector<bool> closed_vertices(std::span<const Corners> triangles, std::size_t vertex_count,
+                                  const std::stop_token& stop) {
   // By the smaller vertex first, which are counted; then the few of each.
   struct Side {
     std::uint32_t larger;
     std::int32_t sign;  ///< 1: from the smaller to the larger vertex
   };
   const auto for_each_side = [&](const auto& visit) {
-    for (const Corners& c : triangles) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      if (t % kPiece == 0) throw_if_stopped(stop);
+      const Corners& c = triangles[t];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = c[k], to = c[k == 2 ? 0 : k + 1];
         visit(std::min(from, to), Side{std::max(from, to), from < to ? 1 : -1});
@@ -152,31 +159,39 @@ std::vector<bool> closed_vertices(std::span<const Corners> triangles, std::size_
   std::vector<std::int32_t> excess(vertex_count);  // of each side of the vertex at hand; else 0
   auto next = all.begin();
   for (std::size_t smaller = 0; smaller < vertex_count; ++smaller) {
+    if (smaller % kPiece == 0) throw_if_stopped(stop);
     const auto first = next, end = all.begin() + static_cast<std::ptrdiff_t>(ends[smaller]);
     for (auto side = first; side != end; ++side) excess[side->larger] += side->sign;
     for (; next != end; ++next)
       if (std::exchange(excess[next->larger], 0) != 0) closed[smaller] = closed[next->larger] = false;
   }
+  if (std::find(closed.begin(), closed.end(), true) == closed.end()) return {};
   return closed;
 }
 
-EmbeddedStars find_embedded_stars(const MeshData& mesh, const std::vector<bool>& closed, const ForEach& for_each) {
+bool may_have_embedded_stars(const MeshData& mesh) {
   const double size = max_component(mesh.max_abs);
   // Without overflow, and with a square of the slack that is far above what underflows.
-  if (!(size > 0x1p-301 && size < 0x1p301) || std::max(mesh.vertices.size(), mesh.triangles.size()) > kMostStars)
-    return {};
+  return size > 0x1p-301 && size < 0x1p301 && std::max(mesh.vertices.size(), mesh.triangles.size()) <= kMostStars;
+}
+
+EmbeddedStars find_embedded_stars(const MeshData& mesh, const std::vector<bool>& closed, const ForEach& for_each,
+                                  const std::stop_token& stop) {
+  if (closed.empty() || !may_have_embedded_stars(mesh)) return {};
   EmbeddedStars result;
-  result.slack = 0x1p-38 * size;
-  constexpr std::size_t kPiece = 8192;
+  result.slack = 0x1p-38 * max_component(mesh.max_abs);
   const std::size_t count = mesh.triangles.size(), pieces = (count + kPiece - 1) / kPiece;
   const auto end_of = [&](std::size_t piece) { return std::min((piece + 1) * kPiece, count); };
   std::vector<Sectors> sectors(count);
   run_each(for_each, pieces, [&](std::size_t piece) {
+    throw_if_stopped(stop);
     HWY_DYNAMIC_DISPATCH(find_sectors)(mesh, result.slack, piece * kPiece, end_of(piece), sectors.data());
   });
   std::vector<Star> stars(mesh.vertices.size());
-  for (std::size_t t = 0; t < count; ++t)
+  for (std::size_t t = 0; t < count; ++t) {
+    if (t % kPiece == 0) throw_if_stopped(stop);
     for (int k = 0; k < 3; ++k) stars[mesh.triangles[t][static_cast<std::size_t>(k)]].add(sectors[t], k);
+  }
   std::vector<std::uint32_t> names(stars.size(), EmbeddedStars::kNone);
   bool any = false;
   for (std::uint32_t v = 0; v < names.size(); ++v)
@@ -184,6 +199,7 @@ EmbeddedStars find_embedded_stars(const MeshData& mesh, const std::vector<bool>&
   if (!any) return result;
   result.corners.resize(count);
   run_each(for_each, pieces, [&](std::size_t piece) {
+    throw_if_stopped(stop);
     for (std::size_t t = piece * kPiece; t < end_of(piece); ++t)
       for (std::size_t k = 0; k < 3; ++k) result.corners[t][k] = names[mesh.triangles[t][k]];
   });

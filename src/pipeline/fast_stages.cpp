@@ -49,9 +49,10 @@ std::uint32_t common_bits(const Corners& a, const Corners& b) {
 }
 
 /// Vertices of one index are in one place, and so are those of one place in the mesh when they are placed in the world:
-/// of what else is common the exact stage knows. Places are compared where no two triangles share an index, unless the
-/// mesh is known to have such (`by_index`).
-void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStream& stream) {
+/// of what else is common the exact stage knows. Places are compared where no two triangles share an index, unless
+/// neighbours are by index alone or one of the triangles has an embedded star's vertex: its neighbours share indices.
+void mark_common_corners(const MeshData& mesh, bool by_index, const partition::EmbeddedStars* stars,
+                         partition::PairStream& stream) {
   std::uint32_t any = 0;
   for (std::size_t i = 0; i < stream.size; ++i)
     any |= stream.common[i] = common_bits(mesh.triangles[stream.id_a[i]], mesh.triangles[stream.id_b[i]]);
@@ -60,8 +61,13 @@ void mark_common_corners(const MeshData& mesh, bool by_index, partition::PairStr
     const auto& [a, b, c] = mesh.triangles[t];
     return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
   };
+  const auto has_star = [stars](std::uint32_t t) {
+    constexpr std::uint32_t kNone = partition::EmbeddedStars::kNone;
+    return stars != nullptr && stars->corners[t] != std::array{kNone, kNone, kNone};
+  };
   for (std::size_t i = 0; i < stream.size; ++i)
-    stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
+    if (!has_star(stream.id_a[i]) && !has_star(stream.id_b[i]))
+      stream.common[i] = common_bits(corners(stream.id_a[i]), corners(stream.id_b[i]));
 }
 
 }  // namespace
@@ -70,7 +76,7 @@ FastStages::Pair::Pair(const Query& query, const broad::ObjectPair& objects)
     : Pair(query.placed(objects.a), query.placed(objects.b), on_threads(query.options.threads)) {
   is_self = walk.is_self = objects.a == objects.b;
   adjacency = query.options.adjacency;
-  if (is_self) own = query.meshes[objects.a];
+  if (is_self) own = query.meshes[objects.a], stop = &query.options.stop;
 }
 
 FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each)
@@ -88,6 +94,7 @@ bool FastStages::Pair::is_swapped(const MeshState& first, const MeshState& secon
 void FastStages::configure(const Options& options) {
   first_only_ = options.find == Options::Find::first;
   any_is_enough_ = first_only_ && options.kinds == kAllKinds;
+  looked_at_ = 0;
 }
 
 bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kWholeSlice; }
@@ -97,7 +104,7 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
                            Statistics& statistics) {
   hierarchy::WalkCounts counts;
   leaf_pairs_.clear(), keys_.clear();
-  if (fresh) pair.walk.start(stack, counts), slices_ = 0;
+  if (fresh) pair.walk.start(stack, counts), slices_ = 0, looked_at_ = 0;
   pair.walk.advance(stack, leaf_pairs_, first_only_ ? first_slice(slices_++) : kSlice, counts);
   if (first_only_ && slices_ >= kPatientSlices) turn_over(stack);
   clock.charge(statistics.hierarchy_seconds);
@@ -105,6 +112,7 @@ void FastStages::run_slice(const Pair& pair, bool fresh, std::vector<Step>& stac
   statistics.nodes_built += counts.made.nodes;
   statistics.triangles_sorted += counts.made.triangles;
   statistics.leaf_pairs += leaf_pairs_.size();
+  looked_at_ += leaf_pairs_.size();
   if (leaf_pairs_.empty()) return;
 
   // Of a search for one contact the nearest leaves, which come last, are looked at by themselves while slices are
@@ -127,7 +135,7 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
     clock.charge(statistics.partition_seconds);
     if (stream_.size == 0) break;  // only at the end: reading the clock shows in small queries
     if (pair.is_self) {
-      mark_common_corners(*pair.a.mesh, pair.adjacency == Adjacency::by_index || stars != nullptr, stream_);
+      mark_common_corners(*pair.a.mesh, pair.adjacency == Adjacency::by_index, stars, stream_);
       narrow::filter_self_pairs(stream_, filtered_);
     } else {
       narrow::filter_pairs(stream_, filtered_);
@@ -156,15 +164,18 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   clock.charge(statistics.exact_seconds);
 }
 
-/// The stars that stay embedded in the world; null: none do. A search for one contact does not begin with looking for
-/// them.
+/// The stars that stay embedded in the world; null: none do. To look for them takes about as long as to look at all
+/// triangles: a search for one contact does so only after as many.
 //
 // The world's vertices are R (x + d) + t with R d at most the rounding: d is at most sqrt 3 times as much, and as much
 // as R may be longer or shorter than a rotation. An affine map leaves what is embedded so.
 const partition::EmbeddedStars* FastStages::stars_of(const Pair& pair) const {
-  if (!pair.is_self || (first_only_ && slices_ < kPatientSlices)) return nullptr;
-  const partition::EmbeddedStars& stars = pair.own->stars.of(pair.own->data, *pair.own->closed, pair.walk.for_each);
-  const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, pair.own->data));
+  if (!pair.is_self) return nullptr;
+  const MeshState& own = *pair.own;
+  const bool is_early = first_only_ && looked_at_ * MeshState::kWideLeafSize < own.data.triangles.size();
+  if (is_early && own.stars.known() == nullptr) return nullptr;
+  const partition::EmbeddedStars& stars = own.stars.of(own.data, *own.closed, pair.walk.for_each, *pair.stop);
+  const double moved = 1.8 * max_component(rounding_radius(pair.a.pose, own.data));
   return !stars.corners.empty() && moved <= stars.slack ? &stars : nullptr;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "exact/contact.hpp"
@@ -31,10 +32,11 @@ class FastStages {
     Pair(const PlacedMesh& first, const PlacedMesh& second, const ForEach& for_each);
     /// Whether the second mesh's tree comes first.
     static bool is_swapped(const MeshState& first, const MeshState& second);
-    bool swapped;                    ///< the first tree is that of the pair's second object
-    bool is_self = false;            ///< both are one object
-    Adjacency adjacency{};           ///< then
-    const MeshState* own = nullptr;  ///< then
+    bool swapped;                           ///< the first tree is that of the pair's second object
+    bool is_self = false;                   ///< both are one object
+    Adjacency adjacency{};                  ///< then
+    const MeshState* own = nullptr;         ///< then
+    const std::stop_token* stop = nullptr;  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
     [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
@@ -60,6 +62,7 @@ class FastStages {
   bool first_only_ = false;
   bool any_is_enough_ = false;  ///< then, of any kind
   unsigned slices_ = 0;         ///< of a search for one contact
+  std::size_t looked_at_ = 0;   ///< leaf pairs of such a search
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;
   partition::Sweep sweep_;
   partition::PairStream stream_;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -99,6 +100,16 @@ MeshData unwelded(const MeshData& mesh) {
   return result;
 }
 
+/// The first half of its triangles with vertices of their own, the others as they are.
+MeshData half_welded(const MeshData& mesh) {
+  MeshData result = mesh;
+  for (std::size_t i = 0; i < mesh.triangles.size() / 2; ++i) {
+    const std::uint32_t v = mesh.triangles[i];
+    result.triangles[i] = result.add_vertex(mesh.xyz[3 * v], mesh.xyz[3 * v + 1], mesh.xyz[3 * v + 2]);
+  }
+  return result;
+}
+
 /// Closed: about a ring that goes round the axis z so many times, with two apexes.
 MeshData bipyramid(std::uint32_t corners, double rounds, const Point& apex_a, const Point& apex_b) {
   MeshData mesh;
@@ -142,6 +153,8 @@ std::vector<MeshData> small_meshes(scenes::Random& random) {
   std::vector<MeshData> meshes{scenes::cube(),
                                unwelded(scenes::cube()),
                                scenes::uv_sphere(8, 6),
+                               half_welded(scenes::uv_sphere(8, 6)),
+                               half_welded(bipyramid(9, 2, {0, 0, 1}, {0, 0, -1})),
                                scenes::flat_grid(3, 3),
                                scenes::with_duplicates(scenes::cube(), 2),
                                scenes::torus_knot(2, 3, 24, 3),
@@ -170,7 +183,7 @@ TEST(SelfCollide, IsItsDefinition) {
         const auto expected = truth(test::mesh_of(numbers), pose, adjacency);
         reported += expected.size();
         for (const char* const backend : {"simd", "paper"})
-          for (const std::uint32_t leaf_size : {0u, 1u}) {
+          for (const std::uint32_t leaf_size : {0u, 1u, 40u}) {
             SCOPED_TRACE(std::string(backend) + ", leaf size " + std::to_string(leaf_size));
             const auto found = self_collide(test::mesh_of(numbers, leaf_size), pose,
                                             {.threads = 1, .backend = backend, .adjacency = adjacency});
@@ -226,17 +239,46 @@ TEST(SelfCollide, IsTheSameOnEveryInstructionSetAndByThreads) {
             test::listed(self_collide(test::mesh_of(knots), {}, {.adjacency = Adjacency::by_index}).value()));
 }
 
+/// Of contacts that are known: those up to a limit, the first that is found, of each kind too, and all.
+void expect_options_kept(const Mesh& mesh, const Pose& pose, const std::vector<test::Contact>& all) {
+  for (const int threads : {1, 4}) {
+    SCOPED_TRACE(threads);
+    for (const std::uint8_t kinds : {kAllKinds, kCrossing, kTouching, kCoplanar}) {
+      std::vector<test::Contact> wanted;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(wanted),
+                   [&](const test::Contact& contact) { return (kinds >> contact[4] & 1) != 0; });
+      const auto first = test::listed(
+          self_collide(mesh, pose, {.find = Options::Find::first, .kinds = kinds, .threads = threads}).value());
+      ASSERT_EQ(first.size(), wanted.empty() ? 0u : 1u);
+      if (!wanted.empty()) {
+        EXPECT_NE(std::find(wanted.begin(), wanted.end(), first[0]), wanted.end());
+      }
+    }
+    const std::size_t most = std::min<std::size_t>(7, all.size());
+    const Contacts some = self_collide(mesh, pose, {.limit = 7, .threads = threads}).value();
+    EXPECT_EQ(some.truncated, most < all.size());
+    EXPECT_EQ(test::listed(some), std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most)));
+    EXPECT_EQ(test::listed(self_collide(mesh, pose, {.threads = threads}).value()), all);
+  }
+}
+
 TEST(SelfCollide, KeepsToItsOptions) {
   test::Seeded seeded(2);
   const Mesh mesh = test::mesh_of(scenes::triangle_soup(seeded.random, 300, 0.5));
   const auto all = test::listed(self_collide(mesh).value());
   ASSERT_GT(all.size(), 100u);
-  const Contacts some = self_collide(mesh, {}, {.limit = 7}).value();
-  EXPECT_TRUE(some.truncated);
-  EXPECT_EQ(test::listed(some), std::vector(all.begin(), all.begin() + 7));
-  const Contacts first = self_collide(mesh, {}, {.find = Options::Find::first}).value();
-  ASSERT_EQ(first.triangles.size(), 1u);
-  EXPECT_NE(std::find(all.begin(), all.end(), test::listed(first)[0]), all.end());
+  expect_options_kept(mesh, {}, all);
+  // One mesh in two places, and what it is deformed to: rounding may fold in one what it leaves in the other.
+  for (const MeshData& numbers : closed_meshes(seeded.random)) {
+    const Mesh closed = test::mesh_of(numbers);
+    const double size = *std::max_element(numbers.xyz.begin(), numbers.xyz.end());
+    std::vector<double> moved = numbers.xyz;
+    for (double& x : moved) x += 0.05 * size * seeded.random.uniform(-1, 1);
+    const Mesh deformed = closed.deformed(moved).value();
+    for (const Pose& pose : {Pose{}, scenes::random_motion(seeded.random, 1e14)})
+      for (const Mesh& one : {closed, deformed})
+        expect_options_kept(one, pose, truth(one, pose, Adjacency::by_position));
+  }
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(self_collide(mesh, {}, {.stop = source.get_token()}).error().code, Code::cancelled);
