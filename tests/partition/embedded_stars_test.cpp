@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stopped.hpp"
 #include "core/vec3.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/shapes.hpp"
@@ -93,6 +94,21 @@ TEST(EmbeddedStars, AreSeenAlongEachDirection) {
     }
   }
   EXPECT_FALSE(embedded(turned_along({1, 1, 1}, once))[0]) << "a direction that is not looked along";
+}
+
+TEST(EmbeddedStars, AreSoughtAnewAfterAStop) {
+  const Mesh mesh = test::mesh_of(scenes::uv_sphere(8, 6));
+  const impinge::MeshData& data = test::numbers_of(mesh);
+  partition::ClosedVertices closed;
+  partition::EmbeddedStarsCache stars;
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(stars.of(data, closed, {}, source.get_token()), Stopped);
+  EXPECT_EQ(stars.known(), nullptr);
+  EXPECT_EQ(stars.of(data, closed, {}, {}).corners.size(), data.triangles.size());
+  EXPECT_EQ(stars.known(), &stars.of(data, closed, {}, source.get_token()));
+  EXPECT_GE(stars.bytes(), 12 * data.triangles.size());
+  EXPECT_GE(8 * closed.bytes(), data.vertices.size());
 }
 
 TEST(EmbeddedStars, AreThoseOfSmoothSurfaces) {
