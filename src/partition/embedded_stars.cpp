@@ -131,10 +131,23 @@ struct Star {
   }
 };
 
+/// False of triangles with vertices of their own each, as STL has them: none of those is closed.
+bool share_vertices(std::span<const Corners> triangles, std::size_t vertex_count) {
+  std::vector<bool> used(vertex_count);
+  for (const Corners& c : triangles) {
+    for (const std::uint32_t v : c) {
+      if (used[v]) return true;
+      used[v] = true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<bool> closed_vertices(std::span<const Corners> triangles, std::size_t vertex_count,
                                   const std::stop_token& stop) {
+  if (!share_vertices(triangles, vertex_count)) return {};
   // By the smaller vertex first, which are counted; then the few of each.
   struct Side {
     std::uint32_t larger;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stopped.hpp"
+#include "core/vec3.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/shapes.hpp"
 #include "tests/core/support.hpp"
@@ -67,6 +69,46 @@ TEST(EmbeddedStars, AreThoseOfClosedVerticesThatTrianglesGoRoundOnce) {
   MeshData folded = fan(7, 1, true);
   folded.xyz[6] *= -0.5, folded.xyz[7] *= -0.5;
   EXPECT_FALSE(embedded(folded)[0]) << "folded";
+}
+
+/// Turned, so that what was along the axis z is along the direction.
+MeshData turned_along(const Vec3& direction, MeshData mesh) {
+  const auto unit = [](const Vec3& v) { return 1 / norm(v) * v; };
+  const Vec3 n = unit(direction), u = unit(cross({n.y, -n.z, n.x}, n)), v = cross(n, u);
+  for (std::size_t i = 0; i < mesh.xyz.size(); i += 3) {
+    const Vec3 turned = mesh.xyz[i] * u + mesh.xyz[i + 1] * v + mesh.xyz[i + 2] * n;
+    mesh.xyz[i] = turned.x, mesh.xyz[i + 1] = turned.y, mesh.xyz[i + 2] = turned.z;
+  }
+  return mesh;
+}
+
+/// A cone so steep that its triangles are oriented alike along its axis, and along no other of the nine directions.
+TEST(EmbeddedStars, AreSeenAlongEachDirection) {
+  const MeshData once = scenes::scaled(fan(7, 1, true), 1, 1, 30), twice = scenes::scaled(fan(9, 2, true), 1, 1, 30);
+  for (const Vec3& d : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 1, 0}, Vec3{1, -1, 0}, Vec3{0, 1, 1},
+                        Vec3{0, 1, -1}, Vec3{1, 0, 1}, Vec3{-1, 0, 1}}) {
+    for (const double sign : {1.0, -1.0}) {
+      SCOPED_TRACE(testing::Message() << sign * d.x << ' ' << sign * d.y << ' ' << sign * d.z);
+      EXPECT_TRUE(embedded(turned_along(sign * d, once))[0]);
+      EXPECT_FALSE(embedded(turned_along(sign * d, twice))[0]);
+    }
+  }
+  EXPECT_FALSE(embedded(turned_along({1, 1, 1}, once))[0]) << "a direction that is not looked along";
+}
+
+TEST(EmbeddedStars, AreSoughtAnewAfterAStop) {
+  const Mesh mesh = test::mesh_of(scenes::uv_sphere(8, 6));
+  const impinge::MeshData& data = test::numbers_of(mesh);
+  partition::ClosedVertices closed;
+  partition::EmbeddedStarsCache stars;
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(stars.of(data, closed, {}, source.get_token()), Stopped);
+  EXPECT_EQ(stars.known(), nullptr);
+  EXPECT_EQ(stars.of(data, closed, {}, {}).corners.size(), data.triangles.size());
+  EXPECT_EQ(stars.known(), &stars.of(data, closed, {}, source.get_token()));
+  EXPECT_GE(stars.bytes(), 12 * data.triangles.size());
+  EXPECT_GE(8 * closed.bytes(), data.vertices.size());
 }
 
 TEST(EmbeddedStars, AreThoseOfSmoothSurfaces) {
