@@ -75,7 +75,7 @@ float surface_cost(const WideNode& node) {
     triangles += count;
   }
   const float whole = half_surface(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
-  return whole > 0 ? sum / (whole * triangles) : 0;
+  return whole == 0 ? 0 : sum / (whole * triangles);
 }
 
 }  // namespace
@@ -258,8 +258,8 @@ TreeRef WideTree::State::refit(std::uint32_t number, bool is_leaf, float growth,
   refit_node(*plan, planned, source, *node, for_each);
   const float cost = surface_cost(*node);
   node->planned = number;
-  node->cost = growth * (cost > 0 ? cost / planned.split_cost : 1);  // infinite where it was flat, and is no more
-  if (!(node->cost > kLoose)) return ref_to(node);
+  node->cost = growth * (cost == 0 ? 1 : cost / planned.split_cost);  // infinite where it was flat, and is no more
+  if (node->cost <= kLoose) return ref_to(node);                      // not if it is a NaN
   loose += std::accumulate(planned.count, planned.count + planned.size, std::size_t{0});
   return {};
 }

@@ -125,6 +125,7 @@ class Inspection {
     EXPECT_GT(count, leaf_size_);
     EXPECT_GE(node.size, 2u);
     expect_true_frame(node.frame);
+    EXPECT_LT(node.frame.radius, kInfinity);
     for (std::uint32_t lane = node.size; lane < kWidth; ++lane)
       for (int i = 0; i < 3; ++i) EXPECT_EQ(node.half[i][lane], kNoBox);
     for (std::uint32_t lane = 0; lane < node.size; ++lane) {
@@ -494,6 +495,12 @@ std::vector<Map> deformations(scenes::Random& random) {
           },
           [](const Vec3& v) {
             return Vec3{1e9 + v.x, v.y - 1e15, 0.5 * v.z};
+          },
+          [](const Vec3& v) {
+            return Vec3{v.x, v.y, 0.1 * 0x1p290};
+          },
+          [](const Vec3& v) {
+            return Vec3{-0.7 * 0x1p100, 0.3 * 0x1p200, v.z};
           },
           [](const Vec3& v) { return 0x1p-340 * v; },
           [](const Vec3& v) {
