@@ -341,7 +341,9 @@ std::shared_ptr<const RefitPlan> WideTree::plan(double least_share, const ForEac
   if (s.plan && static_cast<double>(s.loose.load()) <= kGivenUp * all) return s.plan;
   if (all == 0 || all - static_cast<double>(s.not_in_leaves.load()) < least_share * all) return nullptr;
   std::call_once(s.own_plan_once, [&] {
-    if (s.not_in_leaves.load() > 0) build(for_each);
+    // The last leaves may be counted and not yet in their slots: `build` waits for them. Threads are for what is not
+    // made.
+    build(s.not_in_leaves.load() > 0 ? for_each : ForEach());
     s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source, s.plan.get());
     s.plan_bytes += s.own_plan->bytes();
   });

@@ -550,6 +550,21 @@ TEST(RefittedTree, IsMadeAsWalksReachIt) {
   EXPECT_EQ(made.nodes, 2u);
 }
 
+/// Asked for all the time, so that it comes between the only leaf's counting and its place in the tree.
+TEST(RefittedTree, HasThePlanOfATreeThatAnotherThreadMakes) {
+  const Mesh mesh = test::mesh_of(scenes::cube());
+  for (int round = 0; round < 500; ++round) {
+    WideTree source(test::numbers_of(mesh), 16);
+    std::thread maker([&] { source.build(); });
+    std::shared_ptr<const hierarchy::RefitPlan> plan;
+    while (!plan) plan = source.plan(1);
+    maker.join();
+    WideTree refitted(test::numbers_of(mesh), 16, plan);
+    hierarchy::MadeNodes made;
+    ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(mesh), 16, refitted).run_all(made));
+  }
+}
+
 /// What only turns keeps its boxes; what has become loose is made anew, as if it were a new mesh.
 TEST(RefittedTree, IsTight) {
   test::Seeded seeded(7);
