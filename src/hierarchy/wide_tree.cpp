@@ -345,7 +345,7 @@ std::shared_ptr<const RefitPlan> WideTree::plan(double least_share, const ForEac
     // made.
     build(s.not_in_leaves.load() > 0 ? for_each : ForEach());
     s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source, s.plan.get());
-    s.plan_bytes += s.own_plan->bytes();
+    if (s.own_plan) s.plan_bytes += s.own_plan->bytes();
   });
   return s.own_plan;
 }
