@@ -121,6 +121,7 @@ class Mesh:
         MeshError
             Another shape or type, or a coordinate that is not finite.
         Cancelled
+            `stop` and Ctrl-C are heard before the work begins, not during it.
 
         Examples
         --------
