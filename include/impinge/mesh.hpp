@@ -79,7 +79,9 @@ class Mesh {
   /// The same triangles with other vertices: `xyz` holds 3 finite coordinates for each vertex. Every answer is that of
   /// a mesh created from these numbers. Where a third of this mesh's tree is made, by queries or `build_tree`, the rest
   /// is made once, and queries refit what they reach of it, but for parts that have become loose; else they make a tree
-  /// as the backends "paper" and "raster" always do. Errors: `bad_mesh` (not as many coordinates, not finite).
+  /// as the backends "paper" and "raster" always do. A mesh that was refitted itself passes on what it was refitted by,
+  /// however little of its tree is made, unless more than an eighth of it had become loose. Errors: `bad_mesh` (not as
+  /// many coordinates, not finite).
   Result<Mesh> deformed(std::span<const double> xyz) const;
 
   [[nodiscard]] std::size_t vertex_count() const noexcept;

@@ -113,13 +113,15 @@ class Mesh:
         """The same faces with other vertices, (V, 3), as many as there are, in your unit of length.
 
         Answers are those of a new mesh of these numbers, but where queries or `build_tree` have made a
-        third of this one's tree, it is refitted, which is faster.
+        third of this one's tree, it is refitted, which is faster. A mesh that was refitted itself passes on
+        what it was refitted by, unless more than an eighth of its tree had to be made anew.
 
         Raises
         ------
         MeshError
             Another shape or type, or a coordinate that is not finite.
         Cancelled
+            `stop` and Ctrl-C are heard before the work begins, not during it.
 
         Examples
         --------

@@ -71,16 +71,17 @@ constexpr std::uint32_t kShared = 1 << 14;
 /// reach.
 double slack(double reach) { return 0x1p-45 * reach + kNothing; }
 
-/// Amid the samples.
+/// Amid the samples, by their differences: a mean of coordinates is off by their last place, which far away is more
+/// than the node's size.
 void set_frame(const RefitPlan& plan, const RefitPlan::Axes& axes, const SoupSource& source, Frame& frame) {
   const std::span samples = std::span(plan.samples).subspan(axes.first_sample, axes.samples);
   std::array<Vec3, RefitPlan::kMostSamples> points;
   Vec3 sum{};
   for (std::size_t k = 0; k < samples.size(); ++k) {
     points[k] = source.vertex(plan.vertices[samples[k].place]);
-    sum = sum + points[k];
+    sum = sum + (points[k] - points[0]);
   }
-  const Vec3 origin = (1.0 / static_cast<double>(samples.size())) * sum;
+  const Vec3 origin = points[0] + (1.0 / static_cast<double>(samples.size())) * sum;
   frame.origin[0] = origin.x, frame.origin[1] = origin.y, frame.origin[2] = origin.z, frame.origin[3] = 0;
   carry_axes(axes, samples, points.data(), frame);
 }

@@ -129,6 +129,8 @@ std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const Soup
                                                  const RefitPlan* before) {
   Planner planner(source, before);
   planner.add(root);
+  // Beyond, what was counted in 32 bits is wrong.
+  if (std::max(planner.plan.vertices.size(), planner.plan.samples.size()) > UINT32_MAX) return nullptr;
   return std::make_shared<const RefitPlan>(std::move(planner.plan));
 }
 

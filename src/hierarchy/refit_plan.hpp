@@ -64,6 +64,7 @@ struct RefitPlan {
 };
 
 /// Of a tree that is wholly made, from where its vertices are. `before` is the plan that parts of it were refitted by.
+/// None if all parts together list 2^32 vertices or more.
 std::shared_ptr<const RefitPlan> make_refit_plan(const TreeRef& root, const SoupSource& source,
                                                  const RefitPlan* before);
 

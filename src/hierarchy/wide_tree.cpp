@@ -75,7 +75,7 @@ float surface_cost(const WideNode& node) {
     triangles += count;
   }
   const float whole = half_surface(hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]);
-  return whole > 0 ? sum / (whole * triangles) : 0;
+  return whole == 0 ? 0 : sum / (whole * triangles);
 }
 
 }  // namespace
@@ -258,8 +258,8 @@ TreeRef WideTree::State::refit(std::uint32_t number, bool is_leaf, float growth,
   refit_node(*plan, planned, source, *node, for_each);
   const float cost = surface_cost(*node);
   node->planned = number;
-  node->cost = growth * (cost > 0 ? cost / planned.split_cost : 1);  // infinite where it was flat, and is no more
-  if (!(node->cost > kLoose)) return ref_to(node);
+  node->cost = growth * (cost == 0 ? 1 : cost / planned.split_cost);  // infinite where it was flat, and is no more
+  if (node->cost <= kLoose) return ref_to(node);                      // not if it is a NaN
   loose += std::accumulate(planned.count, planned.count + planned.size, std::size_t{0});
   return {};
 }
@@ -341,9 +341,11 @@ std::shared_ptr<const RefitPlan> WideTree::plan(double least_share, const ForEac
   if (s.plan && static_cast<double>(s.loose.load()) <= kGivenUp * all) return s.plan;
   if (all == 0 || all - static_cast<double>(s.not_in_leaves.load()) < least_share * all) return nullptr;
   std::call_once(s.own_plan_once, [&] {
-    if (s.not_in_leaves.load() > 0) build(for_each);
+    // The last leaves may be counted and not yet in their slots: `build` waits for them. Threads are for what is not
+    // made.
+    build(s.not_in_leaves.load() > 0 ? for_each : ForEach());
     s.own_plan = make_refit_plan(TreeRef(s.root.load(std::memory_order_acquire)), s.source, s.plan.get());
-    s.plan_bytes += s.own_plan->bytes();
+    if (s.own_plan) s.plan_bytes += s.own_plan->bytes();
   });
   return s.own_plan;
 }

@@ -125,6 +125,7 @@ class Inspection {
     EXPECT_GT(count, leaf_size_);
     EXPECT_GE(node.size, 2u);
     expect_true_frame(node.frame);
+    EXPECT_LT(node.frame.radius, kInfinity);
     for (std::uint32_t lane = node.size; lane < kWidth; ++lane)
       for (int i = 0; i < 3; ++i) EXPECT_EQ(node.half[i][lane], kNoBox);
     for (std::uint32_t lane = 0; lane < node.size; ++lane) {
@@ -495,6 +496,12 @@ std::vector<Map> deformations(scenes::Random& random) {
           [](const Vec3& v) {
             return Vec3{1e9 + v.x, v.y - 1e15, 0.5 * v.z};
           },
+          [](const Vec3& v) {
+            return Vec3{v.x, v.y, 0.1 * 0x1p290};
+          },
+          [](const Vec3& v) {
+            return Vec3{-0.7 * 0x1p100, 0.3 * 0x1p200, v.z};
+          },
           [](const Vec3& v) { return 0x1p-340 * v; },
           [](const Vec3& v) {
             return Vec3{0x1p290 * v.x, 0x1p-340 * v.y, v.z};
@@ -541,6 +548,21 @@ TEST(RefittedTree, IsMadeAsWalksReachIt) {
   EXPECT_EQ(made.nodes, 1u);
   (void)refitted.child(root.node(), 0, made);
   EXPECT_EQ(made.nodes, 2u);
+}
+
+/// Asked for all the time, so that it comes between the only leaf's counting and its place in the tree.
+TEST(RefittedTree, HasThePlanOfATreeThatAnotherThreadMakes) {
+  const Mesh mesh = test::mesh_of(scenes::cube());
+  for (int round = 0; round < 500; ++round) {
+    WideTree source(test::numbers_of(mesh), 16);
+    std::thread maker([&] { source.build(); });
+    std::shared_ptr<const hierarchy::RefitPlan> plan;
+    while (!plan) plan = source.plan(1);
+    maker.join();
+    WideTree refitted(test::numbers_of(mesh), 16, plan);
+    hierarchy::MadeNodes made;
+    ASSERT_NO_FATAL_FAILURE(Inspection(test::numbers_of(mesh), 16, refitted).run_all(made));
+  }
 }
 
 /// What only turns keeps its boxes; what has become loose is made anew, as if it were a new mesh.
