@@ -75,7 +75,7 @@ double slack(double reach) { return 0x1p-45 * reach + kNothing; }
 /// than the node's size.
 void set_frame(const RefitPlan& plan, const RefitPlan::Axes& axes, const SoupSource& source, Frame& frame) {
   const std::span samples = std::span(plan.samples).subspan(axes.first_sample, axes.samples);
-  std::array<Vec3, RefitPlan::kMostSamples> points;
+  std::array<Vec3, RefitPlan::kMostSamples> points{};
   Vec3 sum{};
   for (std::size_t k = 0; k < samples.size(); ++k) {
     points[k] = source.vertex(plan.vertices[samples[k].place]);

@@ -278,6 +278,8 @@ WideTree::WideTree(const MeshData& mesh, std::uint32_t leaf_size, std::shared_pt
     : state_(std::make_unique<State>(mesh, leaf_size, std::move(plan))) {}
 WideTree::~WideTree() = default;
 
+bool WideTree::has_root() const { return state_->root.load(std::memory_order_acquire) > kBusy; }
+
 TreeRef WideTree::root(MadeNodes& made, const ForEach& for_each) {
   return state_->make_once(state_->root, state_->source.mesh.triangles.size(), made,
                            [&] { return state_->make_root(for_each); });

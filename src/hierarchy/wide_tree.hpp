@@ -88,6 +88,8 @@ class WideTree {
     return known.bits() > kBusy ? known : make_child(node, lane, made, for_each);
   }
 
+  /// Whether any of it is made.
+  [[nodiscard]] bool has_root() const;
   /// Makes all that is not made yet.
   void build(const ForEach& for_each = {});
   /// For trees of the same triangles with other vertices: its own plan, unless too much of it is loose by now; else one

@@ -112,8 +112,9 @@ class Pipeline {
     if (ways_ != nullptr) {
       double seconds = 0;
       since_choice_.charge(seconds);
-      const bool is_typical = is_typical_ && (is_device_ready_ || way_ == schedule::Way::cpu) &&
-                              statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
+      // What makes trees and brings meshes is like only what does so too.
+      const bool is_alike = is_typical_ && statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
+      const bool is_typical = (is_device_ready_ || way_ == schedule::Way::cpu) && (is_alike || are_new_);
       ways_->add(way_, statistics, seconds, is_typical);
     }
     if (options_.predict_cost) predict(statistics);
@@ -238,11 +239,12 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
-  /// Queries that are alike: by their number of pairs, the first one's sizes, to a power of 2, and what is asked.
+  /// Queries that are alike: by their number of pairs, the first one's sizes, to a power of 2, whether its trees are to
+  /// be made, and what is asked.
   [[nodiscard]] std::uint64_t kind() const {
     const auto size = [](std::size_t n) { return static_cast<std::uint64_t>(std::bit_width(n)); };
     const auto triangles = [&](std::uint32_t object) { return size(query_.meshes[object]->data.triangles.size()); };
-    std::uint64_t kind = first_only_ ? 1 : 0;
+    std::uint64_t kind = (first_only_ ? 1 : 0) + (are_new_ ? 2 : 0);
     for (const std::uint64_t next : {std::uint64_t{options_.kinds}, static_cast<std::uint64_t>(options_.threads),
                                      size(pairs().size()), triangles(pairs()[0].a), triangles(pairs()[0].b)})
       kind = kind << 10 ^ next;
@@ -254,6 +256,8 @@ class Pipeline {
   void choose_way() {
     way_ = options_.backend == "gpu" ? schedule::Way::device : schedule::Way::both;
     if (way_ == schedule::Way::device || options_.device_share >= 0 || pairs().empty()) return;
+    const auto is_new = [&](std::uint32_t object) { return !query_.meshes[object]->wide_tree.has_root(); };
+    are_new_ = is_new(pairs()[0].a) && is_new(pairs()[0].b);
     const std::uint64_t own = kind();
     if (memory_.ways.size() >= kMostKinds && !memory_.ways.contains(own)) memory_.ways.clear();
     ways_ = &memory_.ways[own];
@@ -580,7 +584,7 @@ class Pipeline {
   schedule::Ways* ways_ = nullptr;  ///< of its kind; null: it is not up to us
   StageClock since_choice_{false};
   double first_share_ = 0;
-  bool is_typical_ = true;
+  bool is_typical_ = true, are_new_ = false;
   bool is_device_ready_ = false;  ///< open and calibrated when the way was chosen
 };
 
