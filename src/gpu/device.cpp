@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 namespace impinge::gpu {
 namespace {
@@ -79,10 +78,8 @@ void Device::wait(VkFence fence) {
   const bool is_program = physical_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   VkResult result = VK_NOT_READY;
   const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (!is_program && result == VK_NOT_READY && std::chrono::steady_clock::now() < until) {
+  while (!is_program && result == VK_NOT_READY && std::chrono::steady_clock::now() < until)
     result = vkGetFenceStatus(device_, fence);
-    if (result == VK_NOT_READY) std::this_thread::yield();
-  }
   if (result == VK_NOT_READY) result = vkWaitForFences(device_, 1, &fence, VK_TRUE, UINT64_MAX);
   if (result == VK_ERROR_DEVICE_LOST) is_lost_ = true;
   check(result, "waiting for the device");
