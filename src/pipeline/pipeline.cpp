@@ -3,11 +3,8 @@
 #include "pipeline/pipeline.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <functional>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -22,6 +19,7 @@
 #include "pipeline/device_driver.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/query_way.hpp"
 #include "pipeline/self_pair.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/workspace_state.hpp"
@@ -48,16 +46,6 @@ void add(Statistics& sum, const Statistics& s) {
 constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 constexpr int kSlicesForPieces = 8;
-
-// Hybrid queries: short ones are left to the CPU until a device is open and calibrated, and then too those that end
-// before a device would answer. So many kinds of them are remembered. A node takes as long to make as so many tests of
-// boxes at most.
-constexpr double kShort = 1e-3, kSoonerThanAnyDevice = 1e-4;
-constexpr std::size_t kMostKinds = 64;
-constexpr std::uint64_t kBoxTestsForANode = 1000;
-/// Of what both sides' speeds ask for, what the device is given from the beginning: it takes more if there is more
-/// left.
-constexpr double kFirstShare = 0.85;
 
 /// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
 /// at a time, then the results.
@@ -94,7 +82,10 @@ class Pipeline {
     if constexpr (std::is_same_v<Stages, FastStages>) {
       if (options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
         memory_.asks_device = true, memory_.device = gpu::Devices::of_process().look_up(options_.device).opened;
-      if (memory_.asks_device) choose_way();
+      if (memory_.asks_device) {
+        way_.choose(query_, pairs(), memory_);
+        memory_.asks_device = way_.way() != schedule::Way::cpu;
+      }
       if (memory_.asks_device) work_with_device();
     }
     if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
@@ -109,14 +100,7 @@ class Pipeline {
     stage.charge(statistics.results_seconds);
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
     total.charge(statistics.total_seconds);
-    if (ways_ != nullptr) {
-      double seconds = 0;
-      since_choice_.charge(seconds);
-      // What makes trees and brings meshes is like only what does so too.
-      const bool is_alike = is_typical_ && statistics.nodes_built * kBoxTestsForANode <= statistics.box_tests;
-      const bool is_typical = (is_device_ready_ || way_ == schedule::Way::cpu) && (is_alike || are_new_);
-      ways_->add(way_, statistics, seconds, is_typical);
-    }
+    way_.learn(statistics, has_brought_meshes_);
     if (options_.predict_cost) predict(statistics);
     if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
     contacts.partial = first_only_ || options_.kinds != kAllKinds;
@@ -239,66 +223,10 @@ class Pipeline {
     work_on(std::move(tasks));
   }
 
-  /// Queries that are alike: by their number of pairs, the first one's sizes, to a power of 2, whether its trees are to
-  /// be made, and what is asked.
-  [[nodiscard]] std::uint64_t kind() const {
-    const auto size = [](std::size_t n) { return static_cast<std::uint64_t>(std::bit_width(n)); };
-    const auto triangles = [&](std::uint32_t object) { return size(query_.meshes[object]->data.triangles.size()); };
-    std::uint64_t kind = (first_only_ ? 1 : 0) + (are_new_ ? 2 : 0);
-    for (const std::uint64_t next : {std::uint64_t{options_.kinds}, static_cast<std::uint64_t>(options_.threads),
-                                     size(pairs().size()), triangles(pairs()[0].a), triangles(pairs()[0].b)})
-      kind = kind << 10 ^ next;
-    return kind ^ std::hash<std::string_view>()(options_.device);
-  }
-
-  /// Who answers: the device with backend "gpu", both where the caller says how they share; else who has done it most
-  /// quickly.
-  void choose_way() {
-    way_ = options_.backend == "gpu" ? schedule::Way::device : schedule::Way::both;
-    if (way_ == schedule::Way::device || options_.device_share >= 0 || pairs().empty()) return;
-    const auto is_new = [&](std::uint32_t object) { return !query_.meshes[object]->wide_tree.has_root(); };
-    are_new_ = is_new(pairs()[0].a) && is_new(pairs()[0].b);
-    const std::uint64_t own = kind();
-    if (memory_.ways.size() >= kMostKinds && !memory_.ways.contains(own)) memory_.ways.clear();
-    ways_ = &memory_.ways[own];
-    since_choice_ = StageClock();
-    std::optional<KnownConstants> known;
-    if (memory_.device != nullptr) known = known_constants(memory_.device);
-    is_device_ready_ = known.has_value();
-    if (ways_->is_empty()) return;
-    if (ways_->last_seconds() < kSoonerThanAnyDevice) {
-      way_ = schedule::Way::cpu;
-    } else if (known) {
-      way_ = quickest_way(*known);
-    } else if (ways_->last_seconds() < kShort) {
-      way_ = schedule::Way::cpu;
-    }
-    memory_.asks_device = way_ != schedule::Way::cpu;
-  }
-
-  schedule::Way quickest_way(const KnownConstants& known) {
-    using schedule::Way;
-    const auto& [device, cpu] = known;
-    const Statistics& last = ways_->last();
-    schedule::WaySeconds expected{};
-    const auto of = [&](Way way) -> double& { return expected[static_cast<std::size_t>(way)]; };
-    of(Way::cpu) = schedule::predict_seconds(last, cpu) / schedule::concurrency(options_.threads);
-    of(Way::device) = device.question + schedule::predict_device_seconds(last, device) +
-                      static_cast<double>(last.exact_calls) * cpu.exact_call;
-    // Both end together: a portion is what is needed to make it so.
-    const double alone = ways_->seconds(Way::cpu, expected), with_device = ways_->seconds(Way::device, expected);
-    const double share =
-        schedule::device_portion(1, {1 / alone, 1 / std::max(with_device - device.question, 1e-9), device.question});
-    of(Way::both) = share > 0 ? (1 - share) * alone : std::numeric_limits<double>::infinity();
-    const Way way = ways_->quickest(expected);
-    if (way == Way::both) first_share_ = kFirstShare * std::min(share, 1.0);
-    return way;
-  }
-
   /// All work goes to the device, and what it cannot take, or all of it if it fails, to the CPU; or the CPU begins, and
   /// where it has much left to do, it shares that with the device.
   void work_with_device() {
-    const bool are_shared = way_ == schedule::Way::both, are_many = pairs().size() >= kManyPairs;
+    const bool are_shared = way_.way() == schedule::Way::both, are_many = pairs().size() >= kManyPairs;
     const bool are_whole = are_many || !are_shared;
     std::vector<DevicePiece> pieces;
     std::vector<std::vector<DevicePiece>> opened(are_whole ? 0 : pairs().size());
@@ -367,8 +295,8 @@ class Pipeline {
     };
     if (share >= 0) {
       driver.reserve(share, true);
-    } else if (first_share_ > 0) {
-      driver.reserve(first_share_, false);
+    } else if (way_.first_share() > 0) {
+      driver.reserve(way_.first_share(), false);
     }
     if (share == 1) {
       driver.drive(sink);
@@ -412,7 +340,7 @@ class Pipeline {
   /// Takes over the device's results, or its work.
   void finish(const DeviceDriver& driver) {
     std::span<const DevicePiece> undone = driver.left();
-    is_typical_ = !driver.has_brought_meshes();
+    has_brought_meshes_ = driver.has_brought_meshes();
     if (!driver.complaint().empty()) {
       undone = driver.done();
       if (first_only_)
@@ -579,13 +507,8 @@ class Pipeline {
   bool first_only_;
   Statistics cpu_statistics_, device_statistics_;  ///< of either's part
   double cpu_seconds_ = 0;                         ///< the CPU's, beside the device
-  // Of a query with a device.
-  schedule::Way way_ = schedule::Way::device;
-  schedule::Ways* ways_ = nullptr;  ///< of its kind; null: it is not up to us
-  StageClock since_choice_{false};
-  double first_share_ = 0;
-  bool is_typical_ = true, are_new_ = false;
-  bool is_device_ready_ = false;  ///< open and calibrated when the way was chosen
+  QueryWay way_;                                   ///< where a device may take part
+  bool has_brought_meshes_ = false;
 };
 
 }  // namespace
