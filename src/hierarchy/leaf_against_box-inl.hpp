@@ -112,18 +112,6 @@ class TrianglesAgainstBoxes {
     size_ = leaf.count - lane;
   }
 
-  /// The triangles that may share a point with a box.
-  HWY_INLINE hn::Mask<TriangleLanes> meet(int box) const {
-    const TriangleLanes d;
-    auto meet = hn::And(hn::FirstN(d, size_), hn::Le(beyond(box), hn::Zero(d)));
-    for (int i = 0; i < 3; ++i) {
-      const auto overlap =
-          hn::And(hn::Le(lo_[i], hn::Set(d, pair_.hi[i][box])), hn::Ge(hi_[i], hn::Set(d, pair_.lo[i][box])));
-      meet = hn::And(meet, overlap);
-    }
-    return meet;
-  }
-
   /// The square of a lower bound of the distance between any of the triangles and a box; 0 if they may share a point.
   /// At most 3e36: each axis counts for 1e36 at most.
   HWY_INLINE float square_gap(int box) const {
@@ -139,13 +127,6 @@ class TrianglesAgainstBoxes {
     const V gap = hn::Min(hn::Max(hn::Div(beyond(box), length_), zero), far);
     square = hn::IfThenElse(hn::FirstN(d, size_), hn::Max(square, hn::Mul(gap, gap)), hn::Set(d, 1e36f));
     return (1 - 0x1p-18f) * hn::GetLane(hn::MinOfLanes(d, square));
-  }
-
-  /// About the least distance of a box's centre from the planes of some of the triangles.
-  HWY_INLINE float height(int box, hn::Mask<TriangleLanes> of) const {
-    const TriangleLanes d;
-    const V height = hn::Div(hn::Abs(along(box)), length_);
-    return hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(of, height, hn::Set(d, 1e18f))));
   }
 
  private:

@@ -105,10 +105,9 @@ HWY_INLINE Opening opening_of(const TreeRef& ref_a, const TreeRef& ref_b, const 
 }
 
 /// A leaf, and a node or leaf of less than half its size, or of another part of it.
-HWY_INLINE bool is_leaf_against_smaller(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees,
-                                        float times = 2) {
+HWY_INLINE bool is_leaf_against_smaller(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
   const float a = frame_of(ref_a).radius, b = static_cast<float>(trees.scale) * frame_of(ref_b).radius;
-  return (ref_a.is_leaf() && times * b < a) || (ref_b.is_leaf() && times * a < b);
+  return (ref_a.is_leaf() && 2 * b < a) || (ref_b.is_leaf() && 2 * a < b);
 }
 
 // Let x be a shared point in A's frame and y, in B's, the same as B has it; |x| <= r_a, |y| <= r_b (in A's unit) in

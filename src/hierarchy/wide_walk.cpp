@@ -14,7 +14,7 @@
 #include <hwy/highway.h>
 
 #include "core/mask_bits-inl.hpp"
-#include "hierarchy/leaf_against_box-inl.hpp"
+#include "hierarchy/large_leaf-inl.hpp"
 #include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -64,37 +64,6 @@ struct Overlaps {
   Opening opening;
 };
 
-/// A leaf against the children of a node that is much the smaller, or a leaf of that size: which children's boxes some
-/// triangle may touch, and of these, if asked for, the one whose centre is nearest to such a triangle's plane. By the
-/// leaf's one box a large triangle would be held against every leaf below.
-void meet_triangles(const TreeRefPair& pair, const FrameRelation& relation, const TreeRelation& trees,
-                    bool with_nearest, Overlaps& result) {
-  const auto scale = static_cast<float>(trees.scale);
-  const bool both_leaves = pair.a.is_leaf() && pair.b.is_leaf();
-  const bool leaf_is_a = both_leaves ? frame_of(pair.a).radius > scale * frame_of(pair.b).radius : pair.a.is_leaf();
-  const WideLeaf& leaf = leaf_is_a ? pair.a.leaf() : pair.b.leaf();
-  const TreeRef& other = leaf_is_a ? pair.b : pair.a;
-  BoxSide boxes;
-  Boxes own;
-  const float scale_of_other = leaf_is_a ? scale : 1;
-  both_leaves ? keep_whole(other, scale_of_other, own, boxes) : open(other.node(), scale_of_other, own, boxes);
-  const float slack = slack_of(relation, trees, frame_of(pair.a).radius, frame_of(pair.b).radius);
-  map_to_other(boxes, !leaf_is_a, relation, slack);
-  const LeafAgainstNode lies(leaf, leaf_is_a ? 1 : scale, leaf_is_a, relation, boxes, slack);
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t lane = 0; lane < leaf.count; lane += hn::Lanes(TriangleLanes())) {
-    const TrianglesAgainstBoxes triangles(lies, lane);
-    for (int box = 0; box < boxes.size; ++box) {
-      const auto meet = triangles.meet(box);
-      if (hn::AllFalse(TriangleLanes(), meet)) continue;
-      const std::uint64_t bit = std::uint64_t{1} << box;
-      result.bits |= bit;
-      if (!with_nearest) continue;
-      if (const float height = triangles.height(box, meet); height < least) least = height, result.nearest = bit;
-    }
-  }
-}
-
 /// Of a node's children with each other: each with itself and with those that come after it.
 constexpr std::uint64_t kOneOrder = [] {
   std::uint64_t bits = 0;
@@ -107,11 +76,6 @@ Overlaps overlaps_of(const WideWalk& walk, const TreeRefPair& pair, const FrameR
                      WalkCounts& counts) {
   const TreeRelation& trees = walk.relation;
   Overlaps result{0, 0, opening_of(pair.a, pair.b, trees)};
-  if (is_leaf_against_smaller(pair.a, pair.b, trees)) {
-    counts.box_tests += result.opening.a ? pair.a.node().size : result.opening.b ? pair.b.node().size : 1;
-    meet_triangles(pair, relation, trees, with_nearest, result);
-    return result;
-  }
   BoxSide a, b;
   Boxes own_a, own_b;
   open_both(pair.a, pair.b, result.opening, relation, trees, own_a, own_b, a, b);
@@ -131,10 +95,8 @@ struct Ends {
   WideLeafPair* leaves;
 };
 
-/// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack. And so, but for
-/// those that are `sure` to be worth it, a leaf with one of a sixteenth its size, to be held against its box first:
-/// between leaves of less unequal sizes that costs more than it saves.
-Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, Opening opening, bool sure, Ends ends,
+/// Takes the pairs of children whose bits are set: leaves to the leaf pairs, the others to the stack.
+Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, Opening opening, Ends ends,
              WalkCounts& counts) {
   const auto child = [&](WideTree& tree, const TreeRef& parent, bool is_open, int lane) {
     return is_open ? tree.child(parent.node(), lane, counts.made, walk.for_each) : parent;
@@ -143,13 +105,77 @@ Ends descend(const WideWalk& walk, const TreeRefPair& pair, std::uint64_t bits, 
     const int bit = std::countr_zero(bits), one = bit / kWidth, lane = bit % kWidth;
     const TreeRef a = child(walk.a, pair.a, opening.a, opening.b ? one : lane),
                   b = child(walk.b, pair.b, opening.b, opening.b ? lane : one);
-    const bool both_leaves = a.is_leaf() && b.is_leaf() && (sure || !is_leaf_against_smaller(a, b, walk.relation, 16));
+    const bool both_leaves = a.is_leaf() && b.is_leaf();
     // Written to both lists, and kept in one: a branch could not be predicted.
     *ends.open = {a, b};
     *ends.leaves = {&a.leaf(), &b.leaf()};
     ends.leaves += both_leaves, ends.open += !both_leaves;
   }
   return ends;
+}
+
+/// How far `advance` goes.
+struct Goal {
+  std::size_t leaf_pairs;
+  std::uint64_t box_tests;
+  [[nodiscard]] bool is_reached(const std::vector<WideLeafPair>& found, const WalkCounts& counts) const {
+    return found.size() >= leaf_pairs || counts.box_tests >= box_tests;
+  }
+};
+
+HWY_INLINE bool is_a_larger(const TreeRefPair& pair, const TreeRelation& trees) {
+  return frame_of(pair.a).radius > static_cast<float>(trees.scale) * frame_of(pair.b).radius;
+}
+
+/// A leaf of few triangles, and a node or leaf of the other tree that is much the smaller.
+HWY_INLINE bool is_large_against_small(const TreeRefPair& pair, const TreeRelation& trees) {
+  if (!is_leaf_against_smaller(pair.a, pair.b, trees)) return false;
+  return (is_a_larger(pair, trees) ? pair.a : pair.b).leaf().count <= LargeLeaf::kMost;
+}
+
+/// Such a pair, down to the small leaves that may touch the large one's triangles, depth first: each node is held
+/// against those triangles alone that met its parent's boxes. By the large leaf's own box the whole node would be
+/// opened. What the goal leaves goes to the stack.
+void walk_below(const WideWalk& walk, const TreeRefPair& pair, const Goal& goal, LargeLeaf& large,
+                std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, WalkCounts& counts) {
+  const bool large_is_a = is_a_larger(pair, walk.relation);
+  const TreeRef &leaf = large_is_a ? pair.a : pair.b, &top = large_is_a ? pair.b : pair.a;
+  WideTree& tree = large_is_a ? walk.b : walk.a;
+  if (large.leaf() != &leaf.leaf()) large.set(leaf.leaf(), large_is_a, walk.relation);
+  struct Step {
+    TreeRef ref;
+    LargeLeaf::Triangles triangles;
+  };
+  constexpr std::size_t kMost = 64;
+  Step steps[kMost];
+  std::size_t size = 0;
+  const auto put_back = [&](const TreeRef& ref) {
+    stack.push_back(large_is_a ? TreeRefPair{leaf, ref} : TreeRefPair{ref, leaf});
+  };
+  steps[size++] = {top, large.all()};
+  while (size > 0 && !goal.is_reached(leaf_pairs, counts)) {
+    const Step step = steps[--size];
+    if (step.ref.is_leaf()) {
+      ++counts.box_tests;
+      const WideLeaf& small = step.ref.leaf();
+      if (large.meets(small, step.triangles))
+        leaf_pairs.push_back(large_is_a ? WideLeafPair{&leaf.leaf(), &small} : WideLeafPair{&small, &leaf.leaf()});
+      continue;
+    }
+    WideNode& node = step.ref.node();
+    counts.box_tests += node.size;
+    const LargeLeaf::Meeting meeting = large.meet(node, step.triangles);
+    if (meeting.boxes == 0) continue;
+    const auto add = [&](int box) {
+      const TreeRef child = tree.child(node, box, counts.made, walk.for_each);
+      if (size == kMost) return put_back(child);
+      steps[size++] = {child, meeting.triangles};
+    };
+    const auto nearest = static_cast<int>(std::min_element(meeting.height, meeting.height + kWidth) - meeting.height);
+    for (unsigned left = meeting.boxes & ~(1u << nearest); left != 0; left &= left - 1) add(std::countr_zero(left));
+    add(nearest);
+  }
+  for (std::size_t i = 0; i < size; ++i) put_back(steps[i].ref);
 }
 
 HWY_INLINE void prefetch(const TreeRefPair& pair) {
@@ -165,12 +191,18 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
   TreeRefPair block[WalkLimits::kMostAtOnce];
   FrameRelation relations[WalkLimits::kMostAtOnce];
   Overlaps overlaps[WalkLimits::kMostAtOnce];
-  const std::size_t enough = leaf_pairs.size() + limits.leaf_pairs;
-  const std::uint64_t last_test = counts.box_tests + limits.box_tests;
-  while (!stack.empty() && leaf_pairs.size() < enough && counts.box_tests < last_test) {
-    const std::size_t size = std::min(stack.size(), limits.at_once);
+  LargeLeaf large;
+  const Goal goal{leaf_pairs.size() + limits.leaf_pairs, counts.box_tests + limits.box_tests};
+  while (!stack.empty() && !goal.is_reached(leaf_pairs, counts)) {
+    std::size_t size = std::min(stack.size(), limits.at_once);
     std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, block);
     stack.resize(stack.size() - size);
+    const auto is_below = [&](const TreeRefPair& pair) HWY_ATTR {
+      if (!is_large_against_small(pair, walk.relation)) return false;
+      walk_below(walk, pair, goal, large, stack, leaf_pairs, counts);
+      return true;
+    };
+    size = static_cast<std::size_t>(std::remove_if(block, block + size, is_below) - block);
     for (std::size_t i = 0; i < size; ++i) {
       if (i + kAhead < size) prefetch(block[i + kAhead]);
       relations[i] = relate_frames(frame_of(block[i].a), frame_of(block[i].b), walk.relation);
@@ -185,9 +217,8 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     Ends ends{stack.data() + open, leaf_pairs.data() + leaves};
     for (std::size_t i = 0; i < size; ++i) {
       const auto& [bits, nearest, opening] = overlaps[i];
-      const bool was_leaf_pair = !opening.a && !opening.b;
-      ends = descend(walk, block[i], bits & ~nearest, opening, was_leaf_pair, ends, counts);
-      if (nearest != 0) ends = descend(walk, block[i], nearest, opening, true, ends, counts);
+      ends = descend(walk, block[i], bits & ~nearest, opening, ends, counts);
+      if (nearest != 0) ends = descend(walk, block[i], nearest, opening, ends, counts);
     }
     stack.resize(static_cast<std::size_t>(ends.open - stack.data()));
     leaf_pairs.resize(static_cast<std::size_t>(ends.leaves - leaf_pairs.data()));

@@ -47,18 +47,16 @@ struct LeafAndBox {
   wide::LeafAgainstNode pair;
 };
 
-/// The least lower bound over a leaf's triangles; below 0 where that is 0 and yet none may share a point.
+/// The least lower bound over a leaf's triangles.
 float square_gap(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& center, const std::array<float, 3>& half,
                  std::size_t order) {
   const LeafAndBox both(leaf, center, half, order, order % 2 == 0);
   float least = 1e36f;
-  bool meet = false;
   for (std::size_t lane = 0; lane < leaf.count; lane += hwy::HWY_NAMESPACE::Lanes(wide::TriangleLanes())) {
     const wide::TrianglesAgainstBoxes triangles(both.pair, lane);
     least = std::min(least, triangles.square_gap(LeafAndBox::kPlace));
-    meet |= !hwy::HWY_NAMESPACE::AllFalse(wide::TriangleLanes(), triangles.meet(LeafAndBox::kPlace));
   }
-  return least == 0 && !meet ? -1 : least;
+  return least;
 }
 
 }  // namespace impinge::test::HWY_NAMESPACE
