@@ -37,7 +37,8 @@ constexpr float kFar = 1e18f;
 // (hierarchy/wide_boxes-inl.hpp); what is left are linear maps close to isometries, as parts of the length:
 //   1.5 * 2^-20 for the frame (|F| <= 1 + 1.5 max|F Fᵀ - I|), 1.5 defects of a pose, of which the relation's defect
 //   holds six times the sum; and, for B's frame, CᵀC in place of the identity: 3 defect + 6.5 * 2^-20;
-//   and six roundings to float. In all less than 3.25 defect + 9 * 2^-20.
+//   and six roundings to float, with five more of a unit normal. In all less than 3.25 defect + 9 * 2^-20.
+// No more is a length in the world greater than that in the frame.
 HWY_INLINE float shrink_of(const TreeRelation& relation) {
   return 1 - (0x1p-16f + 4 * static_cast<float>(relation.defect));
 }
@@ -109,26 +110,57 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_bo
   }
 }
 
-/// A leaf's triangles in A's frame, the x of all first corners first, and their boxes.
+using V = hn::Vec<TriangleLanes>;
+
+/// A leaf's triangles in A's frame, the x of all first corners first; their boxes; and about their unit normals, with
+/// the range of the corners along each.
 struct Triangles {
   alignas(64) float corner[9][kMostInLeaf];
   alignas(64) float lo[3][kMostInLeaf];
   alignas(64) float hi[3][kMostInLeaf];
+  alignas(64) float normal[3][kMostInLeaf];
+  alignas(64) float lo_along[kMostInLeaf];
+  alignas(64) float hi_along[kMostInLeaf];
 };
+
+HWY_INLINE V along(const V* n, const V* x) {
+  return hn::MulAdd(n[0], x[0], hn::MulAdd(n[1], x[1], hn::Mul(n[2], x[2])));
+}
+HWY_INLINE V least(V x, V y, V z) { return hn::Min(x, hn::Min(y, z)); }
+HWY_INLINE V greatest(V x, V y, V z) { return hn::Max(x, hn::Max(y, z)); }
+/// Not infinite where it is zero, or so short that its products underflow.
+HWY_INLINE V reciprocal_length(const V* n) {
+  const TriangleLanes d;
+  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::Add(along(n, n), hn::Set(d, 1e-30f))));
+}
 
 /// Corners come from `coordinate(corner, axis, lane)`.
 template <class Coordinate>
 HWY_INLINE void lay_out(std::size_t stride, Triangles& triangles, const Coordinate& coordinate) {
   const TriangleLanes d;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t lane = 0; lane < stride; lane += hn::Lanes(d)) {
-      const auto x = coordinate(0, axis, lane), y = coordinate(1, axis, lane), z = coordinate(2, axis, lane);
-      hn::Store(x, d, triangles.corner[axis] + lane);
-      hn::Store(y, d, triangles.corner[3 + axis] + lane);
-      hn::Store(z, d, triangles.corner[6 + axis] + lane);
-      hn::Store(hn::Min(x, hn::Min(y, z)), d, triangles.lo[axis] + lane);
-      hn::Store(hn::Max(x, hn::Max(y, z)), d, triangles.hi[axis] + lane);
+  for (std::size_t lane = 0; lane < stride; lane += hn::Lanes(d)) {
+    V corner[9], n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int k = 0; k < 3; ++k) {
+        corner[3 * k + axis] = coordinate(k, axis, lane);
+        hn::Store(corner[3 * k + axis], d, triangles.corner[3 * k + axis] + lane);
+      }
+      hn::Store(least(corner[axis], corner[3 + axis], corner[6 + axis]), d, triangles.lo[axis] + lane);
+      hn::Store(greatest(corner[axis], corner[3 + axis], corner[6 + axis]), d, triangles.hi[axis] + lane);
     }
+    const auto edge = [&](int k, int axis) HWY_ATTR { return hn::Sub(corner[3 * k + axis], corner[axis]); };
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+      n[axis] = hn::Sub(hn::Mul(edge(1, i), edge(2, j)), hn::Mul(edge(1, j), edge(2, i)));
+    }
+    const V scale = reciprocal_length(n);
+    for (int axis = 0; axis < 3; ++axis) {
+      n[axis] = hn::Mul(n[axis], scale);
+      hn::Store(n[axis], d, triangles.normal[axis] + lane);
+    }
+    const V x = along(n, corner), y = along(n, corner + 3), z = along(n, corner + 6);
+    hn::Store(least(x, y, z), d, triangles.lo_along + lane);
+    hn::Store(greatest(x, y, z), d, triangles.hi_along + lane);
   }
 }
 
@@ -149,33 +181,45 @@ HWY_INLINE void lay_out_mapped(const WideLeaf& leaf, const FrameRelation& f, flo
   });
 }
 
-/// The gap between triangle `i` of A and some of B along the lines between their middles, below 0 where there is none.
-HWY_INLINE hn::Vec<TriangleLanes> slab_gap(const Triangles& a, std::uint32_t i, const Triangles& b,
-                                           std::uint32_t lane) {
-  const TriangleLanes d;
-  using V = hn::Vec<TriangleLanes>;
-  V n[3];
-  auto square = hn::Set(d, 1e-30f);  // where the middles are the same
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto sum = hn::Add(hn::Load(d, b.corner[axis] + lane),
-                             hn::Add(hn::Load(d, b.corner[3 + axis] + lane), hn::Load(d, b.corner[6 + axis] + lane)));
-    n[axis] = hn::Sub(sum, hn::Set(d, a.corner[axis][i] + a.corner[3 + axis][i] + a.corner[6 + axis][i]));
-    square = hn::MulAdd(n[axis], n[axis], square);
+/// Triangle `i` of A and as many of B's as there are lanes; gaps between them are below 0 where there is none.
+class TriangleAgainstLanes {
+ public:
+  HWY_INLINE TriangleAgainstLanes(const Triangles& a, std::uint32_t i, const Triangles& b, std::uint32_t lane)
+      : a_(a), b_(b), i_(i), lane_(lane) {
+    for (int k = 0; k < 9; ++k) of_a_[k] = hn::Set(d, a.corner[k][i]), of_b_[k] = hn::Load(d, b.corner[k] + lane);
   }
-  const auto of_a = [&](std::size_t c) HWY_ATTR {
-    return hn::MulAdd(
-        n[0], hn::Set(d, a.corner[3 * c][i]),
-        hn::MulAdd(n[1], hn::Set(d, a.corner[3 * c + 1][i]), hn::Mul(n[2], hn::Set(d, a.corner[3 * c + 2][i]))));
-  };
-  const auto of_b = [&](std::size_t c) HWY_ATTR {
-    return hn::MulAdd(n[0], hn::Load(d, b.corner[3 * c] + lane),
-                      hn::MulAdd(n[1], hn::Load(d, b.corner[3 * c + 1] + lane),
-                                 hn::Mul(n[2], hn::Load(d, b.corner[3 * c + 2] + lane))));
-  };
-  const auto greatest = hn::Max(of_a(0), hn::Max(of_a(1), of_a(2)));
-  const auto least = hn::Min(of_b(0), hn::Min(of_b(1), of_b(2)));
-  return hn::Div(hn::Sub(least, greatest), hn::Sqrt(square));
-}
+
+  /// Along the lines between the middles.
+  HWY_INLINE V gap_of_middles() const {
+    V n[3];
+    for (int k = 0; k < 3; ++k)
+      n[k] = hn::Sub(hn::Add(of_b_[k], hn::Add(of_b_[3 + k], of_b_[6 + k])),
+                     hn::Add(of_a_[k], hn::Add(of_a_[3 + k], of_a_[6 + k])));
+    const V gap = hn::Sub(least(along(n, of_b_), along(n, of_b_ + 3), along(n, of_b_ + 6)),
+                          greatest(along(n, of_a_), along(n, of_a_ + 3), along(n, of_a_ + 6)));
+    return hn::Mul(gap, reciprocal_length(n));
+  }
+
+  /// The greater of those along the two normals.
+  HWY_INLINE V gap_of_planes() const {
+    V n[3];
+    for (int k = 0; k < 3; ++k) n[k] = hn::Set(d, a_.normal[k][i_]);
+    const V gap = gap_along(n, of_b_, hn::Set(d, a_.lo_along[i_]), hn::Set(d, a_.hi_along[i_]));
+    for (int k = 0; k < 3; ++k) n[k] = hn::Load(d, b_.normal[k] + lane_);
+    return hn::Max(gap, gap_along(n, of_a_, hn::Load(d, b_.lo_along + lane_), hn::Load(d, b_.hi_along + lane_)));
+  }
+
+ private:
+  static HWY_INLINE V gap_along(const V* n, const V* corners, V lo, V hi) {
+    const V x = along(n, corners), y = along(n, corners + 3), z = along(n, corners + 6);
+    return hn::Max(hn::Sub(least(x, y, z), hi), hn::Sub(lo, greatest(x, y, z)));
+  }
+
+  static constexpr TriangleLanes d{};
+  const Triangles &a_, &b_;
+  std::uint32_t i_, lane_;
+  V of_a_[9], of_b_[9];
+};
 
 // How far, in A's frame, triangles of two leaves may be from where the boxes have them, together: what either leaf
 // says of its rounding, B's turned by C; the relation's error; F_B⁻¹ - F_Bᵀ, which the leaf knows; and roundings to
@@ -197,20 +241,88 @@ HWY_INLINE float slab_slack(const WideLeaf& a, const WideLeaf& b, const FrameRel
   return 1.75f * slack + 0x1p-20f * (a.frame.radius + far + 2 * static_cast<float>(trees.scale) * b.frame.radius);
 }
 
+/// Which of A's triangles from `lane` on may be within the limit of B's box, by their boxes and planes. The box's faces
+/// and its extent along a normal are rounded about as often as B's corners are: the slacks are taken twice.
+HWY_INLINE unsigned near_box(const Triangles& a, std::size_t lane, const WideLeaf& b, const FrameRelation& f,
+                             float scale, float slack, float slack_of_slab, float most) {
+  const TriangleLanes d;
+  V square = hn::Zero(d), center = hn::Zero(d), extent = hn::Set(d, 2 * slack_of_slab);
+  for (int axis = 0; axis < 3; ++axis) {
+    float half = 2 * slack;
+    for (int k = 0; k < 3; ++k) half += std::abs(f.columns[k][axis]) * scale * b.half[k];
+    const V x = gap(d,
+                    hn::Max(hn::Sub(hn::Load(d, a.lo[axis] + lane), hn::Set(d, f.c[axis])),
+                            hn::Sub(hn::Set(d, f.c[axis]), hn::Load(d, a.hi[axis] + lane))),
+                    hn::Set(d, half));
+    square = hn::MulAdd(x, x, square);
+    const V n = hn::Load(d, a.normal[axis] + lane);
+    center = hn::MulAdd(n, hn::Set(d, f.c[axis]), center);
+  }
+  for (int k = 0; k < 3; ++k) {
+    V part = hn::Zero(d);
+    for (int axis = 0; axis < 3; ++axis)
+      part = hn::MulAdd(hn::Load(d, a.normal[axis] + lane), hn::Set(d, f.columns[k][axis]), part);
+    extent = hn::MulAdd(hn::Abs(part), hn::Set(d, scale * b.half[k]), extent);
+  }
+  const V beyond =
+      gap(d, hn::Max(hn::Sub(hn::Load(d, a.lo_along + lane), center), hn::Sub(center, hn::Load(d, a.hi_along + lane))),
+          extent);
+  return mask_bits(d, hn::Le(hn::Max(square, hn::Mul(beyond, beyond)), hn::Set(d, most)));
+}
+
+/// The least distance of A's triangles from one corner of B's, or more, but for the roundings of places that a slab's
+/// slack covers: it is that of some points of the triangles, be they the nearest or not, whose two factors are from 0
+/// to 1 whatever was rounded.
+HWY_INLINE float distance_of_corner(const Triangles& a, std::uint32_t count, const Triangles& b) {
+  const TriangleLanes d;
+  const V one = hn::Set(d, 1.0f);
+  V nearest = hn::Set(d, kFar);
+  for (std::uint32_t lane = 0; lane < count; lane += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    V e[3], g[3], r[3];
+    for (int k = 0; k < 3; ++k) {
+      const V corner = hn::Load(d, a.corner[k] + lane);
+      e[k] = hn::Sub(hn::Load(d, a.corner[3 + k] + lane), corner);
+      g[k] = hn::Sub(hn::Load(d, a.corner[6 + k] + lane), corner);
+      r[k] = hn::Sub(hn::Set(d, b.corner[k][0]), corner);
+    }
+    const V ee = along(e, e), eg = along(e, g), gg = along(g, g), re = along(r, e), rg = along(r, g);
+    const auto part = [&](V x, V y) HWY_ATTR {
+      const V square = hn::Max(hn::Sub(hn::Mul(ee, gg), hn::Mul(eg, eg)), hn::Set(d, 1e-30f));
+      return hn::Min(hn::Max(hn::Div(hn::Sub(x, y), square), hn::Zero(d)), one);
+    };
+    V s = part(hn::Mul(re, gg), hn::Mul(rg, eg)), t = part(hn::Mul(rg, ee), hn::Mul(re, eg));
+    const V over = hn::Max(hn::Add(s, t), one);
+    s = hn::Div(s, over), t = hn::Div(t, over);
+    for (int k = 0; k < 3; ++k) r[k] = hn::NegMulAdd(s, e[k], hn::NegMulAdd(t, g[k], r[k]));
+    nearest = hn::Min(nearest, hn::IfThenElse(hn::FirstN(d, count - lane), hn::Sqrt(along(r, r)), nearest));
+  }
+  return hn::GetLane(hn::MinOfLanes(d, nearest));
+}
+
 HWY_ATTR void bound_triangles(const WideLeaf& a, const WideLeaf& b, const TreeRelation& trees, float limit,
-                              std::vector<NearTriangles>& near) {
+                              Wanted wanted, std::vector<NearTriangles>& near) {
   const FrameRelation f = hierarchy::HWY_NAMESPACE::relate_frames(a.frame, b.frame, trees);
+  const auto scale = static_cast<float>(trees.scale);
   Triangles of_a, of_b;
   lay_out_own(a, of_a);
-  lay_out_mapped(b, f, static_cast<float>(trees.scale), of_b);
+  lay_out_mapped(b, f, scale, of_b);
   const TriangleLanes d;
-  const float slack = slack_of(a, b, f, trees), shrink = shrink_of(trees), most = square_of(limit, shrink);
-  const float slack_of_slab = slab_slack(a, b, f, trees, slack);
-  const bool use_slabs = slack_of_slab < 1e12f;  // no dot product overflows
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+  const float slack = slack_of(a, b, f, trees), shrink = shrink_of(trees);
+  float most = square_of(limit, shrink);
+  // Beyond this products would overflow; FarBounds are better there anyway.
+  const float slack_of_slab = std::min(slab_slack(a, b, f, trees, slack), kFar);
+  const bool use_slabs = slack_of_slab < 1e3f;
+  // The nearest pair is not farther than any other: limits beyond the leaves are lowered to what one corner says.
+  if (use_slabs && wanted == Wanted::nearest && most > f.c[0] * f.c[0] + f.c[1] * f.c[1] + f.c[2] * f.c[2])
+    most = std::min(most, square_of((distance_of_corner(of_a, a.count, of_b) + 2 * slack_of_slab) / shrink, shrink));
   near.clear();
   alignas(64) float lower[16];
+  unsigned some = ~0u;  // of A's triangles, a vector of them at a time
   for (std::uint32_t i = 0; i < a.count; ++i) {
-    for (std::uint32_t lane = 0; lane < b.count; lane += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    if (use_slabs && i % lanes == 0) some = near_box(of_a, i, b, f, scale, slack, slack_of_slab, most);
+    if ((some >> (i % lanes) & 1) == 0) continue;
+    for (std::uint32_t lane = 0; lane < b.count; lane += lanes) {
       auto square = hn::Zero(d);
       for (int axis = 0; axis < 3; ++axis) {
         // The analyzer takes it for possible that lay_out_own writes nothing. NOLINTNEXTLINE(clang-analyzer-core.*)
@@ -222,12 +334,19 @@ HWY_ATTR void bound_triangles(const WideLeaf& a, const WideLeaf& b, const TreeRe
       unsigned bits = mask_bits(d, hn::Le(square, hn::Set(d, most)));
       if (b.count - lane < 32) bits &= (1u << (b.count - lane)) - 1;
       if (bits == 0) continue;
+      V length = hn::Sqrt(square);
       if (use_slabs) {
-        const auto x = gap(d, slab_gap(of_a, i, of_b, lane), hn::Set(d, slack_of_slab));
-        square = hn::Max(square, hn::Mul(x, x));
-        bits &= mask_bits(d, hn::Le(square, hn::Set(d, most)));
+        const TriangleAgainstLanes pairs(of_a, i, of_b, lane);
+        const auto within = [&](V gap) HWY_ATTR {
+          return mask_bits(d, hn::Le(hn::Mul(gap, hn::Max(gap, hn::Zero(d))), hn::Set(d, most)));
+        };
+        V slab = hn::Sub(pairs.gap_of_middles(), hn::Set(d, slack_of_slab));
+        if ((bits &= within(slab)) == 0) continue;
+        slab = hn::Max(slab, hn::Sub(pairs.gap_of_planes(), hn::Set(d, slack_of_slab)));
+        if ((bits &= within(slab)) == 0) continue;
+        length = hn::Max(slab, hn::IfThenElse(hn::Gt(length, hn::Zero(d)), length, slab));
       }
-      hn::Store(hn::Mul(hn::Sqrt(square), hn::Set(d, shrink)), d, lower);
+      hn::Store(hn::Mul(length, hn::Set(d, shrink)), d, lower);
       for (; bits != 0; bits &= bits - 1) {
         const auto at = static_cast<std::uint32_t>(std::countr_zero(bits));
         near.push_back({double{lower[at]}, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(lane + at)});
@@ -251,8 +370,9 @@ void bound_boxes(const hierarchy::TreeRef& a, const hierarchy::TreeRef& b, bool 
 }
 
 void bound_triangles(const hierarchy::WideLeaf& a, const hierarchy::WideLeaf& b,
-                     const hierarchy::TreeRelation& relation, float limit, std::vector<NearTriangles>& near) {
-  HWY_DYNAMIC_DISPATCH(bound_triangles)(a, b, relation, limit, near);
+                     const hierarchy::TreeRelation& relation, float limit, Wanted wanted,
+                     std::vector<NearTriangles>& near) {
+  HWY_DYNAMIC_DISPATCH(bound_triangles)(a, b, relation, limit, wanted, near);
 }
 
 }  // namespace impinge::measure

@@ -32,8 +32,13 @@ struct NearTriangles {
   std::uint16_t a, b;
 };
 
-/// Replaces the list by the pairs that may be within the limit, by the triangles' boxes.
+/// Which pairs of two leaves are asked for: all within the limit, or the nearest and perhaps some others.
+enum class Wanted : std::uint8_t { all, nearest };
+
+/// Replaces the list by the pairs that may be within the limit, by the triangles' boxes, planes and middles. Bounds
+/// below 0 are of triangles that may share a point: the farther below, the likelier.
 void bound_triangles(const hierarchy::WideLeaf& a, const hierarchy::WideLeaf& b,
-                     const hierarchy::TreeRelation& relation, float limit, std::vector<NearTriangles>& near);
+                     const hierarchy::TreeRelation& relation, float limit, Wanted wanted,
+                     std::vector<NearTriangles>& near);
 
 }  // namespace impinge::measure

@@ -20,7 +20,7 @@ void candidate_pairs(const hierarchy::PlacedTree& a, const hierarchy::PlacedTree
       walk.open(next, within, open);
       continue;
     }
-    walk.open_leaves(next, within, near);
+    walk.open_leaves(next, within, Wanted::all, near);
     const std::uint32_t *const ids_a = next.a.leaf().ids(), *const ids_b = next.b.leaf().ids();
     for (const NearTriangles& candidate : near) {
       const TrianglePair pair{ids_a[candidate.a], ids_b[candidate.b]};

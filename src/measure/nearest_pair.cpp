@@ -52,15 +52,13 @@ class PairSearch {
 
   void search_leaves(const NodePair& pair) {
     std::vector<NearTriangles>& near = memory_.near;
-    walk_.open_leaves(pair, limit_, near);
-    if (near.empty()) return;
-    std::iter_swap(near.begin(), std::min_element(near.begin(), near.end(),
-                                                  [](const auto& p, const auto& q) { return p.lower < q.lower; }));
-    for (const NearTriangles& candidate : near) {
-      if (walk_.world_length(candidate.lower) > limit_) continue;
+    walk_.open_leaves(pair, limit_, Wanted::nearest, near);
+    const auto is_near = [&](const NearTriangles& candidate) {
+      return !is_done() && walk_.world_length(candidate.lower) <= limit_;
+    };
+    nearest_first(near, is_near, [&](const NearTriangles& candidate) {
       test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
-      if (is_done()) return;
-    }
+    });
   }
 
   void test(std::uint32_t id_a, std::uint32_t id_b) {

@@ -65,6 +65,22 @@ struct PairMemory {
   }
 };
 
+/// Tests the triangles of two leaves, roughly the nearest first, as long as they are near: what a test finds may only
+/// lessen which are. Most are not after the first test, so the rest is sorted then.
+template <class IsNear, class Test>
+void nearest_first(std::vector<NearTriangles>& near, const IsNear& is_near, const Test& test) {
+  const auto is_nearer = [](const NearTriangles& p, const NearTriangles& q) { return p.lower < q.lower; };
+  const auto first = std::min_element(near.begin(), near.end(), is_nearer);
+  if (first == near.end() || !is_near(*first)) return;
+  const NearTriangles nearest = *first;
+  *first = near.back(), near.pop_back();
+  test(nearest);
+  if (!is_near(nearest)) return;
+  std::erase_if(near, [&](const NearTriangles& pair) { return !is_near(pair); });
+  std::sort(near.begin(), near.end(), is_nearer);
+  for (auto pair = near.begin(); pair != near.end() && is_near(*pair); ++pair) test(*pair);
+}
+
 /// Branch and bound over the pairs of two trees: straight down to two leaves, for a first limit, and then roughly the
 /// nearest first. `open(pair)` searches two leaves and says true, or replaces `memory.children` by the pairs below and
 /// says false; it may lower the limit, beyond which nothing is opened. Ends when `is_done()`; false if it was stopped.

@@ -94,16 +94,16 @@ void PairWalk::open(const NodePair& pair, double limit, std::vector<NodePair>& c
   }
 }
 
-void PairWalk::open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const {
+void PairWalk::open_leaves(const NodePair& pair, double limit, Wanted wanted, std::vector<NearTriangles>& near) const {
   const WideLeaf &a = pair.a.leaf(), &b = pair.b.leaf();
   const auto far = FarBounds::of(pair.a, a_.pose, pair.b, b_.pose, relation_);
-  if (!far) return bound_triangles(a, b, relation_, in_unit(limit), near);
+  if (!far) return bound_triangles(a, b, relation_, in_unit(limit), wanted, near);
   double reach_a[kMostInLeaf], reach_b[kMostInLeaf];
   far->triangles(a, b, reach_a, reach_b);
   const auto lower = [&](std::uint32_t i, std::uint32_t j) { return far->base() - reach_a[i] - reach_b[j]; };
   const double most = limit / unit_;
   if (!far->are_remote()) {
-    bound_triangles(a, b, relation_, in_unit(limit), near);
+    bound_triangles(a, b, relation_, in_unit(limit), wanted, near);
     for (NearTriangles& pair_of : near) pair_of.lower = std::max(pair_of.lower, lower(pair_of.a, pair_of.b));
     std::erase_if(near, [&](const NearTriangles& pair_of) { return pair_of.lower > most; });
     return;

@@ -43,8 +43,8 @@ class PairWalk {
   void reach(NodePair& pair) const;
   /// Appends the pairs of children that may be within the limit. The pair was reached, and not both are leaves.
   void open(const NodePair& pair, double limit, std::vector<NodePair>& children) const;
-  /// Replaces the list by the pairs of triangles of two leaves that may be within the limit.
-  void open_leaves(const NodePair& pair, double limit, std::vector<NearTriangles>& near) const;
+  /// Replaces the list by the pairs of triangles of two leaves that may be within the limit, or the nearest of them.
+  void open_leaves(const NodePair& pair, double limit, Wanted wanted, std::vector<NearTriangles>& near) const;
   [[nodiscard]] double world_length(double lower) const { return unit_ * lower; }
 
  private:

@@ -151,15 +151,13 @@ class TimeSearch {
 
   void search_leaves(const NodePair& pair, double speed) {
     std::vector<NearTriangles>& near = memory_.near;
-    walk_.open_leaves(pair, reach_at(speed), near);
-    if (near.empty()) return;
-    std::iter_swap(near.begin(), std::min_element(near.begin(), near.end(),
-                                                  [](const auto& p, const auto& q) { return p.lower < q.lower; }));
-    for (const NearTriangles& candidate : near) {
-      if (!(limit_ > 0)) return;
-      if (walk_.world_length(candidate.lower) <= reach_at(speed))
-        test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
-    }
+    walk_.open_leaves(pair, reach_at(speed), Wanted::all, near);
+    const auto is_near = [&](const NearTriangles& candidate) {
+      return limit_ > 0 && walk_.world_length(candidate.lower) <= reach_at(speed);
+    };
+    nearest_first(near, is_near, [&](const NearTriangles& candidate) {
+      test(pair.a.leaf().ids()[candidate.a], pair.b.leaf().ids()[candidate.b]);
+    });
   }
 
   void test(std::uint32_t id_a, std::uint32_t id_b) {

@@ -156,9 +156,8 @@ double gap_along(const Vec3& n, const Triangle& a, const Triangle& b) {
   return std::max(of_b.lo - of_a.hi, of_a.lo - of_b.hi) / std::sqrt(nn);
 }
 
-/// If a slab says that they are far enough apart, but for some allowance.
-std::optional<TriangleDistance> apart_by(const Vec3& n, const Local& local, double enough_apart, double allowance) {
-  const double gap = gap_along(n, local.a, local.b);
+/// If a slab with such a gap says that they are far enough apart, but for some allowance.
+std::optional<TriangleDistance> apart_by(double gap, const Local& local, double enough_apart, double allowance) {
   if (!(gap > kMargin) || !(local.unit * (gap - kMargin + allowance) > enough_apart)) return std::nullopt;
   return TriangleDistance{std::numeric_limits<double>::infinity(), local.unit * kMargin, local.unit * (gap - kMargin),
                           local.world(local.a[0]), local.world(local.b[0])};
@@ -221,9 +220,8 @@ TriangleDistance same_point(const Local& local) {
 constexpr double kClose = 0x1p-60;
 
 /// All features' distances, which is the triangles' distance unless they cross.
-Found nearest_features(const Local& local) {
+Found nearest_features(const Local& local, const Edges& a, const Edges& b) {
   Found found;
-  const Edges a = edges_of(local.a), b = edges_of(local.b);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (!offer_edges(a[i], b[j], found)) continue;
@@ -248,19 +246,39 @@ Found nearest_features(const Local& local) {
 TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double enough_apart, const Vec3& guess) {
   const Local local = localised(a, b);
   if (local.unit == 0) return same_point(local);
+  if (const auto far = apart_by(gap_along(guess, local.a, local.b), local, enough_apart, kAllowance)) return *far;
   // Most triangles are far apart beside their size, and a slab across the line between them says so.
   const Vec3 across = (local.b[0] + local.b[1] + local.b[2]) - (local.a[0] + local.a[1] + local.a[2]);
-  if (const auto far = apart_by(across, local, enough_apart, 0)) return *far;
-  if (const auto far = apart_by(guess, local, enough_apart, kAllowance)) return *far;
-  for (const Triangle* const t : {&local.a, &local.b})
-    if (const auto far = apart_by(cross((*t)[1] - (*t)[0], (*t)[2] - (*t)[0]), local, enough_apart, 0)) return *far;
-  return finished(local, nearest_features(local));
+  if (const auto far = apart_by(gap_along(across, local.a, local.b), local, enough_apart, 0)) return *far;
+  const Edges edges_a = edges_of(local.a), edges_b = edges_of(local.b);
+  for (const bool is_a : {true, false}) {
+    const Triangle &face = is_a ? local.a : local.b, &other = is_a ? local.b : local.a;
+    const Edges& edges = is_a ? edges_a : edges_b;
+    const Vec3 n = cross(edges[0].d, edges[1].d);
+    const double gap = gap_along(n, face, other);
+    if (const auto far = apart_by(gap, local, enough_apart, 0)) return *far;
+    if (!(gap > kMargin)) continue;
+    // The other's corner nearest to the plane is the nearest of all where it is over the face.
+    const auto height = [&](const Vec3& corner) { return std::abs(dot(n, corner - face[0])); };
+    const Vec3& corner =
+        *std::min_element(other.begin(), other.end(), [&](auto& p, auto& q) { return height(p) < height(q); });
+    Found found;
+    Face(edges).offer_foot(corner, [&](const Vec3& foot, const Vec3& d, const Vec3& e) {
+      is_a ? found.offer(foot, corner, d, e) : found.offer(corner, foot, d, e);
+    });
+    const double value = std::sqrt(found.square);
+    if (gap >= value - kMargin)
+      return {local.unit * value, local.unit * kMargin, local.unit * (gap - kMargin), local.world(found.a),
+              local.world(found.b)};
+  }
+  return finished(local, nearest_features(local, edges_a, edges_b));
 }
 
 TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, double enough_apart) {
   const Local local = localised({point, point, point}, triangle);
   if (local.unit == 0) return same_point(local);
-  if (const auto far = apart_by(local.b[0] + local.b[1] + local.b[2], local, enough_apart, 0)) return *far;
+  const Vec3 across = local.b[0] + local.b[1] + local.b[2];
+  if (const auto far = apart_by(gap_along(across, local.a, local.b), local, enough_apart, 0)) return *far;
   Found found;
   const Edges edges = edges_of(local.b);
   const Vec3 none{0, 0, 0}, &p = local.a[0];
@@ -275,22 +293,25 @@ TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, dou
 std::array<Vec3, 2> common_point(const Triangle& a, const Triangle& b) {
   const Local local = localised(a, b);
   if (local.unit == 0) return {a[0], b[0]};
-  Found found = nearest_features(local);
+  const Edges edges_a = edges_of(local.a), edges_b = edges_of(local.b);
+  Found found;
   // Where an edge pierces the other triangle's plane.
-  const auto offer_piercing = [&](const Triangle& edges, const Triangle& plane, bool edges_are_a) {
-    const Vec3 n = cross(plane[1] - plane[0], plane[2] - plane[0]);
+  const auto offer_piercing = [&](const Edges& edges, const Edges& plane, bool edges_are_a) {
+    const Vec3 n = cross(plane[0].d, plane[1].d);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 &from = edges[i], &to = edges[(i + 1) % 3];
-      const double h = dot(n, from - plane[0]), k = dot(n, to - plane[0]);
+      const double h = dot(n, edges[i].start - plane[0].start), k = dot(n, edges[(i + 1) % 3].start - plane[0].start);
       if (!(h * k < 0)) continue;
-      const Vec3 p = from + h / (h - k) * (to - from);
-      Face(edges_of(plane)).offer_foot(p, [&](const Vec3& foot, const Vec3& d, const Vec3& e) {
+      const Vec3 p = edges[i].at(h / (h - k));
+      Face(plane).offer_foot(p, [&](const Vec3& foot, const Vec3& d, const Vec3& e) {
         edges_are_a ? found.offer(p, foot, d, e) : found.offer(foot, p, d, e);
       });
     }
   };
-  offer_piercing(local.a, local.b, true);
-  offer_piercing(local.b, local.a, false);
+  offer_piercing(edges_a, edges_b, true);
+  offer_piercing(edges_b, edges_a, false);
+  if (const Found features = found.square < 0x1p-100 ? found : nearest_features(local, edges_a, edges_b);
+      features.square < found.square)
+    found = features;
   return {local.world(found.a), local.world(found.b)};
 }
 
