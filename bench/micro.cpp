@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 
-/// The smallest parts alone: predicates, boxes, the broad phase.
+/// The smallest parts alone: predicates, boxes, points, the broad phase.
 #include "bench/micro.hpp"
 
 #include <benchmark/benchmark.h>
@@ -66,6 +66,7 @@ void bench_main(const Arguments& arguments) {
   benchmark::Initialize(&argc, argv.data());
   register_exact_benchmarks();
   register_box_benchmarks();
+  register_point_benchmarks(arguments.quick ? 100'000 : 1'000'000);
   register_broad_benchmarks(arguments.quick ? 20'000 : 100'000);
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);

@@ -9,6 +9,8 @@ namespace impinge::bench {
 
 void register_exact_benchmarks();
 void register_box_benchmarks();
+/// `count` points located at a time, and a tenth as many at a surface.
+void register_point_benchmarks(int count);
 /// `objects` in the scene.
 void register_broad_benchmarks(int objects);
 /// The paper's sorted borders of 10,000 drifting spheres, repaired after frames of several speeds.
