@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "impinge/report.hpp"
-#include "report/named_tests/by_design.hpp"
+#include "report/named_tests/ifc_classes.hpp"
 #include "report/named_tests/selector.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).

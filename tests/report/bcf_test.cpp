@@ -445,10 +445,11 @@ TEST_F(Bcf, AndAllOutputsNameTheAxesOfTheGrid) {
     family += fmt::format("{}#{}", family.empty() ? "" : ",", line + 3);
     line += 4;
   }
-  ifc.insert(ifc.find("ENDSEC;\nEND-"),
-             lines + fmt::format("#99=IFCGRID('3Qvf0xqDT4HXo8jI81mHB9',#2,$,$,$,#31,$,({}),({}"
-                                 "),$);\n",
-                                 families[0], families[1]));
+  ifc.insert(
+      ifc.find("ENDSEC;\nEND-"),
+      lines + fmt::format("#98=IFCLOCALPLACEMENT($,#2);\n#99=IFCGRID('3Qvf0xqDT4HXo8jI81mHB9',$,$,$,$,#98,$,({}),({}"
+                          "),$);\n",
+                          families[0], families[1]));
   folder.write("two.ifc", ifc);
   folder.write("rod.off", off(box({89, -1, 5}, {91, 1, 30})));
   folder.write("ring.off", off(box({88, -2, 10}, {92, 2, 15})));

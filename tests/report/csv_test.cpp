@@ -128,8 +128,8 @@ TEST_F(Csv, AndTheJsonSayWhatAnIfcFileSaysOfItsParts) {
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[1].at("verdict"), "warning") << "about the unit of a.off";
   const json walls = json::parse(R"([
-      {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"house","site":"site","material":["brick","mortar"]},
-      {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"house","site":"site","material":"steel"},
+      {"class":"IfcBuildingElementProxy","GlobalId":"1srAI$R4T8ihLXSNHmUSET","Tag":"-7","storey":"Level 1, north","building":"House","site":"Site","material":["brick","mortar"]},
+      {"class":"IfcBuildingElementProxy","GlobalId":"2O2Fr$t4X7Zf8NOew3FNr2","ObjectType":"type","storey":"Level 1, north","building":"House","site":"Site","material":"steel"},
       {}])");
   const json objects = json::parse(folder.read("t.json")).at("objects");
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(objects.at(i).at("properties"), walls.at(i));

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -144,20 +145,8 @@ TEST_F(Units, OfImportedFilesAreKnown) {
 
 TEST_F(Units, OfSeveralFilesAreThoseOfTheFirst) {
   // One wall in millimetres, the other in metres.
-  std::string left = ifc_of_two_walls(), right = left;
-  const auto drop = [](std::string& text, const std::string& entity) {
-    text.erase(text.find(entity), text.find('\n', text.find(entity)) - text.find(entity));
-  };
-  drop(left, "#60="), drop(right, "#50=");
-  const auto replace = [&](const std::string& what, const std::string& by) {
-    right.replace(right.find(what), what.size(), by);
-  };
-  replace(".MILLI.", "$");
-  replace("2000.,2000.", "2.,2.");
-  replace("6000.,4000.,1000.", "6.,4.,1.");
-  right.replace(right.rfind("#58,2000."), 9, "#58,2.");
-  folder.write("left.ifc", left);
-  folder.write("right.ifc", right);
+  folder.write("left.ifc", ifc_of_walls(std::array<std::size_t, 1>{0}, scenes::kMillimetre, 1000));
+  folder.write("right.ifc", ifc_of_walls(std::array<std::size_t, 1>{1}, scenes::kMetre, 1));
   ASSERT_NO_FATAL_FAILURE(run({"left.ifc", "right.ifc"}));
   expect_two_walls({5.5, 3.5, 1.5}, 1);
   EXPECT_FALSE(is_guessed());
