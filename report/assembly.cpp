@@ -214,6 +214,12 @@ std::vector<std::uint32_t> products_of(const Assembly& assembly) {
   return products;
 }
 
+std::string_view property_of(const io::Object& object, std::string_view property) {
+  for (const auto& [name, value] : object.properties)
+    if (name == property) return value;
+  return {};
+}
+
 Error with_skipped(Error error, const Assembly& assembly) {
   if (assembly.skipped.empty()) return error;
   error.message += "; " + assembly.missing[assembly.missing.size() - assembly.skipped.size()];

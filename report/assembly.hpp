@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "impinge/report.hpp"
@@ -16,6 +17,9 @@ std::vector<std::string> labels_of(const Assembly& assembly);
 
 /// For each object a number that those of the same IFC product of the same file have in common; 0 without a product.
 std::vector<std::uint32_t> products_of(const Assembly& assembly);
+
+/// The first value that the object's file gives of a property; empty where it does not say it.
+std::string_view property_of(const io::Object& object, std::string_view property);
 
 /// The error, whose reason may be that files were skipped, with the first of them after it.
 Error with_skipped(Error error, const Assembly& assembly);

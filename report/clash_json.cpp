@@ -129,10 +129,8 @@ Json json_decisions(const Review& review) {
   Json all = Json::object();
   for (const auto& [key, decision] : review.decisions) {
     Json& entry = all[key] = Json::object();
-    if (!decision.status.empty()) entry["status"] = decision.status;
-    if (!decision.comment.empty()) entry["comment"] = decision.comment;
-    if (!decision.assignee.empty()) entry["assignee"] = decision.assignee;
-    if (!decision.due.empty()) entry["due"] = decision.due;
+    for (const auto& [name, field] : kDecisionFields)
+      if (!(decision.*field).empty()) entry[name] = decision.*field;
   }
   return all;
 }

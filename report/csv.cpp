@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -25,193 +26,150 @@ bool needs_defusing(std::string_view text) {
   return false;
 }
 
-/// What a row is about.
-struct Row {
-  const Review& review;
-  const Conventions& conventions;
-  const Clash& pair;
-  const Standing& standing;
-  const std::string& axes;
-  std::size_t rank;
-  const std::string& id;
-  Point at;
-};
+/// Others may be added at the end; these keep their names and places (docs/reports.md).
+constexpr auto kColumns =
+    std::to_array<std::string_view>({"rank",        "verdict",      "fails",       "id",          "a",
+                                     "b",           "a_path",       "b_path",      "a_product",   "b_product",
+                                     "a_file",      "b_file",       "inner",       "depth",       "a_in_b_least",
+                                     "a_in_b_most", "b_in_a_least", "b_in_a_most", "distance",    "distance_error",
+                                     "regions",     "area",         "length",      "x",           "y",
+                                     "z",           "normal_x",     "normal_y",    "normal_z",    "crossing",
+                                     "touching",    "coplanar",     "tolerance",   "note",        "test",
+                                     "change",      "was",          "new_regions", "region",      "status",
+                                     "comment",     "depth_m",      "distance_m",  "area_m2",     "length_m",
+                                     "x_m",         "y_m",          "z_m",         "fails_below", "a_class",
+                                     "b_class",     "a_global_id",  "b_global_id", "a_tag",       "b_tag",
+                                     "a_storey",    "b_storey",     "assignee",    "unit",        "incomplete",
+                                     "volume",      "volume_error", "volume_m3",   "depth_least", "due",
+                                     "axes"});
 
-/// A row about what is gone since the previous run: a pair of then, or one of its regions.
-struct GoneRow {
-  const Conventions& conventions;
-  const Resolved& what;
-};
+/// The place of a column, which there must be. Those of b stand behind those of a, those of y and z behind those of x.
+consteval std::size_t column(std::string_view name) {
+  const auto at = std::ranges::find(kColumns, name);
+  if (at == kColumns.end()) throw name;
+  return static_cast<std::size_t>(at - kColumns.begin());
+}
 
-/// An empty cell stands where there is no such number.
+/// A row; what is not known is an empty cell.
+using Cells = std::array<std::string, kColumns.size()>;
+
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value == 0 ? 0.0 : value) : ""; }
 std::string whole(std::uint64_t value) { return fmt::format("{}", value); }
-std::string truth(bool value) { return value ? "true" : "false"; }
 
-const io::Object& part(const Row& row, std::size_t side) { return row.review.assembly.objects[row.pair.objects[side]]; }
-const std::string& file(const Row& row, std::size_t side) {
-  return row.review.assembly.files[row.review.assembly.file_of[row.pair.objects[side]]];
-}
-/// Empty where the part's file does not say it.
-std::string property(const Row& row, std::size_t side, std::string_view wanted) {
-  for (const auto& [name, value] : part(row, side).properties)
-    if (name == wanted) return csv_cell(value);
-  return "";
-}
-std::string inner(const Row& row) {
-  if (row.pair.verdict != Verdict::inside || row.pair.inner < 0) return "";
-  return row.pair.inner == 0 ? "a" : "b";
-}
-Interval depth(const Row& row) { return depth_of(row.pair.overlap_depth); }
-std::string depth(const Row& row, double (*pick)(const OverlapDepth&)) {
-  return row.pair.overlap_depth ? number(pick(*row.pair.overlap_depth)) : "";
-}
-double area(const Row& row) { return area_of(row.pair); }
-double length(const Row& row) {
-  double all = 0;
-  for (const Region& region : row.pair.regions) all += region.length;
-  return all;
-}
-std::string normal(const Row& row, double Point::*axis) {
-  return row.pair.regions.empty() ? "" : number(row.pair.regions.front().normal.*axis);
-}
 /// Nothing where nobody said what the files' unit is.
 std::string in_metres(const Conventions& conventions, double value, int power = 1) {
   if (!conventions.is_known) return "";
   for (int i = 0; i < power; ++i) value *= conventions.metres;
   return number(value);
 }
-std::string in_metres(const Conventions& conventions, const Point& at, double Point::*axis) {
-  return conventions.is_known ? number(place_in_bcf(conventions, at).*axis) : "";
+
+void put(Cells& cells, std::size_t first, const Point& point) {
+  cells[first] = number(point.x), cells[first + 1] = number(point.y), cells[first + 2] = number(point.z);
 }
 
-std::string test(const Row& row) {
-  const std::vector<PlannedTest>& tests = row.review.plan.tests();
-  return tests.empty() ? "" : csv_cell(tests[row.pair.test].name);
-}
-std::string new_regions(const Row& row) {
-  if (row.standing.change == Change::unknown) return "";
-  const auto& regions = row.standing.regions;
-  return whole(static_cast<std::uint64_t>(
-      std::count_if(regions.begin(), regions.end(), [](const auto& r) { return r.change == Change::fresh; })));
+void put_place(Cells& cells, const Conventions& conventions, const Point& place) {
+  put(cells, column("x"), place);
+  if (conventions.is_known) put(cells, column("x_m"), place_in_bcf(conventions, place));
 }
 
-std::string centroid(const GoneRow& row, double Point::*axis) {
-  return row.what.centroid ? number((*row.what.centroid).*axis) : "";
-}
-std::string centroid_in_metres(const GoneRow& row, double Point::*axis) {
-  return row.what.centroid ? in_metres(row.conventions, *row.what.centroid, axis) : "";
-}
-
-struct Column {
-  std::string_view name;
-  std::string (*text)(const Row& row);
-  std::string (*gone)(const GoneRow& row) = nullptr;  ///< null: an empty cell
-};
-
-/// Others may be added at the end; these keep their names and places (docs/reports.md).
-constexpr std::array kColumns{
-    Column{"rank", [](const Row& row) { return whole(row.rank); }},
-    Column{"verdict", [](const Row& row) { return std::string(name(row.pair.verdict)); },
-           [](const GoneRow& row) { return std::string(name(row.what.verdict)); }},
-    Column{"fails", [](const Row& row) { return truth(row.standing.fails); },
-           [](const GoneRow&) { return truth(false); }},
-    Column{"id", [](const Row& row) { return row.id; }, [](const GoneRow& row) { return csv_cell(row.what.id); }},
-    Column{"a", [](const Row& row) { return csv_cell(part(row, 0).name); },
-           [](const GoneRow& row) { return csv_cell(row.what.a.name); }},
-    Column{"b", [](const Row& row) { return csv_cell(part(row, 1).name); },
-           [](const GoneRow& row) { return csv_cell(row.what.b.name); }},
-    Column{"a_path", [](const Row& row) { return csv_cell(part(row, 0).path); },
-           [](const GoneRow& row) { return csv_cell(row.what.a.path); }},
-    Column{"b_path", [](const Row& row) { return csv_cell(part(row, 1).path); },
-           [](const GoneRow& row) { return csv_cell(row.what.b.path); }},
-    Column{"a_product", [](const Row& row) { return csv_cell(part(row, 0).product); }},
-    Column{"b_product", [](const Row& row) { return csv_cell(part(row, 1).product); }},
-    Column{"a_file", [](const Row& row) { return csv_cell(file(row, 0)); },
-           [](const GoneRow& row) { return csv_cell(row.what.a.file); }},
-    Column{"b_file", [](const Row& row) { return csv_cell(file(row, 1)); },
-           [](const GoneRow& row) { return csv_cell(row.what.b.file); }},
-    Column{"inner", inner},
-    Column{"depth", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).hi) : ""; }},
-    Column{"a_in_b_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.lo; }); }},
-    Column{"a_in_b_most", [](const Row& row) { return depth(row, [](const auto& d) { return d.a_in_b.hi; }); }},
-    Column{"b_in_a_least", [](const Row& row) { return depth(row, [](const auto& d) { return d.b_in_a.lo; }); }},
-    Column{"b_in_a_most", [](const Row& row) { return depth(row, [](const auto& d) { return d.b_in_a.hi; }); }},
-    Column{"distance", [](const Row& row) { return row.pair.nearest ? number(row.pair.nearest->distance) : ""; }},
-    Column{"distance_error", [](const Row& row) { return row.pair.nearest ? number(row.pair.nearest->error) : ""; }},
-    Column{"regions", [](const Row& row) { return whole(row.pair.regions.size()); }},
-    Column{"area", [](const Row& row) { return number(area(row)); }},
-    Column{"length", [](const Row& row) { return number(length(row)); }},
-    Column{"x", [](const Row& row) { return number(row.at.x); },
-           [](const GoneRow& row) { return centroid(row, &Point::x); }},
-    Column{"y", [](const Row& row) { return number(row.at.y); },
-           [](const GoneRow& row) { return centroid(row, &Point::y); }},
-    Column{"z", [](const Row& row) { return number(row.at.z); },
-           [](const GoneRow& row) { return centroid(row, &Point::z); }},
-    Column{"normal_x", [](const Row& row) { return normal(row, &Point::x); }},
-    Column{"normal_y", [](const Row& row) { return normal(row, &Point::y); }},
-    Column{"normal_z", [](const Row& row) { return normal(row, &Point::z); }},
-    Column{"crossing", [](const Row& row) { return whole(row.pair.contacts[0]); }},
-    Column{"touching", [](const Row& row) { return whole(row.pair.contacts[1]); }},
-    Column{"coplanar", [](const Row& row) { return whole(row.pair.contacts[2]); }},
-    Column{"tolerance", [](const Row& row) { return number(row.pair.tolerance); }},
-    Column{"note", [](const Row& row) { return csv_cell(sentence(row.pair.note)); }},
-    Column{"test", test, [](const GoneRow& row) { return csv_cell(row.what.test); }},
-    Column{"change", [](const Row& row) { return name(row.standing.change); },
-           [](const GoneRow&) { return std::string("resolved"); }},
-    Column{"was", [](const Row& row) { return std::string(row.standing.was ? name(*row.standing.was) : ""); }},
-    Column{"new_regions", new_regions},
-    Column{"region", [](const Row&) { return std::string(); },
-           [](const GoneRow& row) { return csv_cell(row.what.region); }},
-    Column{"status", [](const Row& row) { return csv_cell(row.standing.decision.status); }},
-    Column{"comment", [](const Row& row) { return csv_cell(row.standing.decision.comment); }},
-    Column{"depth_m",
-           [](const Row& row) { return row.pair.overlap_depth ? in_metres(row.conventions, depth(row).hi) : ""; }},
-    Column{
-        "distance_m",
-        [](const Row& row) { return row.pair.nearest ? in_metres(row.conventions, row.pair.nearest->distance) : ""; }},
-    Column{"area_m2", [](const Row& row) { return in_metres(row.conventions, area(row), 2); }},
-    Column{"length_m", [](const Row& row) { return in_metres(row.conventions, length(row)); }},
-    Column{"x_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::x); },
-           [](const GoneRow& row) { return centroid_in_metres(row, &Point::x); }},
-    Column{"y_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::y); },
-           [](const GoneRow& row) { return centroid_in_metres(row, &Point::y); }},
-    Column{"z_m", [](const Row& row) { return in_metres(row.conventions, row.at, &Point::z); },
-           [](const GoneRow& row) { return centroid_in_metres(row, &Point::z); }},
-    Column{"fails_below", [](const Row& row) { return number(row.pair.fails_below); }},
-    Column{"a_class", [](const Row& row) { return property(row, 0, "class"); }},
-    Column{"b_class", [](const Row& row) { return property(row, 1, "class"); }},
-    Column{"a_global_id", [](const Row& row) { return property(row, 0, "GlobalId"); }},
-    Column{"b_global_id", [](const Row& row) { return property(row, 1, "GlobalId"); }},
-    Column{"a_tag", [](const Row& row) { return property(row, 0, "Tag"); }},
-    Column{"b_tag", [](const Row& row) { return property(row, 1, "Tag"); }},
-    Column{"a_storey", [](const Row& row) { return property(row, 0, "storey"); }},
-    Column{"b_storey", [](const Row& row) { return property(row, 1, "storey"); }},
-    Column{"assignee", [](const Row& row) { return csv_cell(row.standing.decision.assignee); }},
-    Column{"unit", [](const Row& row) { return row.conventions.is_known ? unit_name(row.conventions.metres) : ""; }},
-    Column{"incomplete", [](const Row& row) { return incomplete_sides(row.review, row.pair); }},
-    Column{"volume",
-           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->volume) : ""; }},
-    Column{"volume_error",
-           [](const Row& row) { return row.pair.overlap_volume ? number(row.pair.overlap_volume->error) : ""; }},
-    Column{"volume_m3",
-           [](const Row& row) {
-             return row.pair.overlap_volume ? in_metres(row.conventions, row.pair.overlap_volume->volume, 3) : "";
-           }},
-    Column{"depth_least", [](const Row& row) { return row.pair.overlap_depth ? number(depth(row).lo) : ""; }},
-    Column{"due", [](const Row& row) { return csv_cell(row.standing.decision.due); }},
-    Column{"axes", [](const Row& row) { return csv_cell(row.axes); }},
-};
-
-/// Cells with commas between them, and the end of the line.
-std::string line(auto text_of) {
-  std::string text;
-  for (const Column& column : kColumns) {
-    if (&column != kColumns.data()) text += ',';
-    text += text_of(column);
+void put_parts(Cells& cells, const Assembly& assembly, const std::array<std::uint32_t, 2>& objects) {
+  for (const std::size_t side : {0, 1}) {
+    const io::Object& part = assembly.objects[objects[side]];
+    cells[column("a") + side] = csv_cell(part.name);
+    cells[column("a_path") + side] = csv_cell(part.path);
+    cells[column("a_product") + side] = csv_cell(part.product);
+    cells[column("a_file") + side] = csv_cell(assembly.files[assembly.file_of[objects[side]]]);
+    cells[column("a_class") + side] = csv_cell(property_of(part, "class"));
+    cells[column("a_global_id") + side] = csv_cell(property_of(part, "GlobalId"));
+    cells[column("a_tag") + side] = csv_cell(property_of(part, "Tag"));
+    cells[column("a_storey") + side] = csv_cell(property_of(part, "storey"));
   }
-  return text += "\r\n";
 }
+
+void put_figures(Cells& cells, const Conventions& conventions, const Clash& pair) {
+  if (const auto& overlap = pair.overlap_depth) {
+    const auto& [a_in_b, b_in_a] = *overlap;
+    cells[column("depth")] = number(depth_of(overlap).hi);
+    cells[column("depth_least")] = number(depth_of(overlap).lo);
+    cells[column("depth_m")] = in_metres(conventions, depth_of(overlap).hi);
+    cells[column("a_in_b_least")] = number(a_in_b.lo), cells[column("a_in_b_most")] = number(a_in_b.hi);
+    cells[column("b_in_a_least")] = number(b_in_a.lo), cells[column("b_in_a_most")] = number(b_in_a.hi);
+  }
+  if (const auto& overlap = pair.overlap_volume) {
+    cells[column("volume")] = number(overlap->volume);
+    cells[column("volume_error")] = number(overlap->error);
+    cells[column("volume_m3")] = in_metres(conventions, overlap->volume, 3);
+  }
+  if (const auto& nearest = pair.nearest) {
+    cells[column("distance")] = number(nearest->distance);
+    cells[column("distance_error")] = number(nearest->error);
+    cells[column("distance_m")] = in_metres(conventions, nearest->distance);
+  }
+  double length = 0;
+  for (const Region& region : pair.regions) length += region.length;
+  cells[column("regions")] = whole(pair.regions.size());
+  cells[column("area")] = number(area_of(pair)), cells[column("area_m2")] = in_metres(conventions, area_of(pair), 2);
+  cells[column("length")] = number(length), cells[column("length_m")] = in_metres(conventions, length);
+  if (!pair.regions.empty()) put(cells, column("normal_x"), pair.regions.front().normal);
+  for (std::size_t kind = 0; kind < pair.contacts.size(); ++kind)
+    cells[column("crossing") + kind] = whole(pair.contacts[kind]);
+  cells[column("tolerance")] = number(pair.tolerance);
+  cells[column("fails_below")] = number(pair.fails_below);
+}
+
+void put_triage(Cells& cells, const Review& review, std::size_t pair) {
+  const Standing& standing = review.standings[pair];
+  const std::vector<PlannedTest>& tests = review.plan.tests();
+  cells[column("fails")] = standing.fails ? "true" : "false";
+  if (!tests.empty()) cells[column("test")] = csv_cell(tests[review.clashes.pairs[pair].test].name);
+  cells[column("change")] = name(standing.change);
+  if (standing.was) cells[column("was")] = name(*standing.was);
+  if (standing.change != Change::unknown)
+    cells[column("new_regions")] =
+        whole(static_cast<std::uint64_t>(std::ranges::count(standing.regions, Change::fresh, &RegionStanding::change)));
+  cells[column("status")] = csv_cell(standing.decision.status);
+  cells[column("comment")] = csv_cell(standing.decision.comment);
+  cells[column("assignee")] = csv_cell(standing.decision.assignee);
+  cells[column("due")] = csv_cell(standing.decision.due);
+}
+
+Cells row_of(const Review& review, const Conventions& conventions, std::size_t pair, const Point& place) {
+  const Clash& clash = review.clashes.pairs[pair];
+  Cells cells;
+  cells[column("verdict")] = name(clash.verdict);
+  cells[column("id")] = review.ids[pair];
+  if (clash.verdict == Verdict::inside && clash.inner >= 0) cells[column("inner")] = clash.inner == 0 ? "a" : "b";
+  cells[column("note")] = csv_cell(sentence(clash.note));
+  if (conventions.is_known) cells[column("unit")] = unit_name(conventions.metres);
+  cells[column("incomplete")] = incomplete_sides(review, clash);
+  cells[column("axes")] = csv_cell(review.axes[pair]);
+  put_parts(cells, review.assembly, clash.objects);
+  put_figures(cells, conventions, clash);
+  put_place(cells, conventions, place);
+  put_triage(cells, review, pair);
+  return cells;
+}
+
+/// What is gone since the previous run: a pair of then, or one of its regions.
+Cells row_of(const Resolved& gone, const Conventions& conventions) {
+  Cells cells;
+  cells[column("verdict")] = name(gone.verdict);
+  cells[column("fails")] = "false";
+  cells[column("id")] = csv_cell(gone.id);
+  for (const std::size_t side : {0, 1}) {
+    const OldPart& part = side == 0 ? gone.a : gone.b;
+    cells[column("a") + side] = csv_cell(part.name);
+    cells[column("a_path") + side] = csv_cell(part.path);
+    cells[column("a_file") + side] = csv_cell(part.file);
+  }
+  if (gone.centroid) put_place(cells, conventions, *gone.centroid);
+  cells[column("test")] = csv_cell(gone.test);
+  cells[column("change")] = "resolved";
+  cells[column("region")] = csv_cell(gone.region);
+  return cells;
+}
+
+void write_row(Sink& sink, const auto& cells) { sink.write(fmt::format("{}\r\n", fmt::join(cells, ","))); }
 
 }  // namespace
 
@@ -229,24 +187,23 @@ std::string without_defusing(std::string_view cell) {
 
 Result<void> write_csv(Sink& sink, const Review& review) {
   const Conventions conventions = conventions_of(review.options, review.assembly);
-  sink.write(line([](const Column& column) { return column.name; }));
+  write_row(sink, kColumns);
   const std::vector<Bounds> boxes = boxes_of(review);
   std::size_t rank = 0;
   for (const std::size_t i : ranked(review.clashes.pairs)) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
-    const Row row{review,         conventions, review.clashes.pairs[i], review.standings[i],
-                  review.axes[i], ++rank,      review.ids[i],           place_of(review, boxes, i).at};
-    sink.write(line([&](const Column& column) { return column.text(row); }));
+    Cells cells = row_of(review, conventions, i, place_of(review, boxes, i).at);
+    cells[column("rank")] = whole(++rank);
+    write_row(sink, cells);
   }
   const Assembly& assembly = review.assembly;
-  const auto write_note = [&](std::string_view verdict, const std::string& note, const std::string& file = {}) {
-    sink.write(line([&](const Column& column) {
-      return column.name == "verdict"  ? std::string(verdict)
-             : column.name == "note"   ? csv_cell(note)
-             : column.name == "a_file" ? csv_cell(file)
-                                       : std::string();
-    }));
+  const auto write_note = [&](const char* verdict, const std::string& note, const std::string& file = {}) {
+    Cells cells;
+    cells[column("verdict")] = verdict;
+    cells[column("note")] = csv_cell(note);
+    cells[column("a_file")] = csv_cell(file);
+    write_row(sink, cells);
   };
   const std::size_t unread = assembly.missing.size() - assembly.skipped.size();  // the skipped ones come last
   for (std::size_t i = 0; i < unread; ++i) write_note("missing", assembly.missing[i]);
@@ -256,8 +213,7 @@ Result<void> write_csv(Sink& sink, const Review& review) {
   for (const Resolved& gone : review.resolved) {
     if (review.options.stop.stop_requested()) return interrupted();
     if (sink.failed()) break;
-    const GoneRow row{conventions, gone};
-    sink.write(line([&](const Column& column) { return column.gone == nullptr ? "" : column.gone(row); }));
+    write_row(sink, row_of(gone, conventions));
   }
   return {};
 }

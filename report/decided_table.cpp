@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -69,40 +70,38 @@ class Table {
   char separator_ = ',';
 };
 
-/// Where the first row of a table says that ids and decisions are.
-struct Columns {
-  std::optional<std::size_t> id, status, comment, assignee, due;
+/// Where the first row of a table says that each column is.
+std::map<std::string, std::size_t> columns_of(Table& table) {
+  std::map<std::string, std::size_t> columns;
+  const std::optional<Table::Row> names = table.next();
+  for (std::size_t i = 0; names && i < names->cells.size(); ++i) columns[names->cells[i]] = i;
+  return columns;
+}
 
-  explicit Columns(Table& table) {
-    const std::optional<Table::Row> names = table.next();
-    for (std::size_t i = 0; names && i < names->cells.size(); ++i) {
-      if (names->cells[i] == "id") id = i;
-      if (names->cells[i] == "status") status = i;
-      if (names->cells[i] == "comment") comment = i;
-      if (names->cells[i] == "assignee") assignee = i;
-      if (names->cells[i] == "due") due = i;
-    }
-  }
-  [[nodiscard]] bool are_there() const { return id && (status || comment || assignee || due); }
-};
+bool are_of_decisions(const std::map<std::string, std::size_t>& columns) {
+  const auto is_there = [&](const auto& field) { return columns.contains(field.first); };
+  return columns.contains("id") && std::ranges::any_of(kDecisionFields, is_there);
+}
 
 }  // namespace
 
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text) {
   Table table(text);
-  const Columns columns(table);
-  if (!columns.are_there())
+  const auto columns = columns_of(table);
+  if (!are_of_decisions(columns))
     return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status', 'comment', "
                                              "'assignee' and 'due', as the CSV of impinge clash has them",
                                              name)};
   Decisions decisions;
   while (const std::optional<Table::Row> row = table.next()) {
-    const auto cell = [&](const std::optional<std::size_t>& at) {
-      return at && *at < row->cells.size() ? without_defusing(row->cells[*at]) : std::string();
+    const auto cell = [&](const char* column) {
+      const auto at = columns.find(column);
+      return at != columns.end() && at->second < row->cells.size() ? without_defusing(row->cells[at->second]) : "";
     };
-    const Decision decision{cell(columns.status), cell(columns.comment), cell(columns.assignee), cell(columns.due)};
+    Decision decision;
+    for (const auto& [field_name, field] : kDecisionFields) decision.*field = cell(field_name);
     if (is_empty(decision)) continue;
-    const std::string id = cell(columns.id);
+    const std::string id = cell("id");
     if (!is_pair_id(id))
       return Error{Code::bad_file,
                    fmt::format("{}:{}: the cell under 'id' is no id of a pair: '{}'", name, row->line, printable(id))};
@@ -118,7 +117,7 @@ Result<Decisions> parse_decided_table(const std::string& name, const std::string
 
 bool is_decided_table(const std::string& text) {
   Table table(text);
-  return Columns(table).are_there();
+  return are_of_decisions(columns_of(table));
 }
 
 }  // namespace impinge::report

@@ -33,8 +33,8 @@ constexpr std::string_view kBetweenNames = " | ";
 bool is_bcf(std::string_view name) { return name.ends_with(".bcf") || name.ends_with(".bcfzip"); }
 
 bool is_same(const Decision& p, const Decision& q) {
-  return printable(p.status) == printable(q.status) && printable(p.comment) == printable(q.comment) &&
-         printable(p.assignee) == printable(q.assignee) && p.due == q.due;
+  return std::ranges::all_of(kDecisionFields,
+                             [&](const auto& each) { return printable(p.*each.second) == printable(q.*each.second); });
 }
 
 /// What a document that is to be replaced holds: nothing where it is no table of decisions and no archive.
@@ -54,7 +54,7 @@ Result<Decisions> decisions_in(const std::string& name) {
 }  // namespace
 
 bool is_empty(const Decision& decision) {
-  return decision.status.empty() && decision.comment.empty() && decision.assignee.empty() && decision.due.empty();
+  return std::ranges::all_of(kDecisionFields, [&](const auto& each) { return (decision.*each.second).empty(); });
 }
 
 bool Decisions::add(const std::string& id, const Decision& decision) {
@@ -89,8 +89,8 @@ Result<Decisions> parse_decisions(const std::string& name, const std::string& te
       return json_error(name, text, (json::json_pointer() / key).to_string(),
                         "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
                         "between them");
-    const Decision decision{entry.value("status", ""), entry.value("comment", ""), entry.value("assignee", ""),
-                            entry.value("due", "")};
+    Decision decision;
+    for (const auto& [member, field] : kDecisionFields) decision.*field = entry.value(member, "");
     if (!decision.due.empty() && !is_day(decision.due))
       return json_error(name, text, (json::json_pointer() / key / "due").to_string(),
                         fmt::format("a day is such as 2024-06-14, not '{}'", fit(printable(decision.due), 80)));
@@ -167,8 +167,9 @@ Result<void> check_replaced(const std::string& name, const Decisions& given, con
                        [&](const Decisions::ByNames& entry) { return same(decision, entry.decision); });
   };
   // A day alone is most often that of an earlier run's `--due`.
-  const auto is_day_alone = [](const Decision& decision) {
-    return decision.status.empty() && decision.comment.empty() && decision.assignee.empty();
+  const auto is_day_alone = [](Decision decision) {
+    decision.due.clear();
+    return is_empty(decision);
   };
   std::size_t lost = 0;
   std::string first;

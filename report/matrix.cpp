@@ -16,15 +16,6 @@ namespace {
 /// What parts are counted by; the values are those that the page's matrix has.
 constexpr std::array<std::string_view, 3> kTraits{"file", "class", "storey"};
 
-/// The first value of an IFC property, or empty.
-std::string value_of(const Review& review, std::uint32_t object, std::string_view trait) {
-  const Assembly& assembly = review.assembly;
-  if (trait == "file") return assembly.files[assembly.file_of[object]];
-  for (const auto& [name, value] : assembly.objects[object].properties)
-    if (name == trait) return value;
-  return {};
-}
-
 struct Count {
   std::uint64_t pairs = 0, failing = 0;
 };
@@ -35,9 +26,11 @@ Result<void> write_matrix(Sink& sink, const Review& review) {
   sink.write("by,a,b,pairs,fail\r\n");
   for (const std::string_view trait : kTraits) {
     if (review.options.stop.stop_requested()) return interrupted();
-    std::vector<std::string> values;
-    for (std::uint32_t i = 0; i < review.assembly.objects.size(); ++i) values.push_back(value_of(review, i, trait));
-    if (std::set<std::string_view>(values.begin(), values.end()).size() < 2) continue;
+    const Assembly& assembly = review.assembly;
+    std::vector<std::string_view> values;
+    for (std::size_t i = 0; i < assembly.objects.size(); ++i)
+      values.push_back(trait == "file" ? assembly.files[assembly.file_of[i]] : property_of(assembly.objects[i], trait));
+    if (std::set(values.begin(), values.end()).size() < 2) continue;
     std::map<std::pair<std::string_view, std::string_view>, Count> counts;
     for (std::size_t i = 0; i < review.clashes.pairs.size(); ++i) {
       const auto& [a, b] = review.clashes.pairs[i].objects;

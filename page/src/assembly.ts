@@ -40,16 +40,16 @@ export interface Plane {
 
 const kMostEdgeEnds = 6_000_000;
 
-function texture(count: number, data: Float32Array | Uint8Array, width: number): DataTexture {
-  const type = data instanceof Float32Array ? FloatType : UnsignedByteType;
-  const made = new DataTexture(data, width, Math.ceil(count / width), RGBAFormat, type);
+/** About square, with rows of whole groups of `group` texels. */
+function texture<T extends Float32Array | Uint8Array>(type: new (size: number) => T, texels: number, group: number) {
+  const width = Math.max(group, Math.ceil(Math.sqrt(texels) / group) * group);
+  const height = Math.ceil(texels / width);
+  const data = new type(4 * width * height);
+  const made = new DataTexture(data, width, height, RGBAFormat, data instanceof Float32Array ? FloatType : UnsignedByteType);
   made.minFilter = made.magFilter = NearestFilter;
   made.needsUpdate = true;
-  return made;
+  return { data, texture: made };
 }
-
-const side = (texels: number, multiple: number) =>
-  Math.max(multiple, Math.ceil(Math.sqrt(texels) / multiple) * multiple);
 
 export class Assembly {
   readonly parts: BatchedMesh;
@@ -65,10 +65,8 @@ export class Assembly {
   private readonly poses: Pose[];
   private readonly instanceOf: Int32Array;
   private readonly partOf: number[] = [];
-  private readonly poseData: Float32Array;
-  private readonly lookData: Uint8Array;
-  private readonly poseTexture: DataTexture;
-  private readonly lookTexture: DataTexture;
+  private readonly placed: { data: Float32Array; texture: DataTexture };
+  private readonly looks: { data: Uint8Array; texture: DataTexture };
   private readonly materials: { solid: ShaderMaterial; ghost: ShaderMaterial; pick: ShaderMaterial };
   private section: Plane = { normal: [0, 0, 0], offset: 0 };
   explosion = { factor: 0, centre: [0, 0, 0] as Vec3 };
@@ -89,15 +87,12 @@ export class Assembly {
     this.origin = middleOf(this.bounds);
 
     const count = Math.max(1, this.partOf.length);
-    const poseWidth = side(3 * count, 3);
-    const lookWidth = side(count, 1);
-    this.poseData = new Float32Array(4 * poseWidth * Math.ceil((3 * count) / poseWidth));
-    this.lookData = new Uint8Array(4 * lookWidth * Math.ceil(count / lookWidth)).fill(255);
-    this.poseTexture = texture(3 * count, this.poseData, poseWidth);
-    this.lookTexture = texture(count, this.lookData, lookWidth);
+    this.placed = texture(Float32Array, 3 * count, 3);
+    this.looks = texture(Uint8Array, count, 1);
+    this.looks.data.fill(255);
     this.uniforms = {
-      poses: { value: this.poseTexture },
-      looks: { value: this.lookTexture },
+      poses: { value: this.placed.texture },
+      looks: { value: this.looks.texture },
       section: { value: new Vector4() },
       backdrop: { value: new Vector3() },
       ink: { value: new Vector3(0.07, 0.08, 0.1) },
@@ -221,12 +216,12 @@ export class Assembly {
     this.hasGhosts = false;
     this.partOf.forEach((id, instance) => {
       const look = lookOf(id);
-      for (let k = 0; k < 4; ++k) this.lookData[4 * instance + k] = Math.round(255 * look[k]);
-      const alpha = this.lookData[4 * instance + 3];
+      for (let k = 0; k < 4; ++k) this.looks.data[4 * instance + k] = Math.round(255 * look[k]);
+      const alpha = this.looks.data[4 * instance + 3];
       if (alpha > 0 && alpha < 255) this.hasGhosts = true;
       this.parts.setVisibleAt(instance, alpha > 0);
     });
-    this.lookTexture.needsUpdate = true;
+    this.looks.texture.needsUpdate = true;
   }
 
   /** Where faces of this part lie in others, the others are seen; -1 for none. */
@@ -287,10 +282,10 @@ export class Assembly {
       const matrix = matrixOf(pose).setPosition(
         ...add(sub([pose[3], pose[7], pose[11]], this.origin), this.shiftOf(id)),
       );
-      for (let k = 0; k < 12; ++k) this.poseData[12 * instance + k] = matrix.elements[(k % 4) * 4 + (k >> 2)];
+      for (let k = 0; k < 12; ++k) this.placed.data[12 * instance + k] = matrix.elements[(k % 4) * 4 + (k >> 2)];
       this.parts.setMatrixAt(instance, matrix);
     });
-    this.poseTexture.needsUpdate = true;
+    this.placed.texture.needsUpdate = true;
   }
 }
 

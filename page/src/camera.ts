@@ -23,7 +23,7 @@ const kMargin = 1.1;
 const kQuarter = Math.PI / 2;
 
 /** From a frame whose third axis is up to the world. */
-const turned = ([x, y, z]: Vec3, up: UpAxis): Vec3 => (up === 'z' ? [x, y, z] : [x, z, -y]);
+export const turned = ([x, y, z]: Vec3, up: UpAxis): Vec3 => (up === 'z' ? [x, y, z] : [x, z, -y]);
 
 export class Camera {
   readonly eye = new PerspectiveCamera();

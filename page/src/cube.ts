@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The cube in the corner that shows how the model stands; each of its faces is a button that turns it to the front.
-import type { Camera } from './camera';
+import { type Camera, turned } from './camera';
 import type { Vec3 } from './data';
 import { button, el } from './dom';
-import { dot } from './vector';
 
 interface Face {
   name: string;
@@ -33,9 +32,7 @@ export const kFaces: Face[] = [
 export const faceTo = (camera: Camera, face: Face): void =>
   camera.fly({ yaw: face.yaw, pitch: face.pitch });
 
-const axisName = (normal: Vec3, up: 'y' | 'z'): string => {
-  const [x, y, z] = normal;
-  const world = up === 'z' ? [x, y, z] : [x, z, -y];
+const axisName = (world: Vec3): string => {
   const k = world.findIndex((c) => c !== 0);
   return `${world[k] < 0 ? '−' : '+'}${'XYZ'[k]}`;
 };
@@ -62,14 +59,12 @@ export class Cube {
   update(): void {
     const { yaw, pitch } = this.camera.stand;
     this.body.style.transform = `translateZ(calc(var(--cube) / -2)) rotateX(${-pitch}rad) rotateY(${-yaw}rad)`;
-    const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch)];
     kFaces.forEach((face, i) => {
-      const name = axisName(face.normal, this.camera.up);
+      const name = axisName(turned(face.normal, this.camera.up));
       const [label, small] = [this.buttons[i].getAttribute('aria-label'), this.buttons[i].lastElementChild!];
       const wanted = `View from the ${face.name.toLowerCase()} (${name})`;
       if (label !== wanted) this.buttons[i].setAttribute('aria-label', wanted);
       if (small.textContent !== name) small.textContent = name;
-      this.buttons[i].classList.toggle('away', dot(face.normal, back) < 0.05);
     });
   }
 }

@@ -175,6 +175,10 @@ export function blockJson(id: string, what: string): Record<string, unknown> {
 export const isIndex = (value: unknown, size: number) =>
   Number.isInteger(value) && Number(value) >= 0 && Number(value) < size;
 
+/** So many numbers, none of them infinite. */
+export const areNumbers = (value: unknown, count: number): value is number[] =>
+  Array.isArray(value) && value.length === count && value.every(Number.isFinite);
+
 export function readReport(): Report {
   const report = blockJson('report', 'report') as unknown as Report;
   if (!Array.isArray(report.objects)) throw new BlockError('The report cannot be read: it lists no parts.');
@@ -209,8 +213,7 @@ export function readScene(parts: number): SceneBlock {
     throw new BlockError('The 3D scene cannot be read: a group of it has no name, or its parent does not come before it.');
   }
   scene.objects.forEach((object, i) => {
-    const isPlaced = Array.isArray(object.pose) && object.pose.length === 12 && object.pose.every(Number.isFinite);
-    if (object.mesh !== -1 && (!isIndex(object.mesh, scene.meshes.length) || !isPlaced)) {
+    if (object.mesh !== -1 && !(isIndex(object.mesh, scene.meshes.length) && areNumbers(object.pose, 12))) {
       throw new BlockError(`The 3D scene cannot be read: its object ${i} has no mesh or no pose.`);
     }
     if (!isKnown(object.group, groups.length)) {

@@ -6,8 +6,8 @@
 import type { Pair, Report } from './data';
 import type { Store } from './store';
 
-const kKeys = ['status', 'assignee', 'due', 'comment'] as const;
-export type Decision = Record<(typeof kKeys)[number], string>;
+export const kDecisionKeys = ['status', 'assignee', 'due', 'comment'] as const;
+export type Decision = Record<(typeof kDecisionKeys)[number], string>;
 
 const kStatuses = ['open', 'active', 'reviewed', 'approved', 'resolved'];
 
@@ -17,6 +17,10 @@ const decisionOf = (pair: Pair): Decision => ({
   due: pair.due ?? '',
   comment: pair.comment ?? '',
 });
+
+/** What is not empty of it. */
+export const saidOf = (pair: Pair): Partial<Decision> =>
+  Object.fromEntries(Object.entries(decisionOf(pair)).filter(([, text]) => text));
 
 /** FNV-1a, of 32 bits. */
 function hashOf(text: string): string {
@@ -67,13 +71,12 @@ export class Decisions {
   /** What was read, with the changes by the pairs' ids: one that says nothing takes back what names of parts say. */
   file(): string {
     const file: Record<string, unknown> = { $schema: 'decisions.schema.json', ...this.report.decisions };
-    for (const pair of this.changed)
-      file[pair.id!] = Object.fromEntries(Object.entries(decisionOf(pair)).filter(([, text]) => text));
+    for (const pair of this.changed) file[pair.id!] = saidOf(pair);
     return `${JSON.stringify(file, null, 2)}\n`;
   }
 
   private apply(pair: Pair, decision: Partial<Decision>): void {
-    for (const key of kKeys) if (typeof decision[key] === 'string') pair[key] = decision[key] || null;
+    for (const key of kDecisionKeys) if (typeof decision[key] === 'string') pair[key] = decision[key] || null;
     if (JSON.stringify(decisionOf(pair)) === this.given.get(pair)) this.changed.delete(pair);
     else this.changed.add(pair);
   }

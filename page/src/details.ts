@@ -4,7 +4,7 @@
 // The figures of the chosen clash or part.
 import { type Clash, isWorse, newRegionsOf, propertyOf, sorted, verbOf } from './clashes';
 import type { Interval, Pair, Part, Region, Report, Vec3 } from './data';
-import type { Decision, Decisions } from './decisions';
+import { type Decisions, kDecisionKeys, saidOf } from './decisions';
 import { byId, button, chooser, countOf, el, intervalOf, lengthOf, letterOf, nameOf, numberOf, volumeOf } from './dom';
 import { counted, fileName, nameText } from './format';
 import type { PlacedSpan } from './motion';
@@ -124,48 +124,41 @@ export class Details {
 
   /** The fields of a decision, each of which is kept as it is typed: the list may change under a click that ends typing. */
   private decision(clash: Clash, pair: Pair): HTMLElement {
-    const take = (decision: Partial<Decision>) => this.decisions.decide([pair], decision);
     const statuses = this.decisions.statuses.map((one): [string, string] => [one, nameText(one, 60)]);
-    const status = chooser([['', '–'], ...statuses], (value) => take({ status: value }), { id: 'decided-status' });
-    status.value = pair.status ?? '';
-    const assignee = el('input', { type: 'text', id: 'decided-assignee', dir: 'auto', autocomplete: 'off' });
-    assignee.value = pair.assignee ?? '';
-    assignee.addEventListener('input', () => take({ assignee: assignee.value.trim() }));
-    const due = el('input', { type: 'date', id: 'decided-due', max: '9999-12-31' });
-    due.value = pair.due ?? '';
-    due.addEventListener('input', () => take({ due: due.value }));
-    const comment = el('textarea', { id: 'decided-comment', rows: 2, dir: 'auto' });
-    comment.value = pair.comment ?? '';
-    comment.addEventListener('input', () => take({ comment: comment.value.trim() }));
-    const labelled = (text: string, field: HTMLElement) => [el('label', { for: field.id }, text), field];
+    const fields = {
+      status: chooser([['', '–'], ...statuses], (status) => this.decisions.decide([pair], { status }), {}),
+      assignee: el('input', { type: 'text', dir: 'auto', autocomplete: 'off' }),
+      due: el('input', { type: 'date', max: '9999-12-31' }),
+      comment: el('textarea', { rows: 2, dir: 'auto' }),
+    };
     this.all = button('', () => this.decideAll(clash, pair), { id: 'decide-all' });
     this.offerAll();
-    return el(
-      'div',
-      { class: 'decision', role: 'group', 'aria-label': 'Decision' },
-      ...labelled('Status', status),
-      ...labelled('Assignee', assignee),
-      ...labelled('Due', due),
-      ...labelled('Comment', comment),
-      this.all,
-    );
+    const host = el('div', { class: 'decision', role: 'group', 'aria-label': 'Decision' });
+    for (const key of kDecisionKeys) {
+      const field = fields[key];
+      field.id = `decided-${key}`;
+      field.value = pair[key] ?? '';
+      if (key !== 'status')
+        field.addEventListener('input', () => this.decisions.decide([pair], { [key]: field.value.trim() }));
+      host.append(el('label', { for: field.id }, key[0].toUpperCase() + key.slice(1)), field);
+    }
+    host.append(this.all);
+    return host;
   }
 
   private offerAll(): void {
     const { clash, group } = this.store.state;
     if (!this.all || !clash?.pair) return;
-    const { status, assignee, due, comment } = clash.pair;
     const count = this.around(clash).length;
-    this.all.hidden = count < 2 || !(status || assignee || due || comment);
+    this.all.hidden = count < 2 || Object.keys(saidOf(clash.pair)).length === 0;
     this.all.textContent = `Same for all ${counted(count)} of the ${group === 'none' ? 'list' : 'group'}`;
   }
 
   /** What is not said of the one stays as it is of the others. */
-  private decideAll(clash: Clash, { status, assignee, due, comment }: Pair): void {
+  private decideAll(clash: Clash, pair: Pair): void {
     const pairs = this.around(clash).flatMap((one) => one.pair ?? []);
     if (!confirm(`Decide the same about ${counted(pairs.length)} clashes? It replaces what was decided about them.`)) return;
-    const said = { ...(status && { status }), ...(assignee && { assignee }), ...(due && { due }), ...(comment && { comment }) };
-    this.decisions.decide(pairs, said);
+    this.decisions.decide(pairs, saidOf(pair));
   }
 
   private partLink(clash: Clash, side: 0 | 1): HTMLElement {
@@ -312,7 +305,7 @@ export class Details {
     const clashes = this.clashesOf(part.id);
     const actions = el(
       'div',
-      { class: 'line actions' },
+      { class: 'line' },
       button('Fit', () => this.fit([part.id])),
       button(isHidden ? 'Show' : 'Hide', () => this.store.toggleHidden([part.id])),
       button('Isolate', () => this.store.isolate([part.id])),

@@ -85,6 +85,19 @@ export function chooser<T extends string>(
   return select;
 }
 
+export const labelled = (label: string, field: HTMLElement): HTMLLabelElement =>
+  el('label', { class: 'field' }, el('span', {}, label), field);
+
+/** The title of a dialog, a choice of what it shows if there is one, and what closes it. */
+export const dialogHead = (dialog: HTMLDialogElement, title: string, choice?: HTMLElement): HTMLElement =>
+  el(
+    'div',
+    { class: 'pane-head' },
+    el('h2', { id: `${dialog.id}-title` }, title),
+    choice,
+    button('Close', () => dialog.close(), { autofocus: !choice }),
+  );
+
 /** A field that searches a list; the arrow down goes to the list. */
 export function searchField(
   id: string,

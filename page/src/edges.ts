@@ -2,26 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // The edges of a mesh that are worth a line.
-import type { RawMesh } from './geometry';
-import { bounds, face, type Faces, type Fans, isSmooth } from './surface';
+import { bounds, face, isSmooth, type Surface } from './surface';
 
 /** Whether a triangle that goes on smoothly has an edge from `a` the same way as `b`: then the edge ends in a T, and is none. */
-function goesOn(
-  raw: RawMesh,
-  first: Uint32Array,
-  faces: Float32Array,
-  fan: Fans,
-  t: number,
-  a: number,
-  b: number,
-): boolean {
-  const { positions: p, corners } = raw;
+function goesOn(surface: Surface, t: number, a: number, b: number): boolean {
+  const { positions: p, corners, first, start, around } = surface;
   const way = (from: number, to: number) => [0, 1, 2].map((k) => p[3 * to + k] - p[3 * from + k]);
   const [x, y, z] = way(a, b);
-  for (let i = fan.start[a]; i < fan.start[a + 1]; ++i) {
-    const c = fan.around[i];
+  for (let i = start[a]; i < start[a + 1]; ++i) {
+    const c = around[i];
     const s = face(c);
-    if (s === t || !isSmooth(faces, s, t)) continue;
+    if (s === t || !isSmooth(surface, s, t)) continue;
     for (const step of [1, 2]) {
       const [u, v, w] = way(a, first[corners[s + ((c + step) % 3)]]);
       if (x * u + y * v + z * w > 0.99999 * Math.hypot(x, y, z) * Math.hypot(u, v, w)) return true;
@@ -31,14 +22,13 @@ function goesOn(
 }
 
 /** The other triangles that share the edge from a triangle's corner to its next. */
-function across(raw: RawMesh, first: Uint32Array, fan: Fans, k: number, found: number[]): number[] {
-  const { corners } = raw;
+function across({ corners, first, start, around }: Surface, k: number, found: number[]): number[] {
   const t = face(k);
   const a = first[corners[k]];
   const b = first[corners[t + ((k + 1) % 3)]];
   found.length = 0;
-  for (let i = fan.start[a]; i < fan.start[a + 1]; ++i) {
-    const c = fan.around[i];
+  for (let i = start[a]; i < start[a + 1]; ++i) {
+    const c = around[i];
     const s = face(c);
     if (s === t) continue;
     if (first[corners[s + ((c + 1) % 3)]] === b || first[corners[s + ((c + 2) % 3)]] === b) found.push(s);
@@ -51,7 +41,7 @@ const kThin = 1e-5;
 /** Corners of a mesh of which all edges may well be meant. */
 const kRough = 6000;
 
-function thinTriangles({ positions: p, corners }: RawMesh, sizes: Float32Array): Uint8Array {
+function thinTriangles({ positions: p, corners, sizes }: Surface): Uint8Array {
   const { min, max } = bounds(p);
   const least = kThin * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   const thin = new Uint8Array(corners.length);
@@ -69,17 +59,17 @@ function thinTriangles({ positions: p, corners }: RawMesh, sizes: Float32Array):
 }
 
 /** An edge is worth a line if no triangle goes on smoothly from it. Each edge is looked at once, from its first triangle. */
-export function findEdges(raw: RawMesh, first: Uint32Array, { faces, sizes }: Faces, fan: Fans): Float32Array {
-  const { positions: p, corners } = raw;
-  const thin = thinTriangles(raw, sizes);
+export function findEdges(surface: Surface): Float32Array {
+  const { positions: p, corners, first } = surface;
+  const thin = thinTriangles(surface);
   const [beside, beyond]: number[][] = [[], []];
   // What lies beyond a thin triangle decides for it; if that is thin too, nothing can be told, and nothing is drawn.
   const goesOver = (t: number, s: number): boolean => {
     let isKnown = false;
     for (let k = s; k < s + 3; ++k) {
-      for (const other of across(raw, first, fan, k, beyond)) {
+      for (const other of across(surface, k, beyond)) {
         if (other === t || thin[other]) continue;
-        if (isSmooth(faces, t, other)) return true;
+        if (isSmooth(surface, t, other)) return true;
         isKnown = true;
       }
     }
@@ -91,11 +81,11 @@ export function findEdges(raw: RawMesh, first: Uint32Array, { faces, sizes }: Fa
     const a = first[corners[k]];
     const b = first[corners[t + ((k + 1) % 3)]];
     if (a === b || thin[t]) continue;
-    across(raw, first, fan, k, beside);
+    across(surface, k, beside);
     if (beside.length === 0) {
-      if (goesOn(raw, first, faces, fan, t, a, b) || goesOn(raw, first, faces, fan, t, b, a)) continue;
+      if (goesOn(surface, t, a, b) || goesOn(surface, t, b, a)) continue;
     } else if (beside.some((s) => !thin[s])) {
-      if (beside.some((s) => !thin[s] && (s < t || isSmooth(faces, s, t)))) continue;
+      if (beside.some((s) => !thin[s] && (s < t || isSmooth(surface, s, t)))) continue;
     } else if (beside.some((s) => goesOver(t, s))) {
       continue;
     }

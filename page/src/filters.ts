@@ -22,7 +22,7 @@ import {
   verdictName,
 } from './clashes';
 import type { Report } from './data';
-import { byId, button, chooser, el, searchField, setPressed } from './dom';
+import { byId, button, chooser, el, labelled, searchField, setPressed } from './dom';
 import { counted, nameText } from './format';
 import type { Store } from './store';
 
@@ -36,9 +36,6 @@ function numberField(id: string, value: number, onChange: (value: number) => voi
   input.addEventListener('input', () => onChange(input.value === '' ? NaN : Number(input.value)));
   return input;
 }
-
-const labelled = (label: string, input: HTMLInputElement): HTMLLabelElement =>
-  el('label', { class: 'field' }, el('span', {}, label), input);
 
 const kChosen = ['test', 'status', 'assignee', 'change', 'class', 'storey', 'axes'] as const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Keys that work everywhere on the page, and the dialog that lists all of them.
-import { byId, button, el } from './dom';
+import { byId, dialogHead, el } from './dom';
 
 export interface Shortcut {
   keys: string[];
@@ -55,22 +55,14 @@ export function makeHelp(shortcuts: Shortcut[]): void {
   const add = (keys: Node[], text: string) => rows.append(el('dt', {}, ...keys), el('dd', {}, text));
   for (const { keys, text } of shortcuts) {
     const shown = keys.length > 3 ? [`${keys[0]} to ${keys[keys.length - 1]}`] : keys;
-    if (text)
-      add(
-        shown.map((key) => el('kbd', {}, kSpelled[key] ?? (key.length === 1 ? key.toUpperCase() : key))),
-        text,
-      );
+    const spelled = (key: string) => kSpelled[key] ?? (key.length === 1 ? key.toUpperCase() : key);
+    add(shown.map((key) => el('kbd', {}, spelled(key))), text); // prettier-ignore
   }
   for (const [keys, text] of kElsewhere) add([el('kbd', {}, keys)], text);
   const input = el('input', { type: 'checkbox', checked: true, id: 'single-keys' });
   input.addEventListener('change', () => (areOn = input.checked));
   dialog.append(
-    el(
-      'div',
-      { class: 'pane-head' },
-      el('h2', { id: 'help-title' }, 'Keys and gestures'),
-      button('Close', () => dialog.close(), { autofocus: true }),
-    ),
+    dialogHead(dialog, 'Keys and gestures'),
     rows,
     el('label', { class: 'check' }, input, ' Single keys work everywhere on the page'),
   );

@@ -4,7 +4,7 @@
 // How many pairs fail between which files, classes or storeys: a table whose cells filter the list.
 import { type Clash, emptyFilter, type Trait, traitName, traitsOf, traitTitle, traitValues } from './clashes';
 import type { Report } from './data';
-import { byId, button, chooser, el, nameOf } from './dom';
+import { byId, button, chooser, dialogHead, el, nameOf } from './dom';
 import { counted, nameText, plural } from './format';
 import type { Store } from './store';
 
@@ -58,16 +58,8 @@ export function makeMatrix(report: Report, clashes: Clash[], store: Store): void
     };
     host.replaceChildren(tableOf(failing, trait, choose));
   };
-  dialog.append(
-    el(
-      'div',
-      { class: 'pane-head' },
-      el('h2', { id: 'matrix-title' }, 'Failing pairs'),
-      chooser(traits, show, { id: 'matrix-by', 'aria-label': 'Count by' }),
-      button('Close', () => dialog.close()),
-    ),
-    host,
-  );
+  const by = chooser(traits, show, { id: 'matrix-by', 'aria-label': 'Count by' });
+  dialog.append(dialogHead(dialog, 'Failing pairs', by), host);
   const open = button('Matrix', () => dialog.showModal(), { id: 'matrix-button', 'aria-haspopup': 'dialog' });
   byId('clashes-actions').append(open);
   show(traits[0][0]);

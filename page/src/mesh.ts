@@ -5,7 +5,7 @@
 import type { Vec3 } from './data';
 import { findEdges } from './edges';
 import type { RawMesh } from './geometry';
-import { bounds, face, faceNormals, fans, isSmooth, weld } from './surface';
+import { bounds, face, isSmooth, surfaceOf } from './surface';
 
 export interface DrawnMesh {
   positions: Float32Array;
@@ -22,12 +22,9 @@ export interface DrawnMesh {
 const kWidestFan = 512;
 
 export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
-  const { positions: p } = raw;
-  const first = weld(p);
-  const all = faceNormals(raw);
-  const { faces, sizes, volume } = all;
-  const fan = fans(raw.corners, first);
-  const edges = withEdges ? findEdges(raw, first, all, fan) : new Float32Array(0);
+  const surface = surfaceOf(raw);
+  const { positions: p, first, faces, sizes, volume, start, around } = surface;
+  const edges = withEdges ? findEdges(surface) : new Float32Array(0);
   const corners = new Uint32Array(raw.corners.length);
   // Room for a vertex at every corner; what is not needed is cut off in the end.
   const positions = new Float32Array(3 * corners.length);
@@ -43,10 +40,10 @@ export function drawnMesh(raw: RawMesh, withEdges: boolean): DrawnMesh {
     let x = 0;
     let y = 0;
     let z = 0;
-    if (fan.start[v + 1] - fan.start[v] <= kWidestFan) {
-      for (let i = fan.start[v]; i < fan.start[v + 1]; ++i) {
-        const s = face(fan.around[i]);
-        if (s !== t && !isSmooth(faces, s, t)) continue;
+    if (start[v + 1] - start[v] <= kWidestFan) {
+      for (let i = start[v]; i < start[v + 1]; ++i) {
+        const s = face(around[i]);
+        if (s !== t && !isSmooth(surface, s, t)) continue;
         x += sizes[s] * faces[s];
         y += sizes[s] * faces[s + 1];
         z += sizes[s] * faces[s + 2];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The motion of parts: its data block, and where the parts are at any time of it. Nothing here touches the 3D view.
-import { blockJson, BlockError, hasBlock, type Interval, isIndex, kVerdicts, type Pair, type Vec3, type Verdict } from './data';
+import { areNumbers, blockJson, BlockError, hasBlock, type Interval, isIndex, kVerdicts, type Pair, type Vec3, type Verdict } from './data';
 import { mixPoses, type Pose } from './pose';
 
 /** From when to when two parts clash. */
@@ -44,9 +44,7 @@ export interface Motion {
   spans: Span[];
 }
 
-const isInterval = (value: unknown): value is Interval =>
-  Array.isArray(value) && value.length === 2 && value.every(Number.isFinite) && value[0] <= value[1];
-const isVec3 = (value: unknown) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
+const isInterval = (value: unknown) => areNumbers(value, 2) && value[0] <= value[1];
 const isNone = (value: unknown) => value === null || value === undefined;
 
 function bad(why: string): BlockError {
@@ -70,8 +68,7 @@ function checkObjects({ objects, times }: Motion, parts: number): void {
     if (!Array.isArray(poses) || poses.length !== times.length) {
       throw bad(`its object ${i} has not one pose for each of the ${times.length} times`);
     }
-    const isPose = (pose: unknown) => Array.isArray(pose) && pose.length === 12 && pose.every(Number.isFinite);
-    if (!poses.every(isPose)) throw bad(`a pose of its object ${i} is not twelve numbers`);
+    if (!poses.every((pose) => areNumbers(pose, 12))) throw bad(`a pose of its object ${i} is not twelve numbers`);
   });
 }
 
@@ -88,7 +85,7 @@ function checkSpans({ spans }: Motion, parts: number): void {
       throw bad(`its span ${i} names no two parts, or no verdict`);
     }
     const areTimes = [span.from, span.to].every((one) => isNone(one) || isInterval(one));
-    if (!isNone(span.point) && !isVec3(span.point)) throw bad(`its span ${i} has a point that is none`);
+    if (!isNone(span.point) && !areNumbers(span.point, 3)) throw bad(`its span ${i} has a point that is none`);
     if (!areTimes || !Number.isFinite(span.worst_at)) throw bad(`its span ${i} has times that are none`);
     const { overlap_depth: depth } = span;
     if (!isNone(depth) && ![depth!.a_in_b, depth!.b_in_a].every((one) => isNone(one) || isInterval(one))) {

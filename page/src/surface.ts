@@ -8,8 +8,27 @@ import type { Box } from './vector';
 
 const kCrease = Math.cos((32 * Math.PI) / 180);
 
-/** For each vertex the first one at the same place. */
-export function weld(positions: Float32Array): Uint32Array {
+export interface Surface extends RawMesh {
+  /** For each vertex the first one at the same place. */
+  first: Uint32Array;
+  /** Unit normals, zero for a triangle without area. */
+  faces: Float32Array;
+  /** Twice the area of each triangle, at the place of its first corner. */
+  sizes: Float32Array;
+  /** What the triangles enclose if they are closed, times six. */
+  volume: number;
+  /** Of each welded vertex the place in `around` from which its corners stand. */
+  start: Uint32Array;
+  /** The corners (3 x triangle + 0..2) around each welded vertex. */
+  around: Uint32Array;
+}
+
+export function surfaceOf(raw: RawMesh): Surface {
+  const first = weld(raw.positions);
+  return { ...raw, first, ...faceNormals(raw), ...fans(raw.corners, first) };
+}
+
+function weld(positions: Float32Array): Uint32Array {
   const n = positions.length / 3;
   const bits = new Uint32Array(positions.buffer, positions.byteOffset, positions.length);
   let size = 16;
@@ -44,16 +63,7 @@ export function weld(positions: Float32Array): Uint32Array {
   return first;
 }
 
-export interface Faces {
-  /** Unit normals, zero for a triangle without area. */
-  faces: Float32Array;
-  /** Twice the area of each triangle, at the place of its first corner. */
-  sizes: Float32Array;
-  /** What the triangles enclose if they are closed, times six. */
-  volume: number;
-}
-
-export function faceNormals({ positions: p, corners }: RawMesh): Faces {
+function faceNormals({ positions: p, corners }: RawMesh) {
   const faces = new Float32Array(corners.length);
   const sizes = new Float32Array(corners.length);
   let volume = 0;
@@ -81,13 +91,7 @@ export function faceNormals({ positions: p, corners }: RawMesh): Faces {
   return { faces, sizes, volume };
 }
 
-export interface Fans {
-  start: Uint32Array;
-  around: Uint32Array;
-}
-
-/** The corners (3 x triangle + 0..2) around each welded vertex. */
-export function fans(corners: Uint32Array, first: Uint32Array): Fans {
+function fans(corners: Uint32Array, first: Uint32Array) {
   const start = new Uint32Array(first.length + 1);
   for (const corner of corners) ++start[first[corner] + 1];
   for (let v = 0; v < first.length; ++v) start[v + 1] += start[v];
@@ -99,7 +103,7 @@ export function fans(corners: Uint32Array, first: Uint32Array): Fans {
 
 export const face = (corner: number): number => corner - (corner % 3);
 
-export function isSmooth(faces: Float32Array, s: number, t: number): boolean {
+export function isSmooth({ faces }: Surface, s: number, t: number): boolean {
   return faces[s] * faces[t] + faces[s + 1] * faces[t + 1] + faces[s + 2] * faces[t + 2] >= kCrease;
 }
 

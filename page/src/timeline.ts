@@ -28,7 +28,7 @@ export class Timeline {
   });
   private readonly head = el('div', { class: 'playhead', 'aria-hidden': 'true' });
   private readonly field = el('div', { class: 'time-field', 'aria-hidden': 'true' }, this.head);
-  private readonly readout = el('span', { class: 'time-readout' });
+  private readonly readout = el('span');
   private readonly now = el('span', { class: 'time-now' });
   private readonly playButton = button('', () => this.toggle(), { id: 'play' });
   private readonly repeat = el('input', { type: 'checkbox', id: 'repeat' });
@@ -56,7 +56,6 @@ export class Timeline {
     tracks.append(el('div', { class: 'tracks-body' }, scale, this.lanes.space, this.field));
     host.append(this.makeBar(), tracks);
     host.hidden = false;
-    document.body.classList.add('has-motion');
     this.slider.setAttribute('aria-valuemin', String(this.first));
     this.slider.setAttribute('aria-valuemax', String(this.last));
     this.makeTicks();

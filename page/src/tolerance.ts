@@ -125,7 +125,7 @@ export function showTolerance(report: Report, clashes: Clash[], store: Store): v
   const host = byId('tolerance');
   host.append(
     el('div', { class: 'line' }, el('label', { for: 'tolerance-slider' }, 'Tolerance'), words),
-    el('div', { class: 'tolerance-field' }, plot, slider, scale),
+    el('div', {}, plot, slider, scale),
   );
   host.hidden = false;
 }

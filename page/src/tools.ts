@@ -3,13 +3,10 @@
 //
 // The bar under the 3D view.
 import type { Camera } from './camera';
-import { byId, button, chooser, el, setPressed } from './dom';
+import { byId, button, chooser, el, labelled, setPressed } from './dom';
 import type { Explode } from './explode';
 import type { Section } from './section';
 import type { Store } from './store';
-
-const labelled = (label: string, select: HTMLSelectElement): HTMLElement =>
-  el('label', { class: 'field' }, el('span', {}, label), select);
 
 function checkbox(text: string, input: HTMLInputElement, key: string, onChange: (isOn: boolean) => void): HTMLElement {
   input.addEventListener('change', () => onChange(input.checked));

@@ -134,13 +134,13 @@ export function listed(page, selector = '.rank', list = '#clash-list') {
 }
 
 /**
- * How many colours a picture of an element has, and the picture. `a` and `b`: the shares of it that have the full colours
- * of the first and of the second part of a clash, which are blue and orange.
+ * A picture of an element, how many colours it has and how many pixels each (`seen`). `a` and `b`: the shares of it that have
+ * the full colours of the first and of the second part of a clash, which are blue and orange.
  */
 export async function picture(page, selector = '#canvas') {
   const box = await page.locator(selector).boundingBox();
   const png = await page.screenshot({ clip: box });
-  const colours = await page.evaluate(async (data) => {
+  const seen = await page.evaluate(async (data) => {
     const image = new Image();
     image.src = `data:image/png;base64,${data}`;
     await image.decode();
@@ -150,17 +150,22 @@ export async function picture(page, selector = '#canvas') {
     context.drawImage(image, 0, 0);
     const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
     const seen = new Map();
-    let [a, b] = [0, 0];
     for (let i = 0; i < bytes.length; i += 4) {
-      const key = (bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2];
-      seen.set(key, (seen.get(key) ?? 0) + 1);
-      if (bytes[i + 2] - bytes[i] > 60) ++a;
-      if (bytes[i] - bytes[i + 2] > 100) ++b;
+      const colour = (bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2];
+      seen.set(colour, (seen.get(colour) ?? 0) + 1);
     }
-    const size = bytes.length / 4;
-    return { count: seen.size, most: Math.max(...seen.values()) / size, a: a / size, b: b / size };
+    return [...seen];
   }, png.toString('base64'));
-  return { png, ...colours };
+  const count = (keeps) => seen.reduce((sum, [colour, pixels]) => sum + (keeps((colour >> 16) - (colour & 255)) ? pixels : 0), 0);
+  const size = count(() => true);
+  return {
+    png,
+    seen,
+    count: seen.length,
+    most: Math.max(...seen.map(([, pixels]) => pixels)) / size,
+    a: count((redder) => redder < -60) / size,
+    b: count((redder) => redder > 100) / size,
+  };
 }
 
 /** The frames that are asked for have been drawn. */

@@ -34,20 +34,17 @@ export function sceneOf(title, meshes, objects, { shown, groups = [] } = {}) {
 
 const escaped = (value) => JSON.stringify(value).replace(/</g, '\\u003c');
 
-export function blocksOf({ report, scene, geometry, motion }) {
-  const blocks = [];
-  if (report !== undefined)
-    blocks.push(
-      `<script type="application/json" id="report">${typeof report === 'string' ? report : escaped(report)}</script>`,
-    );
-  if (scene !== undefined) blocks.push(`<script type="application/json" id="scene">${escaped(scene)}</script>`);
-  if (geometry !== undefined) blocks.push(`<script type="text/plain" id="geometry">${geometry}</script>`);
-  if (motion !== undefined)
-    blocks.push(
-      `<script type="application/json" id="motion">${typeof motion === 'string' ? motion : escaped(motion)}</script>`,
-    );
-  return blocks.join('\n');
-}
+const kTypes = { report: 'application/json', scene: 'application/json', geometry: 'text/plain', motion: 'application/json' };
+
+/** What is a text already is written as it is. */
+export const blocksOf = (blocks) =>
+  Object.entries(kTypes)
+    .filter(([id]) => blocks[id] !== undefined)
+    .map(([id, type]) => {
+      const text = typeof blocks[id] === 'string' ? blocks[id] : escaped(blocks[id]);
+      return `<script type="${type}" id="${id}">${text}</script>`;
+    })
+    .join('\n');
 
 export function compose(blocks) {
   return readFileSync(template, 'utf8').replace(kMarker, () => blocksOf(blocks));

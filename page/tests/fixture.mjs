@@ -86,8 +86,6 @@ const kSettings = {
   volumes: true,
   fail_on: ['penetration', 'inside'],
   ignore: [],
-  within_products: false,
-  scale: [],
 };
 const kCounts = { duplicate: 0, inside: 0, penetrating: 0, crossing: 0, touching: 0, apart: 0, fail: 0, candidates: 0 };
 /** A pair of which nothing was found but what is given. */
@@ -181,8 +179,6 @@ export function review({ offset = [0, 0, 0], triage = true } = {}) {
         centroid: centre,
         normal: [0, 0, 1],
         lines: [square(centre, 0.2 + 0.05 * i)],
-        triangles_a: [0],
-        triangles_b: [1],
       })),
       ...more,
     };

@@ -33,6 +33,7 @@ const changeOf = ({ change, regions }) =>
   change === 'persisting' && regions.some((region) => region.change === 'new') ? 'new region' : change;
 const isWorse = ({ was, verdict }) => was !== null && kOrder.indexOf(verdict) < kOrder.indexOf(was);
 const nameOf = (id) => report.objects[id].name;
+const traitOf = (id, key) => (key === 'file' ? report.objects[id].file : report.objects[id].properties[key]) ?? `without ${key}`;
 
 describe('the list of clashes', () => {
   const browser = suiteBrowser(reviewPage());
@@ -152,16 +153,13 @@ describe('the list of clashes', () => {
     const free = report.pairs.find((pair) => pair.verdict === 'inside');
     free.touching = free.coplanar = free.crossing = 0;
     const page = await browser.visit(t, { report });
-    const pairs = (field, value) => async () => {
-      await page.fill(field, value);
-      const ranks = await listed(page);
-      await page.fill(field, '');
-      return page.evaluate(
-        (ranks) => ranks.map((rank) => window.impinge.clashes[rank - 1].pair).map(({ a, b }) => `${a} ${b}`),
-        ranks,
-      );
-    };
     const namesOf = (some) => some.map(({ a, b }) => `${a} ${b}`).sort();
+    const pairs = async (field, value) => {
+      await page.fill(field, value);
+      const found = await page.evaluate(() => window.impinge.visible().map(({ pair }) => pair));
+      await page.fill(field, '');
+      return namesOf(found);
+    };
     const isMeeting = (pair) => pair.verdict !== 'apart' && pair !== free;
     for (const [value, near] of [
       ['0.01', [first, second]],
@@ -170,15 +168,14 @@ describe('the list of clashes', () => {
       ['0.01001', [first, second, third]],
       ['0', []],
     ]) {
-      const found = (await pairs('#distance-to', value)()).sort();
-      assert.deepEqual(found, namesOf([...report.pairs.filter(isMeeting), ...near]), value);
+      assert.deepEqual(await pairs('#distance-to', value), namesOf([...report.pairs.filter(isMeeting), ...near]), value);
     }
     for (const [value, found] of [
       ['0.02', [deep[0], deep[1], deep[3]]],
       ['0.0200002', [deep[1], deep[3]]],
       ['0.01998', deep],
     ])
-      assert.deepEqual((await pairs('#depth-from', value)()).sort(), namesOf(found), value);
+      assert.deepEqual(await pairs('#depth-from', value), namesOf(found), value);
     await page.fill('#depth-from', '0.9');
     assert.deepEqual(await listed(page, '.main'), ['depth 0 to 1'], 'of a wide interval both ends');
   });
@@ -332,7 +329,6 @@ describe('the list of clashes', () => {
   test('is counted in a matrix whose cells filter it', async () => {
     const failing = ranked.filter((pair) => pair.fails);
     for (const key of ['file', 'class', 'storey']) {
-      const of = (id) => (key === 'file' ? report.objects[id].file : report.objects[id].properties[key]) ?? `without ${key}`;
       await page.click('#matrix-button');
       await page.selectOption('#matrix-by', key);
       const cells = page.locator('#matrix td button');
@@ -343,7 +339,7 @@ describe('the list of clashes', () => {
       const values = [found[0] ?? found[1], found[0] ?? found[2]].sort();
       await last.click();
       assert.ok(await page.isHidden('#matrix'));
-      const expected = failing.filter(({ a, b }) => [of(a), of(b)].sort().join() === values.join());
+      const expected = failing.filter(({ a, b }) => [a, b].map((id) => traitOf(id, key)).sort().join() === values.join());
       assert.equal(expected.length, counts.at(-1));
       await lists((pair) => expected.includes(pair), `${key}: ${values}`);
       assert.equal(await page.getAttribute('.chip.failing', 'aria-pressed'), 'true');
@@ -381,9 +377,8 @@ describe('the list of clashes', () => {
 
   test('is grouped by storey, class and file', async () => {
     for (const key of ['storey', 'class', 'file']) {
-      const of = (id) => (key === 'file' ? report.objects[id].file : report.objects[id].properties[key]) ?? `without ${key}`;
       const titleOf = ([p, q]) => (p === q ? `both ${p}` : `${p} × ${q}`);
-      const orders = ({ a, b }) => [titleOf([of(a), of(b)]), titleOf([of(b), of(a)])];
+      const orders = ({ a, b }) => [[a, b], [b, a]].map((ids) => titleOf(ids.map((id) => traitOf(id, key)))); // prettier-ignore
       await page.selectOption('#group', key);
       const titles = await listed(page, '.group-title .name');
       const ranks = await listed(page);
@@ -475,25 +470,16 @@ describe('the list of clashes', () => {
     await clear();
   });
 
-  test('marks what got worse', async () => {
-    const marked = ranked.filter(isWorse);
-    assert.deepEqual(marked, [report.pairs[0]]);
+  test('marks what got worse, and known clashes with a new region', async () => {
     const rows = await listed(page, '.tags');
-    assert.deepEqual(
-      ranked.filter((_, i) => rows[i]?.includes('worse')),
-      marked,
-    );
-  });
-
-  test('marks known clashes with a new region', async () => {
-    const marked = ranked.filter((pair) => changeOf(pair) === 'new region');
-    assert.deepEqual(marked, [report.pairs[4]]);
-    const rows = await listed(page, '.tags');
-    assert.deepEqual(
-      ranked.filter((_, i) => rows[i]?.includes('new region')),
-      marked,
-    );
-    await choose(rankOf(marked[0]));
+    for (const [tag, isMarked, pair] of [
+      ['worse', isWorse, report.pairs[0]],
+      ['new region', (one) => changeOf(one) === 'new region', report.pairs[4]],
+    ]) {
+      assert.deepEqual(ranked.filter(isMarked), [pair]);
+      assert.deepEqual(ranked.filter((_, i) => rows[i]?.includes(tag)), [pair]); // prettier-ignore
+    }
+    await choose(rankOf(report.pairs[4]));
     assert.match(await page.textContent('#details-body'), /Changepersisting, with a new region(?!,)/);
     await page.keyboard.press('Escape');
   });

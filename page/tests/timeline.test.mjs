@@ -3,9 +3,8 @@
 //
 // The motion of a mechanism. Where its parts are at a time is worked out here from how they move.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { listed, picture, settled, startBrowser } from './browser.mjs';
-import { compose } from './compose.mjs';
+import { describe, test } from 'node:test';
+import { listed, picture, settled, suiteBrowser } from './browser.mjs';
 import { kMarkup, reviewPage } from './fixture.mjs';
 import { mechanism, mechanismPage } from './mechanism.mjs';
 
@@ -18,63 +17,48 @@ const byTime = [2, 1, 0, 3].map((i) => motion.spans[i]);
 /** How many pixels of the view are red, and of the colour in which a point of contact is drawn. */
 async function coloured(page) {
   await settled(page);
-  const { png } = await picture(page);
-  return page.evaluate(async (data) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${data}`;
-    await image.decode();
-    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-    context.drawImage(image, 0, 0);
-    const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
-    const counts = { reds: 0, dots: 0 };
-    for (let i = 0; i < bytes.length; i += 4) {
-      const [r, g, b] = bytes.subarray(i, i + 3);
-      if (r === 0xc4 && g === 0 && b === 0x5f) ++counts.dots;
-      else if (r > 80 && r > 2 * g) ++counts.reds;
-    }
-    return counts;
-  }, png.toString('base64'));
+  const { seen } = await picture(page);
+  const counts = { reds: 0, dots: 0 };
+  for (const [colour, count] of seen) {
+    const [r, g] = [colour >> 16, (colour >> 8) & 255];
+    if (colour === 0xc4005f) counts.dots += count;
+    else if (r > 80 && r > 2 * g) counts.reds += count;
+  }
+  return counts;
 }
 const bar = (page, rank) => page.locator(`#timeline .span[data-rank="${rank}"]`);
 
 describe('the timeline', () => {
-  let browser;
-  let shared;
-  before(async () => {
-    browser = await startBrowser();
-    shared = await browser.share(mechanismPage());
-  });
-  after(() => browser.stop());
+  const browser = suiteBrowser(mechanismPage());
 
-  test('parts stand at each time where they move to, and are seen there', async () => {
+  test('parts stand at each time where they move to, and are seen there', async (t) => {
     const pictures = [];
     for (const offset of [
       [0, 0, 0],
       [2 ** 24, -(2 ** 25), 2 ** 23],
     ]) {
-      const { page, close } = await browser.open(mechanismPage({ offset }));
-      for (const t of [0, 0.5, 1, 1.3, 2.999, 3, 4]) {
-        await seek(page, t);
+      const page = await browser.visit(t, mechanismPage({ offset }));
+      for (const moment of [0, 0.5, 1, 1.3, 2.999, 3, 4]) {
+        await seek(page, moment);
         const arm = await pose(page, 0);
-        const [c, s] = [Math.cos((t * Math.PI) / 2), Math.sin((t * Math.PI) / 2)];
-        [c, -s, 0, offset[0], s, c, 0, offset[1], 0, 0, 1, offset[2]].forEach((e, k) => near(arm[k], e, `arm at ${t}`));
-        near((await pose(page, 1))[3], offset[0] - 3 + 2 * t, `slider at ${t}`);
+        const [c, s] = [Math.cos((moment * Math.PI) / 2), Math.sin((moment * Math.PI) / 2)];
+        [c, -s, 0, offset[0], s, c, 0, offset[1], 0, 0, 1, offset[2]].forEach((e, k) => near(arm[k], e, `arm at ${moment}`));
+        near((await pose(page, 1))[3], offset[0] - 3 + 2 * moment, `slider at ${moment}`);
         // Not rigid: each number for itself.
-        near((await pose(page, 3))[5], 1 + t, `panel at ${t}`);
+        near((await pose(page, 3))[5], 1 + moment, `panel at ${moment}`);
       }
       assert.deepEqual((await pose(page, 2)).slice(3, 4), [4 + offset[0]], 'the wall stands still');
       await seek(page, 1.3);
       await settled(page);
       pictures.push((await picture(page)).png);
-      await close();
     }
     assert.ok(pictures[0].equals(pictures[1]), 'far from the origin the picture is as sharp as near it');
   });
 
-  test('what moves far away is fitted and not cut off', async () => {
+  test('what moves far away is fitted and not cut off', async (t) => {
     const blocks = mechanism();
     blocks.motion.objects[1].poses.forEach((one, i) => (one[3] = -3 + 200 * i));
-    const { page, close } = await browser.open(compose(blocks));
+    const page = await browser.visit(t, blocks);
     await page.keyboard.press('f');
     await seek(page, 4);
     await page.evaluate(() => window.impinge.store.set({ part: 1 }));
@@ -89,11 +73,10 @@ describe('the timeline', () => {
     const middle = await page.evaluate(() => window.impinge.screenPlace(1));
     await page.mouse.click(middle.x, middle.y);
     assert.equal(await page.evaluate(() => window.impinge.store.state.part), 1);
-    await close();
   });
 
   test('scrubs with the mouse, and the part is seen elsewhere', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const place = () => page.evaluate(() => window.impinge.screenPlace(1));
     const first = [await place(), (await picture(page)).png];
     const { x, y, width, height } = await page.locator('#time-slider').boundingBox();
@@ -118,7 +101,7 @@ describe('the timeline', () => {
   });
 
   test('is gone through with keys', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const slider = page.locator('#time-slider');
     for (const focused of [false, true]) {
       if (focused) await slider.focus();
@@ -150,7 +133,7 @@ describe('the timeline', () => {
   });
 
   test('plays, pauses and stops at the end', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     assert.equal(await time(page), 0, 'nothing plays by itself');
     await page.keyboard.press(' ');
     await page.waitForFunction(() => window.impinge.store.state.time > 0.2);
@@ -176,7 +159,7 @@ describe('the timeline', () => {
   });
 
   test('nothing plays on after a clash is chosen', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     await page.click('#play');
     await bar(page, 2).click();
     await settled(page);
@@ -184,7 +167,7 @@ describe('the timeline', () => {
   });
 
   test('lists every span in the order of time, and sorts and filters them', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const names = (spans) => spans.map(({ a, b }) => [a, b].map((id) => mechanism().report.objects[id].name));
     const rows = await listed(page, '.names');
     assert.equal(rows.length, motion.spans.length);
@@ -204,8 +187,8 @@ describe('the timeline', () => {
     assert.deepEqual(await listed(page), ['1']);
   });
 
-  test('is summed up with the limit of what it can see, and what it leaves out', async () => {
-    const page = await shared.take();
+  test('is summed up with the limit of what it can see, and what it leaves out', async (t) => {
+    const page = await browser.take();
     assert.match(await page.textContent('#verdict-line'), /^4 clashes in 4 s of motion/);
     const facts = await page.textContent('#facts');
     for (const fact of [
@@ -219,16 +202,15 @@ describe('the timeline', () => {
     const none = mechanism();
     none.motion.spans = [];
     none.motion.left_out = ['first', kMarkup, 'third', 'fourth', 'fifth', 'sixth'];
-    const other = await browser.open(compose(none));
-    assert.match(await other.page.textContent('#verdict-line'), /^No clash seen in 4 s of motion/);
-    const told = await other.page.locator('#facts .left-out').allTextContents();
+    const other = await browser.visit(t, none);
+    assert.match(await other.textContent('#verdict-line'), /^No clash seen in 4 s of motion/);
+    const told = await other.locator('#facts .left-out').allTextContents();
     assert.deepEqual(told, ['left out: first', `left out: ${kMarkup}`, 'left out: third', 'left out: 3 more things, which the JSON lists']);
-    assert.equal(await other.page.locator('#facts b, #facts script').count(), 0, 'as text');
-    await other.close();
+    assert.equal(await other.locator('#facts b, #facts script').count(), 0, 'as text');
   });
 
   test('a click or Enter on a bar chooses the span: its start, its parts, its figures', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const before = (await picture(page)).png;
     await bar(page, 3).click();
     await settled(page);
@@ -260,7 +242,7 @@ describe('the timeline', () => {
   });
 
   test('impacts are marks, of another shape where no frame shows them; keys go from one to the next', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const marks = await page.locator('.impact').evaluateAll((all) =>
       all.map((one) => [one.getAttribute('aria-label'), one.classList.contains('passage'), parseFloat(one.style.left)]),
     );
@@ -298,8 +280,8 @@ describe('the timeline', () => {
     assert.equal(await page.locator('.impact').count(), 1, 'they follow the filter');
   });
 
-  test('a link opens its clash at its time', async () => {
-    const { page, close } = await browser.open(mechanismPage(), { hash: '#clash=3&t=3.25' });
+  test('a link opens its clash at its time', async (t) => {
+    const page = await browser.visit(t, mechanismPage(), { hash: '#clash=3&t=3.25' });
     for (const [hash, goal, legend] of [
       ['#clash=3&t=3.25', 3.25, 'AsliderBwall'],
       ['#t=2.25', 2.25, ''],
@@ -316,11 +298,10 @@ describe('the timeline', () => {
       near((await pose(page, 1))[3], -3 + 2 * goal, hash);
       await page.evaluate(() => window.impinge.store.set({ clash: null, time: 0 }));
     }
-    await close();
   });
 
-  test('what clashes at a time is seen by its colour', async () => {
-    const page = await shared.take();
+  test('what clashes at a time is seen by its colour', async (t) => {
+    const page = await browser.take();
     assert.equal(await page.textContent('.time-now'), '1 clash now');
     await seek(page, 2);
     assert.equal(await page.textContent('.time-now'), 'no clash now');
@@ -330,16 +311,15 @@ describe('the timeline', () => {
     // Where nothing clashes in the beginning, nothing is red before a time is chosen.
     const calm = mechanism();
     calm.motion.spans = calm.motion.spans.filter((span) => span.from);
-    const other = await browser.open(compose(calm));
-    assert.equal(await other.page.textContent('.time-now'), 'no clash now');
-    assert.equal((await coloured(other.page)).reds, 0);
-    await seek(other.page, 3);
-    assert.ok((await coloured(other.page)).reds > 500);
-    await other.close();
+    const other = await browser.visit(t, calm);
+    assert.equal(await other.textContent('.time-now'), 'no clash now');
+    assert.equal((await coloured(other)).reds, 0);
+    await seek(other, 3);
+    assert.ok((await coloured(other)).reds > 500);
   });
 
   test('the tree counts in red what clashes at some time', async () => {
-    const page = await shared.take();
+    const page = await browser.take();
     const red = await page.evaluate(() =>
       [...document.querySelectorAll('#parts-tree .row:has(.badge.failing)')].map((row) => [
         row.querySelector('.name').textContent,
@@ -354,8 +334,8 @@ describe('the timeline', () => {
     ]);
   });
 
-  test('many pairs: lanes that scroll, of which few are in the document', async () => {
-    const { page, close } = await browser.open(mechanismPage({ lanes: 600 }));
+  test('many pairs: lanes that scroll, of which few are in the document', async (t) => {
+    const page = await browser.visit(t, mechanismPage({ lanes: 600 }));
     assert.ok((await page.locator('#timeline .lane').count()) < 30);
     await page.evaluate(() => window.impinge.store.select(window.impinge.clashes.at(-1)));
     await settled(page);
@@ -375,40 +355,35 @@ describe('the timeline', () => {
     }
     assert.equal(new Set(ranks).size, impacts);
     assert.equal(ranks[impacts], ranks[0]);
-    await close();
   });
 
-  test('nothing stands out of a narrow window, where a finger scrubs', async () => {
+  test('nothing stands out of a narrow window, where a finger scrubs', async (t) => {
     for (const width of [320, 390]) {
-      const { page, close } = await browser.open(mechanismPage({ lanes: 5 }), { width, height: 640, touch: true });
+      const page = await browser.visit(t, mechanismPage({ lanes: 5 }), { width, height: 640, touch: true });
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
       await bar(page, 2).click();
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
       const track = await page.locator('#time-slider').boundingBox();
       await page.touchscreen.tap(track.x + track.width * 0.75, track.y + track.height / 2);
       assert.ok(Math.abs((await time(page)) - 3) < 0.03, 'scrubs with a finger');
-      await close();
     }
   });
 
-  test('works without a 3D view, and other pages have no timeline', async () => {
+  test('works without a 3D view, and other pages have no timeline', async (t) => {
     const { scene, geometry, ...rest } = mechanism();
-    const { page, close } = await browser.open(compose(rest));
+    const page = await browser.visit(t, rest);
     await page.keyboard.press('End');
     assert.equal(await time(page), 4);
-    await close();
-    const other = await browser.open(reviewPage());
-    assert.ok(await other.page.locator('#timeline').isHidden());
-    await other.close();
+    const other = await browser.visit(t, reviewPage());
+    assert.ok(await other.locator('#timeline').isHidden());
   });
 
-  test('a motion that cannot be read is told, and the parts are shown', async () => {
+  test('a motion that cannot be read is told, and the parts are shown', async (t) => {
     const blocks = mechanism();
     blocks.motion.times = [];
-    const { page, close } = await browser.open(compose(blocks));
+    const page = await browser.visit(t, blocks);
     assert.match(await page.textContent('#trouble'), /^The motion cannot be read: it lists no times/);
     assert.ok(await page.locator('#timeline').isHidden());
     assert.ok((await picture(page)).count > 10);
-    await close();
   });
 });

@@ -9,6 +9,16 @@ import { nestedPage, plantPage, review, reviewPage, twinsPage } from './fixture.
 
 const stand = (page) => page.evaluate(() => structuredClone(window.impinge.stand()));
 const frames = (page) => page.evaluate(() => window.impinge.frames());
+/** Fails, when it is called, unless the picture is another one than at its last call, or when it was made. */
+async function watched(page) {
+  let last = (await picture(page)).png;
+  return async (what) => {
+    await settled(page);
+    const { png } = await picture(page);
+    assert.ok(!png.equals(last), what);
+    last = png;
+  };
+}
 
 describe('the 3D view', () => {
   const browser = suiteBrowser(reviewPage());
@@ -141,35 +151,27 @@ describe('the 3D view', () => {
 
   test('hiding, isolating, colours and fading change what is seen', async () => {
     const page = await browser.take();
-    const seen = [(await picture(page)).png];
-    const change = async (act) => {
+    const differs = await watched(page);
+    for (const [what, act] of Object.entries({
+      'two are hidden': () => page.evaluate(() => window.impinge.store.set({ hidden: new Set([3, 4]) })),
+      'two are left': () => page.evaluate(() => window.impinge.store.isolate([0, 5])),
+      'all are there': () => page.keyboard.press('a'),
+      'by verdict': () => page.evaluate(() => window.impinge.store.set({ colourBy: 'verdict' })),
+      'by file': () => page.evaluate(() => window.impinge.store.set({ colourBy: 'file' })),
+      'a clash': () => page.evaluate(() => window.impinge.store.select(window.impinge.clashes[2])),
+      'through both parts': () => page.keyboard.press('x'),
+      'boxes of regions': () => page.keyboard.press('b'),
+      'the others are gone': () => page.evaluate(() => window.impinge.store.set({ others: 'hide' })),
+    })) {
       await act();
-      await settled(page);
-      const { png } = await picture(page);
-      assert.ok(!png.equals(seen.at(-1)));
-      seen.push(png);
-    };
-    await change(() => page.evaluate(() => window.impinge.store.set({ hidden: new Set([3, 4]) })));
-    await change(() => page.evaluate(() => window.impinge.store.isolate([0, 5])));
-    await change(() => page.keyboard.press('a'));
-    await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'verdict' })));
-    await change(() => page.evaluate(() => window.impinge.store.set({ colourBy: 'file' })));
-    await change(() => page.evaluate(() => window.impinge.store.select(window.impinge.clashes[2])));
-    await change(() => page.keyboard.press('x'));
-    await change(() => page.keyboard.press('b'));
-    await change(() => page.evaluate(() => window.impinge.store.set({ others: 'hide' })));
+      await differs(what);
+    }
   });
 
   test('sections, explosion and views change what is seen, and can be undone', async () => {
     const page = await browser.take();
     const whole = (await picture(page)).png;
-    let last = whole;
-    const differs = async (what) => {
-      await settled(page);
-      const { png } = await picture(page);
-      assert.ok(!png.equals(last), what);
-      last = png;
-    };
+    let differs = await watched(page);
     await page.keyboard.press('s');
     for (const axis of ['x', 'y', 'z']) {
       await page.click(`[data-axis=${axis}]`);
@@ -197,7 +199,7 @@ describe('the 3D view', () => {
     await page.evaluate(() => window.impinge.store.select(window.impinge.clashes[2]));
     await page.keyboard.press('s');
     await settled(page);
-    last = (await picture(page)).png;
+    differs = await watched(page);
     await page.click('[data-axis=clash]');
     await differs('through the clash');
     await page.click('[data-axis=none]');

@@ -41,12 +41,6 @@ Scenery scenery_of(const Review& review, const Clash& clash, const Place& place)
   return scenery;
 }
 
-std::string_view storey_of(const io::Object& object) {
-  for (const auto& [name, value] : object.properties)
-    if (name == "storey") return value;
-  return {};
-}
-
 /// Adds the parts near the clash, of the storeys that its two parts are in if they are in some: cut open above the
 /// clash, or below if it is looked at from there, and before it. The boxes are those of all objects.
 void add_surroundings(const Review& review, std::span<const Bounds> boxes, const Clash& clash, const Place& place,
@@ -54,7 +48,7 @@ void add_surroundings(const Review& review, std::span<const Bounds> boxes, const
   constexpr std::size_t kMostTriangles = 50'000;
   const std::vector<io::Object>& objects = review.assembly.objects;
   const auto& [a, b] = clash.objects;
-  const std::array<std::string_view, 2> storeys{storey_of(objects[a]), storey_of(objects[b])};
+  const std::array<std::string_view, 2> storeys{property_of(objects[a], "storey"), property_of(objects[b], "storey")};
   const bool has_storey = !storeys[0].empty() || !storeys[1].empty();
   const Point target = middle(place.box.lo, place.box.hi);
   const double radius = view.distance * std::sin(kFieldOfView / 2 * std::numbers::pi / 180);
@@ -67,7 +61,7 @@ void add_surroundings(const Review& review, std::span<const Bounds> boxes, const
     constexpr double kSeen = 4;  // in radii: the picture's corners, and what is behind the clash
     const double distance = length(nearest - target);
     if (!(distance < kSeen * radius)) continue;
-    if (has_storey && std::ranges::find(storeys, storey_of(objects[i])) == storeys.end()) continue;
+    if (has_storey && std::ranges::find(storeys, property_of(objects[i], "storey")) == storeys.end()) continue;
     near.emplace_back(distance, i);
   }
   std::ranges::sort(near);

@@ -53,32 +53,26 @@ std::size_t in_common(const std::multiset<std::string>& a, const std::multiset<s
   return count;
 }
 
-/// The two files of which each has more parts in common with the other than with any other, of then or of now.
-class Likeness {
- public:
-  Likeness(const Contents& then, const Contents& now) : earlier_(then), now_(now) {}
+/// How many parts two files have in common; 0 where these are few.
+std::size_t likeness(const Content& a, const Content& b) {
+  const std::size_t common = in_common(a.placed, b.placed);
+  // A frame that is in all files does not make them the same.
+  return 2 * common < std::min(a.placed.size(), b.placed.size()) ? 0 : common;
+}
 
-  [[nodiscard]] bool are_same(const std::string& then, const std::string& now) const {
-    const std::size_t common = likeness(then, now);
-    if (common == 0) return false;
-    const auto is_rival = [&](const std::string& of_then, const std::string& of_now) {
-      return (of_then != then || of_now != now) && likeness(of_then, of_now) >= common;
-    };
-    return std::none_of(earlier_.begin(), earlier_.end(),
-                        [&](const auto& each) { return is_rival(each.first, now); }) &&
-           std::none_of(now_.begin(), now_.end(), [&](const auto& each) { return is_rival(then, each.first); });
-  }
-
- private:
-  [[nodiscard]] std::size_t likeness(const std::string& then, const std::string& now) const {
-    const auto &of_then = earlier_.at(then).placed, &of_now = now_.at(now).placed;
-    const std::size_t common = in_common(of_then, of_now);
-    // A frame that is in all files does not make them the same.
-    return 2 * common < std::min(of_then.size(), of_now.size()) ? 0 : common;
-  }
-
-  const Contents &earlier_, &now_;
-};
+/// Whether each of two files has more parts in common with the other than with any other, of then or of now.
+bool are_same(const Contents::value_type& then, const Contents::value_type& now, const Contents& all_then,
+              const Contents& all_now) {
+  const std::size_t common = likeness(then.second, now.second);
+  const auto is_rival_of_then = [&](const auto& each) {
+    return each.first != then.first && likeness(each.second, now.second) >= common;
+  };
+  const auto is_rival_of_now = [&](const auto& each) {
+    return each.first != now.first && likeness(then.second, each.second) >= common;
+  };
+  return common > 0 && std::ranges::none_of(all_then, is_rival_of_then) &&
+         std::ranges::none_of(all_now, is_rival_of_now);
+}
 
 class Renaming {
  public:
@@ -114,12 +108,12 @@ class Renaming {
     if (gone_.empty() || fresh_.empty()) return;
     read_contents();
     const bool is_only_one = old_.size() == 1 && now_.size() == 1;
-    const Likeness likeness(earlier_, present_);
     std::vector<std::pair<std::string, std::string>> same;
     for (const std::string& then : gone_)
       for (const std::string& now : fresh_)
-        if (!is_mixed_up(then, now) && (is_only_one ? in_common(earlier_.at(then).paths, present_.at(now).paths) > 0
-                                                    : likeness.are_same(then, now)))
+        if (!is_mixed_up(then, now) &&
+            (is_only_one ? in_common(earlier_.at(then).paths, present_.at(now).paths) > 0
+                         : are_same(*earlier_.find(then), *present_.find(now), earlier_, present_)))
           same.emplace_back(then, now);
     take(same);
   }

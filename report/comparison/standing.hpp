@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
@@ -24,6 +26,12 @@ struct Decision {
   std::string status, comment, assignee;
   std::string due;  ///< a day, such as 2024-06-14
 };
+/// Its fields, by the names that all documents have for them.
+inline constexpr std::array<std::pair<const char*, std::string Decision::*>, 4> kDecisionFields{
+    {{"status", &Decision::status},
+     {"comment", &Decision::comment},
+     {"assignee", &Decision::assignee},
+     {"due", &Decision::due}}};
 
 struct RegionStanding {
   std::string id;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -90,24 +91,21 @@ Result<Posed> Mover::place(std::size_t i, const std::vector<Affine>& worlds, dou
 }
 
 Result<std::vector<Posed>> Mover::at(double seconds) const {
+  std::vector<std::uint32_t> all(model_.objects.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return at(seconds, all);
+}
+
+Result<std::vector<Posed>> Mover::at(double seconds, std::span<const std::uint32_t> objects) const {
   const std::vector<Affine> worlds = io::nodes_at(model_, animation_, seconds);
   std::vector<Posed> posed;
-  posed.reserve(model_.objects.size());
-  for (std::size_t i = 0; i < model_.objects.size(); ++i) {
+  posed.reserve(objects.size());
+  for (const std::uint32_t i : objects) {
     Result<Posed> placed = place(i, worlds, seconds);
     if (!placed) return placed.error();
     posed.push_back(std::move(*placed));
   }
   return posed;
-}
-
-Result<std::array<Posed, 2>> Mover::at(double seconds, const std::array<std::uint32_t, 2>& objects) const {
-  const std::vector<Affine> worlds = io::nodes_at(model_, animation_, seconds);
-  Result<Posed> a = place(objects[0], worlds, seconds);
-  if (!a) return a.error();
-  Result<Posed> b = place(objects[1], worlds, seconds);
-  if (!b) return b.error();
-  return std::array<Posed, 2>{std::move(*a), std::move(*b)};
 }
 
 }  // namespace impinge::report

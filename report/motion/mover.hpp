@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "impinge/io.hpp"
@@ -29,8 +29,8 @@ class Mover {
   /// a part that is flat at rest, of which no shape is left), with the object's name.
   [[nodiscard]] Result<std::vector<Posed>> at(double seconds) const;
 
-  /// Two of them.
-  [[nodiscard]] Result<std::array<Posed, 2>> at(double seconds, const std::array<std::uint32_t, 2>& objects) const;
+  /// Some of them.
+  [[nodiscard]] Result<std::vector<Posed>> at(double seconds, std::span<const std::uint32_t> objects) const;
 
   /// How long the animation runs.
   [[nodiscard]] double seconds() const noexcept { return animation_.seconds; }

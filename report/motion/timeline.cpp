@@ -277,33 +277,26 @@ class Search {
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = moment.lo + (moment.hi - moment.lo) / 2;
       if (!(middle > moment.lo && middle < moment.hi)) break;
-      const Result<Verdict> verdict = judge_at(objects, middle, pair);
-      if (!verdict) return verdict.error();
-      (names(options_.fail_on, *verdict) == clashes_first ? moment.lo : moment.hi) = middle;
+      const auto clash = clash_at(objects, middle, pair, clash_options(true));
+      if (!clash) return clash.error();
+      const Verdict verdict = *clash ? (*clash)->verdict : Verdict::apart;
+      (names(options_.fail_on, verdict) == clashes_first ? moment.lo : moment.hi) = middle;
     }
     return moment;
-  }
-
-  /// The verdict on two parts at a time.
-  Result<Verdict> judge_at(const Objects& objects, double time, std::optional<MovingScene>& pair) {
-    const auto clash = clash_at(objects, time, pair, clash_options(true));
-    if (!clash) return clash.error();
-    return *clash ? (*clash)->verdict : Verdict::apart;
   }
 
   /// Nothing where they are apart. `pair` is the two alone, where they were looked at last.
   Result<std::optional<Clash>> clash_at(const Objects& objects, double time, std::optional<MovingScene>& pair,
                                         const ClashOptions& options) {
-    auto posed = mover_.at(time, objects);
-    if (!posed) return posed.error();
-    std::vector<Posed> both{std::move((*posed)[0]), std::move((*posed)[1])};
+    Result<std::vector<Posed>> both = mover_.at(time, objects);
+    if (!both) return both.error();
     if (pair) {
-      if (auto moved = pair->move_to(std::move(both)); !moved) return moved.error();
+      if (auto moved = pair->move_to(*std::move(both)); !moved) return moved.error();
     } else {
       Scene scene;
-      for (const Posed& part : both)
+      for (const Posed& part : *both)
         if (auto added = scene.add(part.mesh, part.pose); !added) return added.error();
-      pair.emplace(std::move(scene), std::move(both));
+      pair.emplace(std::move(scene), *std::move(both));
     }
     Result<Clashes> clashes = pair->clashes(options);
     if (!clashes) return clashes.error();

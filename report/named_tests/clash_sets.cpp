@@ -33,15 +33,21 @@ Word read_text(const JsonNode& object, const char* key) {
   return {node->value.get<std::string>(), node->place.to_string()};
 }
 
-/// {file, selector, mode}. A selector that is not looked at, because there is no mode, goes into `ignored`.
-Group read_source(const JsonNode& node, std::vector<Word>& ignored) {
+/// A selector that is not looked at, because there is no mode, and the name of the clash set that it is in.
+struct IgnoredSelector {
+  Word selector;
+  std::string set;
+};
+
+/// {file, selector, mode}, of a clash set.
+Group read_source(const JsonNode& node, const std::string& set, std::vector<IgnoredSelector>& ignored) {
   Group source;
   source.place = node.place.to_string();
   source.files.push_back(read_text(node, "file"));
   const Word selector = read_text(node, "selector");
   const std::string mode = read_text(node, "mode").text;
   if (is_everything(selector.text)) return source;
-  if (mode.empty()) ignored.push_back(selector);
+  if (mode.empty()) ignored.push_back({selector, set});
   if (mode == "i") source.selects.push_back(selector);
   if (mode == "e") {
     Group& except = source.except.emplace_back();
@@ -51,18 +57,12 @@ Group read_source(const JsonNode& node, std::vector<Word>& ignored) {
   return source;
 }
 
-Group read_sources(const JsonNode& node, std::vector<Word>& ignored) {
+Group read_sources(const JsonNode& node, const std::string& set, std::vector<IgnoredSelector>& ignored) {
   Group group;
   group.place = node.place.to_string();
-  group.any = node.each([&](const JsonNode& each) { return read_source(each, ignored); });
+  group.any = node.each([&](const JsonNode& each) { return read_source(each, set, ignored); });
   return group;
 }
-
-/// A selector that is not looked at, and the name of the clash set that it is in.
-struct IgnoredSelector {
-  Word selector;
-  std::string set;
-};
 
 /// IfcClash looks at a selector only with a mode beside it, which is easily forgotten.
 void warn(const std::vector<IgnoredSelector>& ignored, Configuration& to) {
@@ -79,14 +79,12 @@ void warn(const std::vector<IgnoredSelector>& ignored, Configuration& to) {
         fmt::format("{} more with a selector and no \"mode\"", counted(ignored.size() - kMost, "source")));
 }
 
-NamedTest read_clash_set(const JsonNode& node, std::vector<IgnoredSelector>& to_warn_of) {
+NamedTest read_clash_set(const JsonNode& node, std::vector<IgnoredSelector>& ignored) {
   NamedTest test;
   test.place = node.place.to_string();
   test.name = read_text(node, "name");
-  std::vector<Word> ignored;
-  test.a = read_sources(node["a"], ignored);
-  if (const auto b = node.find("b"); b && !b->value.empty()) test.b = read_sources(*b, ignored);
-  for (Word& selector : ignored) to_warn_of.push_back({std::move(selector), test.name.text});
+  test.a = read_sources(node["a"], test.name.text, ignored);
+  if (const auto b = node.find("b"); b && !b->value.empty()) test.b = read_sources(*b, test.name.text, ignored);
   // Each of the lengths and flags is for one mode; the program that writes these files writes all of them.
   const std::string mode = node.value.value("mode", "intersection");
   if (mode == "clearance") {

@@ -128,6 +128,12 @@ NamedFile read_file(const JsonNode& node) {
   return file;
 }
 
+void add_with_inner(const Group& group, std::vector<const Group*>& to) {
+  to.push_back(&group);
+  for (const std::vector<Group>* const inner : {&group.any, &group.except})
+    for (const Group& each : *inner) add_with_inner(each, to);
+}
+
 std::string no_configuration(std::string_view what) {
   return fmt::format(
       "this is no configuration, such as {{\"tests\": [{{\"name\": \"all\", \"a\": \"*\"}}]}} (docs/triage.md): {}",
@@ -190,49 +196,38 @@ Result<void> check(const Configuration& configuration) {
   return {};
 }
 
-Result<void> for_each_group(const Configuration& configuration,
-                            const std::function<Result<void>(const Group&)>& look_at) {
-  const std::function<Result<void>(const Group&)> visit = [&](const Group& group) -> Result<void> {
-    if (auto seen = look_at(group); !seen) return seen;
-    for (const std::vector<Group>* const more : {&group.any, &group.except})
-      for (const Group& inner : *more)
-        if (auto seen = visit(inner); !seen) return seen;
-    return {};
+std::vector<const Group*> groups_in(const Configuration& configuration) {
+  std::vector<const Group*> all;
+  const auto add = [&](const Group& group) { add_with_inner(group, all); };
+  const auto add_pairs = [&](const std::vector<GroupPair>& pairs) {
+    for (const auto& [a, b] : pairs) add(a), add(b);
   };
-  const auto visit_terms = [&](const Terms& terms) -> Result<void> {
-    for (const Group& group : terms.ignore.within)
-      if (auto seen = visit(group); !seen) return seen;
-    for (const auto* const pairs : {&terms.ignore.pairs, terms.may_touch ? &terms.may_touch->pairs : nullptr})
-      for (std::size_t i = 0; pairs && i < pairs->size(); ++i)
-        for (const Group* const group : {&(*pairs)[i].first, &(*pairs)[i].second})
-          if (auto seen = visit(*group); !seen) return seen;
-    return {};
+  const auto add_terms = [&](const Terms& terms) {
+    for (const Group& group : terms.ignore.within) add(group);
+    add_pairs(terms.ignore.pairs);
+    if (terms.may_touch) add_pairs(terms.may_touch->pairs);
   };
-  for (const auto& [_, group] : configuration.groups)
-    if (auto seen = visit(group); !seen) return seen;
-  if (auto seen = visit_terms(configuration.terms); !seen) return seen;
+  for (const auto& [_, group] : configuration.groups) add(group);
+  add_terms(configuration.terms);
   for (const NamedTest& test : configuration.tests) {
-    if (auto seen = visit(test.a); !seen) return seen;
-    if (test.b)
-      if (auto seen = visit(*test.b); !seen) return seen;
-    if (auto seen = visit_terms(test.terms); !seen) return seen;
+    add(test.a);
+    if (test.b) add(*test.b);
+    add_terms(test.terms);
   }
-  return {};
+  return all;
 }
 
 Result<bool> needs_property_sets(const Configuration& configuration) {
   bool needs = false;
-  const auto seen = for_each_group(configuration, [&](const Group& group) -> Result<void> {
-    for (const Word& word : group.selects) {
+  for (const Group* const group : groups_in(configuration)) {
+    for (const Word& word : group->selects) {
       const Result<Selector> selector = parse_selector(word.text);
       if (!selector) return configuration.error_at(word.place, "the selector: " + selector.error().message);
       needs = needs || selector->needs_property_sets();
     }
-    for (const PropertyWords& property : group.properties)
+    for (const PropertyWords& property : group->properties)
       needs = needs || property.name.find('.') != std::string::npos;
-    return {};
-  });
-  if (!seen) return seen.error();
+  }
   return needs;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "impinge/report.hpp"
-#include "report/named_tests/by_design.hpp"
+#include "report/named_tests/ifc_classes.hpp"
 #include "report/named_tests/selector.hpp"
 
 /// What `clash --config` is told: named tests between groups of parts (docs/triage.md, docs/clash.schema.json).
@@ -118,9 +117,8 @@ Result<Configuration> parse_configuration(std::string name, std::string text);
 /// other. Errors: `bad_file`.
 Result<void> check(const Configuration& configuration);
 
-/// Calls `look_at` with each group of the configuration, those within others too, until it fails.
-Result<void> for_each_group(const Configuration& configuration,
-                            const std::function<Result<void>(const Group&)>& look_at);
+/// All groups of the configuration, those within others too.
+std::vector<const Group*> groups_in(const Configuration& configuration);
 
 /// Whether any group asks for property sets. Errors: `bad_file` (a selector that is not understood).
 Result<bool> needs_property_sets(const Configuration& configuration);

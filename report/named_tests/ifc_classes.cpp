@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/named_tests/ifc_classes.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -110,6 +111,23 @@ const std::map<std::string_view, std::string_view>& parents() {
   return all;
 }
 
+const std::vector<DesignRule>& all_rules() {
+  static const std::vector<DesignRule> rules{
+      {"fasteners",
+       {"IfcFastener", "IfcDiscreteAccessory"},
+       {"IfcBuiltElement", "IfcElementAssembly", "IfcElementComponent", "IfcDistributionElement"}},
+      {"reinforcement",
+       {"IfcReinforcingElement"},
+       {"IfcReinforcingElement", "IfcBeam", "IfcColumn", "IfcDeepFoundation", "IfcFooting", "IfcRamp", "IfcRampFlight",
+        "IfcRoof", "IfcSlab", "IfcStair", "IfcStairFlight", "IfcWall"}},
+      {"opening fillings",
+       {"IfcDoor", "IfcWindow"},
+       {"IfcCurtainWall", "IfcMember", "IfcPlate", "IfcRoof", "IfcSlab", "IfcWall"}},
+      {"insulation coverings", {"IfcCovering"}, {"IfcDistributionFlowElement"}},
+  };
+  return rules;
+}
+
 }  // namespace
 
 bool is_ifc_class(std::string_view name) { return name == kTop || parents().contains(name); }
@@ -125,6 +143,11 @@ bool is_of_ifc_class(std::string_view name, std::string_view wanted) {
 
 std::string nearest_ifc_class(std::string_view word) {
   return nearest_text(word, parents(), [](const auto& known) { return known.first; });
+}
+
+const DesignRule* find_design_rule(std::string_view name) {
+  const auto rule = std::ranges::find(all_rules(), name, &DesignRule::name);
+  return rule == all_rules().end() ? nullptr : &*rule;
 }
 
 }  // namespace impinge::report

@@ -36,48 +36,32 @@ std::string nearest_file(const std::vector<std::string>& files, const std::strin
   return nearest == files.end() ? "" : fmt::format("; the nearest name is '{}'", printable(*nearest));
 }
 
-class FileAdder {
- public:
-  FileAdder(const Configuration& configuration, ReportOptions& options)
-      : configuration_(configuration), options_(options) {}
+/// Adds a file that is not among those to read. Errors: `bad_file` (there is none).
+Result<void> add_new(const Configuration& configuration, const Word& word, ReportOptions& options) {
+  const fs::path place = from_folder(configuration, word.text);
+  std::error_code unknown;
+  if (!options.skip_unreadable && !fs::exists(place, unknown))
+    return configuration.error_at(word.place, fmt::format("there is no file '{}'{}", printable(place.string()),
+                                                          nearest_file(options.files, word.text)));
+  options.files.push_back(place.string());
+  return {};
+}
 
-  Result<void> add(const NamedFile& file) {
-    const fs::path place = from_folder(configuration_, file.file.text);
-    auto known = std::find_if(options_.files.begin(), options_.files.end(),
-                              [&](const std::string& other) { return is_same_file(place, other); });
-    if (known == options_.files.end()) {
-      if (auto added = add_new(file.file); !added) return added;
-      known = options_.files.end() - 1;
-    }
-    if (!file.scale) return {};
-    for (const auto& [scaled, factor] : options_.scales)
-      if (scaled == *known)
-        return configuration_.error_at(file.file.place, fmt::format("'{}' has a scale already", printable(*known)));
-    options_.scales.emplace_back(*known, *file.scale);
-    return {};
+Result<void> add(const Configuration& configuration, const NamedFile& file, ReportOptions& options) {
+  const fs::path place = from_folder(configuration, file.file.text);
+  const auto is_it = [&](const std::string& other) { return is_same_file(place, other); };
+  auto known = std::ranges::find_if(options.files, is_it);
+  if (known == options.files.end()) {
+    if (auto added = add_new(configuration, file.file, options); !added) return added;
+    known = options.files.end() - 1;
   }
-
-  Result<void> add_all_of(const Group& group) {
-    for (const Word& word : group.files)
-      if (!has_wildcard(word.text) && files_named(configuration_, word.text, options_.files).empty())
-        if (auto added = add_new(word); !added) return added;
-    return {};
-  }
-
- private:
-  Result<void> add_new(const Word& word) {
-    const fs::path place = from_folder(configuration_, word.text);
-    std::error_code unknown;
-    if (!options_.skip_unreadable && !fs::exists(place, unknown))
-      return configuration_.error_at(word.place, fmt::format("there is no file '{}'{}", printable(place.string()),
-                                                             nearest_file(options_.files, word.text)));
-    options_.files.push_back(place.string());
-    return {};
-  }
-
-  const Configuration& configuration_;
-  ReportOptions& options_;
-};
+  if (!file.scale) return {};
+  for (const auto& [scaled, factor] : options.scales)
+    if (scaled == *known)
+      return configuration.error_at(file.file.place, fmt::format("'{}' has a scale already", printable(*known)));
+  options.scales.emplace_back(*known, *file.scale);
+  return {};
+}
 
 /// `--scale FILE=S`, where FILE is one on the command line or in the configuration, as either of them writes it.
 Result<void> add_scale(const Configuration& configuration, const std::string& file, double factor,
@@ -126,11 +110,12 @@ std::vector<std::uint32_t> files_named(const Configuration& configuration, const
 
 Result<void> add_files(const Configuration& configuration, ReportOptions& options) {
   const std::vector<std::pair<std::string, double>> asked = std::exchange(options.scales, {});
-  FileAdder adder(configuration, options);
   for (const NamedFile& file : configuration.files)
-    if (auto added = adder.add(file); !added) return added;
-  const auto add_all_of = [&](const Group& group) { return adder.add_all_of(group); };
-  if (auto added = for_each_group(configuration, add_all_of); !added) return added;
+    if (auto added = add(configuration, file, options); !added) return added;
+  for (const Group* const group : groups_in(configuration))
+    for (const Word& word : group->files)
+      if (!has_wildcard(word.text) && files_named(configuration, word.text, options.files).empty())
+        if (auto added = add_new(configuration, word, options); !added) return added;
   for (const auto& [file, factor] : asked)
     if (auto added = add_scale(configuration, file, factor, options); !added) return added;
   return {};

@@ -238,7 +238,7 @@ class Parser {
     const bool is_bare = at_ < text_.size() && text_[at_] != '"' && text_[at_] != '/';
     Result<TextMatch> value = parse_text(true);
     if (!value) return value.error();
-    if (is_bare && value->text == "NULL") facet.compared_with = Facet::Value::null;
+    if (is_bare && value->text == "NULL") facet.is_null = true;
     facet.value = *std::move(value);
     if (facet.comparison != Facet::Comparison::equal && facet.value.is_regex)
       return bad("a regular expression is compared by = and != alone");
@@ -283,7 +283,7 @@ class Filter {
     if (const auto name = ifc_name(object); !name.empty() && asks_for("Name")) look_at(name);
     for (const auto& [name, value] : object.properties)
       if (asks_for(name)) look_at(value);
-    if (facet_.compared_with == Facet::Value::null) says = !is_there;
+    if (facet_.is_null) says = !is_there;
     return says != facet_.is_not;
   }
 
@@ -309,7 +309,7 @@ class Filter {
 
   [[nodiscard]] bool agrees(std::string_view text) const {
     using enum Facet::Comparison;
-    if (facet_.compared_with == Facet::Value::null) return false;
+    if (facet_.is_null) return false;
     if (facet_.comparison == contains) return text.find(facet_.value.text) != std::string_view::npos;
     if (value_) return begins(*value_, text);
     const std::optional<double> a = number(text), b = number(facet_.value.text);

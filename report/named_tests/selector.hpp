@@ -26,7 +26,6 @@ struct TextMatch {
 struct Facet {
   enum class Kind : std::uint8_t { name, ifc_class, global_id, value };
   enum class Comparison : std::uint8_t { equal, contains, more, less, at_least, at_most };
-  enum class Value : std::uint8_t { text, null };
   Kind kind = Kind::value;
   bool is_not = false;  ///< takes away; or the comparison is turned round
   std::string word;     ///< the name, class or global id
@@ -34,7 +33,7 @@ struct Facet {
   std::vector<std::string> properties;
   TextMatch property_set, property;
   Comparison comparison = Comparison::equal;
-  Value compared_with = Value::text;
+  bool is_null = false;  ///< compared with NULL, which is said where there is no value
   TextMatch value;
   std::string written;  ///< as it stands in the selector
 };

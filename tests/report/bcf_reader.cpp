@@ -193,6 +193,12 @@ Vec vec(const pugi::xml_node& node) {
   return {node.child("X").text().as_double(), node.child("Y").text().as_double(), node.child("Z").text().as_double()};
 }
 
+std::vector<std::string> texts(const pugi::xml_node& node, const char* name) {
+  std::vector<std::string> found;
+  for (const pugi::xml_node& child : node.children(name)) found.emplace_back(child.text().get());
+  return found;
+}
+
 std::vector<Topic> read_bcf(const std::string& archive) {
   const std::vector<Member> members = unzip(archive);
   std::map<std::string, std::string> files;
@@ -216,7 +222,7 @@ std::vector<Topic> read_bcf(const std::string& archive) {
     EXPECT_EQ(std::string(topic.topic().attribute("Guid").value()), topic.guid);
     const pugi::xml_node about = is_3 ? topic.topic().child("Viewpoints").child("ViewPoint")
                                       : topic.markup.document_element().child("Viewpoints");
-    if (std::string(topic.topic().child("Index").text().get()) == "0") {  // about files that were skipped
+    if (topic.text("Index") == "0") {  // about files that were skipped
       ++about_files;
       continue;
     }

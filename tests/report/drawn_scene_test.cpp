@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "report/encoded.hpp"
+#include "scenes/shapes.hpp"
 
 namespace impinge::report {
 namespace {
@@ -18,19 +18,10 @@ io::Object object(const std::vector<double>& xyz, const std::vector<std::uint32_
   return {"part", "part", {}, *Mesh::create(std::span<const double>(xyz), triangles), pose};
 }
 
-/// A sphere of `rings` rings of twice as many triangle pairs.
-io::Object sphere(std::uint32_t rings, const Pose& pose = {}) {
-  std::vector<double> xyz;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i <= rings; ++i)
-    for (std::uint32_t k = 0; k < 2 * rings; ++k) {
-      const double theta = std::numbers::pi * i / rings, phi = std::numbers::pi * k / rings;
-      xyz.insert(xyz.end(), {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
-      const std::uint32_t next = (k + 1) % (2 * rings), row = 2 * rings * i;
-      if (i < rings) triangles.insert(triangles.end(), {row + k, row + 2 * rings + k, row + 2 * rings + next});
-      if (i < rings) triangles.insert(triangles.end(), {row + k, row + 2 * rings + next, row + next});
-    }
-  return object(xyz, triangles, pose);
+/// A sphere of 4 rings^2 triangles.
+io::Object sphere(int rings) {
+  const scenes::MeshData mesh = scenes::uv_sphere(2 * rings, rings + 1);
+  return object(mesh.xyz, mesh.triangles);
 }
 
 Assembly assembly(std::vector<io::Object> objects) {
@@ -92,7 +83,7 @@ TEST(DrawnScene, InstancesShareAMeshAndEmptyObjectsHaveNone) {
 
 TEST(DrawnScene, SimplifiesToAboutTheLimitAndKeepsTheShape) {
   std::vector<io::Object> objects;
-  for (std::uint32_t rings : {40U, 30U, 20U}) objects.push_back(sphere(rings));
+  for (const int rings : {40, 30, 20}) objects.push_back(sphere(rings));
   const Assembly all = assembly(objects);
   const Result<DrawnScene> whole = draw(all, 1'000'000, {});
   ASSERT_TRUE(whole);

@@ -2,65 +2,40 @@
 // SPDX-License-Identifier: MIT
 #include "models.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <vector>
+
 namespace impinge::test {
 
-std::string ifc_of_two_walls() {
-  return R"(ISO-10303-21;
-HEADER;
-FILE_DESCRIPTION((''),'2;1');
-FILE_NAME('two.ifc','2024-01-01T00:00:00',(''),(''),'','','');
-FILE_SCHEMA(('IFC2X3'));
-ENDSEC;
-DATA;
-#1=IFCPROJECT('0YvctVUKr0kugbFTf53O9L',#2,'p',$,$,$,$,(#10),#20);
-#2=IFCOWNERHISTORY(#3,#6,$,.ADDED.,$,$,$,0);
-#3=IFCPERSONANDORGANIZATION(#4,#5,$);
-#4=IFCPERSON($,'n',$,$,$,$,$,$);
-#5=IFCORGANIZATION($,'o',$,$,$);
-#6=IFCAPPLICATION(#5,'1','a','a');
-#10=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#11,$);
-#11=IFCAXIS2PLACEMENT3D(#12,$,$);
-#12=IFCCARTESIANPOINT((0.,0.,0.));
-#20=IFCUNITASSIGNMENT((#21));
-#21=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
-#30=IFCSITE('1Qvf0xqDT4HXo8jI81mHB$',#2,'site',$,$,#31,$,$,.ELEMENT.,$,$,$,$,$);
-#31=IFCLOCALPLACEMENT($,#11);
-#32=IFCBUILDING('1Qvf0xqDT4HXo8jI81mHB1',#2,'house',$,$,#33,$,$,.ELEMENT.,$,$,$);
-#33=IFCLOCALPLACEMENT(#31,#11);
-#34=IFCBUILDINGSTOREY('1Qvf0xqDT4HXo8jI81mHB2',#2,'Level 1, north',$,$,#35,$,$,.ELEMENT.,0.);
-#35=IFCLOCALPLACEMENT(#33,#11);
-#40=IFCRELAGGREGATES('2Qvf0xqDT4HXo8jI81mHB$',#2,$,$,#1,(#30));
-#42=IFCRELAGGREGATES('2Qvf0xqDT4HXo8jI81mHB1',#2,$,$,#30,(#32));
-#43=IFCRELAGGREGATES('2Qvf0xqDT4HXo8jI81mHB2',#2,$,$,#32,(#34));
-#41=IFCRELCONTAINEDINSPATIALSTRUCTURE('3Qvf0xqDT4HXo8jI81mHB$',#2,$,$,(#50,#60),#34);
-#50=IFCBUILDINGELEMENTPROXY('1srAI$R4T8ihLXSNHmUSET',#2,'left',$,$,#51,#52,'-7',$);
-#51=IFCLOCALPLACEMENT(#31,#56);
-#52=IFCPRODUCTDEFINITIONSHAPE($,$,(#53));
-#53=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#54));
-#54=IFCEXTRUDEDAREASOLID(#55,#11,#58,2000.);
-#55=IFCRECTANGLEPROFILEDEF(.AREA.,$,#59,2000.,2000.);
-#56=IFCAXIS2PLACEMENT3D(#57,$,$);
-#57=IFCCARTESIANPOINT((5000.,3000.,0.));
-#58=IFCDIRECTION((0.,0.,1.));
-#59=IFCAXIS2PLACEMENT2D(#70,$);
-#70=IFCCARTESIANPOINT((0.,0.));
-#60=IFCBUILDINGELEMENTPROXY('2O2Fr$t4X7Zf8NOew3FNr2',#2,'right',$,'type',#61,#62,$,$);
-#61=IFCLOCALPLACEMENT(#31,#66);
-#62=IFCPRODUCTDEFINITIONSHAPE($,$,(#63));
-#63=IFCSHAPEREPRESENTATION(#10,'Body','SweptSolid',(#64));
-#64=IFCEXTRUDEDAREASOLID(#55,#11,#58,2000.);
-#66=IFCAXIS2PLACEMENT3D(#67,$,$);
-#67=IFCCARTESIANPOINT((6000.,4000.,1000.));
-#71=IFCMATERIAL('brick');
-#72=IFCMATERIAL('mortar');
-#73=IFCMATERIAL('steel');
-#74=IFCMATERIALLIST((#71,#72));
-#75=IFCRELASSOCIATESMATERIAL('3Qvf0xqDT4HXo8jI81mHB1',#2,$,$,(#50),#74);
-#76=IFCRELASSOCIATESMATERIAL('3Qvf0xqDT4HXo8jI81mHB2',#2,$,$,(#60),#73);
-ENDSEC;
-END-ISO-10303-21;
-)";
+std::string ifc_of_walls(std::span<const std::size_t> numbers, const scenes::StepUnit& unit, double metre) {
+  struct Wall {
+    std::string guid, before_place, after_shape;  // of the product
+    Point at;
+    std::vector<std::string> materials;
+  };
+  const std::array<Wall, 2> walls{{{"1srAI$R4T8ihLXSNHmUSET", "'left',$,$", "'-7'", {5, 3, 0}, {"brick", "mortar"}},
+                                   {"2O2Fr$t4X7Zf8NOew3FNr2", "'right',$,'type'", "$", {6, 4, 1}, {"steel"}}}};
+  scenes::Step step("IFC2X3", unit);
+  step.begin_storey("Level 1, north", 0);
+  for (const std::size_t i : numbers) {
+    const auto& [guid, before_place, after_shape, at, materials] = walls.at(i);
+    const std::string place = step.placement("$", step.axes({metre * at.x, metre * at.y, metre * at.z}));
+    const std::string shape = step.shape(step.shown(step.extruded(step.rectangle(2 * metre, 2 * metre), 2 * metre)));
+    const std::string wall = step.line(
+        fmt::format("IFCBUILDINGELEMENTPROXY('{}',$,{},{},{},{},$)", guid, before_place, place, shape, after_shape));
+    step.line(fmt::format("IFCRELCONTAINEDINSPATIALSTRUCTURE('{}',$,$,$,({}),{})", step.guid(), wall, step.storey));
+    std::vector<std::string> names;
+    for (const std::string& material : materials) names.push_back(step.line("IFCMATERIAL('" + material + "')"));
+    const std::string made_of = step.line(fmt::format("IFCMATERIALLIST(({}))", fmt::join(names, ",")));
+    step.line(fmt::format("IFCRELASSOCIATESMATERIAL('{}',$,$,$,({}),{})", step.guid(), wall, made_of));
+  }
+  return step.text();
 }
+
+std::string ifc_of_two_walls() { return ifc_of_walls(std::array<std::size_t, 2>{0, 1}, scenes::kMillimetre, 1000); }
 
 std::string collada_of_two_walls() {
   const std::string node = R"(<instance_geometry url="#cube"/></node>)";

@@ -25,12 +25,6 @@ json gltf_of(const std::string& bytes) {
   return json::parse(bytes.substr(20, length));
 }
 
-std::vector<std::string> texts(const pugi::xml_node& node, const char* name) {
-  std::vector<std::string> found;
-  for (const pugi::xml_node& child : node.children(name)) found.emplace_back(child.text().get());
-  return found;
-}
-
 /// A plate with three pins, of which one goes and one comes.
 class TriageFiles : public testing::Test {
  protected:
@@ -132,7 +126,7 @@ TEST_F(TriageFiles, BcfHasStatusLabelsAndComments) {
   EXPECT_EQ(std::string(kept.topic().attribute("TopicStatus").value()), "in \"review\"\\n<b>");
   EXPECT_EQ(texts(kept.topic(), "AssignedTo"), std::vector<std::string>{"Ann <a@b.c>"});
   EXPECT_EQ(texts(kept.topic(), "Labels"), (std::vector<std::string>{"penetrating", "pins & \"plate\"", "persisting"}));
-  const std::string description = kept.topic().child("Description").text().get();
+  const std::string description = kept.text("Description");
   EXPECT_NE(description.find("\nTest: pins & \"plate\"\nSince the earlier run: persisting\n"), std::string::npos)
       << description;
   std::vector<std::string> said;
