@@ -4,12 +4,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,15 @@ void append_bytes(std::string& out, T value, bool big_endian = false) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if (big_endian) std::reverse(bytes.begin(), bytes.end());
   out.append(bytes.data(), bytes.size());
+}
+
+/// A ZIP archive of these members, by their names.
+inline void write_zip(const std::filesystem::path& file, const std::map<std::string, std::string>& members) {
+  int problem = 0;
+  zip_t* const archive = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &problem);
+  for (const auto& [name, text] : members)
+    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), ZIP_FL_ENC_UTF_8);
+  EXPECT_EQ(zip_close(archive), 0) << file;
 }
 
 /// Of a file with this text.
