@@ -58,6 +58,15 @@ inline void expect_sound(const Model& model) {
   for (const Object& object : model.objects) EXPECT_GT(object.mesh.triangle_count(), 0u) << object.name;
 }
 
+/// Whether it is a model, which is sound then; else an error that says something of the file of this name.
+inline bool expect_sound_or_error(const Result<Model>& model, const std::string& file) {
+  if (model)
+    expect_sound(*model);
+  else
+    EXPECT_THAT(error_of(model), testing::StartsWith(file));
+  return model.has_value();
+}
+
 inline std::string bytes_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   EXPECT_TRUE(in) << file << " is missing; install what ./dev test installs";
