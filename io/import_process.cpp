@@ -54,8 +54,8 @@ std::string cause_of(const ChildReport& report, const ReadOptions& options) {
   return sentence("the importer ended with status ", WEXITSTATUS(report.status), last_words(report.said));
 }
 
-}  // namespace
-
+/// The child's program: `options.importer`, the environment's IMPINGE_IMPORTER, impinge-import beside the running
+/// program or in ../libexec/impinge from there, or where it was installed. Errors: `bad_file`.
 Result<std::filesystem::path> find_importer(const ReadOptions& options) {
   std::vector<std::filesystem::path> places;
   if (!options.importer.empty()) {
@@ -79,6 +79,8 @@ Result<std::filesystem::path> find_importer(const ReadOptions& options) {
                         places.front().string(),
                         "; install it there, or name its place in the environment variable IMPINGE_IMPORTER")};
 }
+
+}  // namespace
 
 Result<Model> import_file(const std::filesystem::path& file, const Source& source, const ReadOptions& options) {
   const Result<std::filesystem::path> importer = find_importer(options);

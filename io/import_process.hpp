@@ -12,10 +12,6 @@ namespace impinge::io {
 /// Errors: `bad_file`, `cancelled`.
 Result<Model> import_file(const std::filesystem::path& file, const Source& source, const ReadOptions& options);
 
-/// The child's program: `options.importer`, the environment's IMPINGE_IMPORTER, impinge-import beside the running
-/// program or in ../libexec/impinge from there, or where it was installed. Errors: `bad_file`.
-Result<std::filesystem::path> find_importer(const ReadOptions& options);
-
 /// Objects of what the importer sent: an object's world matrix becomes its pose where a pose may hold it, else it is
 /// baked into the mesh. Errors: `bad_file`.
 Result<Model> model_of(Imported&& imported, const Source& source);

@@ -195,9 +195,6 @@ class Checker {
   void count_shown() {
     const json& nodes = member(file_, "nodes");
     const json& meshes = member(file_, "meshes");
-    const json& scenes = member(file_, "scenes");
-    const json& chosen = member(file_, "scene");
-    const json kFirst = 0U;
     std::vector<const json*> stack;
     const auto push = [&](const json& references) {
       if (!references.is_array()) return;
@@ -206,7 +203,7 @@ class Checker {
     const auto show = [&](const json& mesh) {
       if (const auto known = meshes_.find(&mesh); known != meshes_.end()) check_.triangles += known->second;
     };
-    push(member(element(scenes, chosen.is_null() ? kFirst : chosen), "nodes"));
+    push(shown_roots(file_));
     for (std::size_t visits = 0; !stack.empty(); ++visits) {
       if (visits > kMostVisits || stack.size() > kMostVisits) {
         check_.problem = "its nodes form a loop, or are too many; export it again";

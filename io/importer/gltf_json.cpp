@@ -40,6 +40,12 @@ const nlohmann::json& element(const nlohmann::json& list, const nlohmann::json& 
   return index < list.size() ? list[index] : kNull;
 }
 
+const nlohmann::json& shown_roots(const nlohmann::json& file) {
+  static const nlohmann::json kFirst = 0U;
+  const nlohmann::json& chosen = member(file, "scene");
+  return member(element(member(file, "scenes"), chosen.is_null() ? kFirst : chosen), "nodes");
+}
+
 std::string text_of(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }

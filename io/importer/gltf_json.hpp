@@ -20,6 +20,9 @@ const nlohmann::json& member(const nlohmann::json& object, const char* name);
 /// The element that a reference names, or null: glTF 2 numbers a list, glTF 1 names the members of an object.
 const nlohmann::json& element(const nlohmann::json& list, const nlohmann::json& reference);
 
+/// The roots of the scene that the file shows: references to its nodes, or null.
+const nlohmann::json& shown_roots(const nlohmann::json& file);
+
 /// The text of a value, or an empty one; its whole number, or `missing`.
 std::string text_of(const nlohmann::json& value);
 std::int64_t integer_of(const nlohmann::json& value, std::int64_t missing);

@@ -47,10 +47,7 @@ class Reader {
 
   /// Goes down both trees at once; false where they differ.
   bool match_nodes(const aiScene& scene) {
-    const json& chosen = member(root_, "scene");
-    const json kFirst = 0U;
-    const json& scenes = member(root_, "scenes");
-    const json& roots = member(element(scenes, chosen.is_null() ? kFirst : chosen), "nodes");
+    const json& roots = shown_roots(root_);
     // One root is assimp's root; several are its children.
     if (!roots.is_array() || roots.empty()) return false;
     std::vector<std::pair<const aiNode*, const json*>> stack;

@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // What `impinge check` answers, on cubes whose answer follows from their corners.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -16,7 +13,6 @@
 namespace impinge::test {
 namespace {
 
-using nlohmann::json;
 using Contact = std::tuple<int, int, std::string>;
 
 /// Two cubes of edge 2 whose corners lie on even numbers and that do not overlap meet in a square, an edge or a corner
@@ -49,100 +45,73 @@ std::vector<Contact> contacts_of(const json& pair) {
   return contacts;
 }
 
-struct Meeting {
-  const char* name;
-  std::array<int, 3> shift;
-  std::size_t count;  ///< of touching pairs of triangles
+class Check : public testing::Test {
+ protected:
+  /// The document of `check` on these files, every pair of triangles in it.
+  [[nodiscard]] json check(const Words& words, int code = 1) const {
+    return document(folder, joined({"check", "--triangles"}, words), code);
+  }
+  Folder folder;
 };
 
-class CubesThatMeet : public testing::TestWithParam<Meeting> {};
-
-TEST_P(CubesThatMeet, AreListedTriangleByTriangle) {
-  const auto& [name, shift, count] = GetParam();
-  const Solid a = cube(0, 0, 0), b = cube(shift[0], shift[1], shift[2]);
-  const std::vector<Contact> expected = expected_contacts(a, b);
-  ASSERT_EQ(expected.size(), count);
-
-  const Folder folder;
-  folder.write("a.off", off(a));
-  folder.write("b.off", off(b));
-  const Ended run = impinge(folder, {"check", "a.off", "b.off", "--json", "-", "--triangles"});
-  EXPECT_EQ(run.err, "");
-  EXPECT_EQ(run.code, count > 0 ? 1 : 0);
-  const json answer = json::parse(run.out);
-  if (count == 0) {
-    EXPECT_TRUE(answer.at("pairs").empty());
-    return;
+TEST_F(Check, ListsCubesThatMeetTriangleByTriangle) {
+  // A face, an edge, a corner and nothing. Counted on paper, over the corners, edges and triangles that are shared: 80
+  // - 20 + 2 for a face (corner counts 4, 4, 4, 6 against 6, 4, 4, 4), 24 + 24 - 4 for an edge, 6 x 6 for a corner.
+  for (const auto& [b, count] :
+       {std::pair(cube(2, 0, 0), 62U), {cube(2, 2, 0), 44U}, {cube(2, 2, 2), 36U}, {cube(4, 0, 0), 0U}}) {
+    SCOPED_TRACE(count);
+    const Solid a = cube(0, 0, 0);
+    const std::vector<Contact> expected = expected_contacts(a, b);
+    ASSERT_EQ(expected.size(), count);
+    write_off(folder, {{"a", a}, {"b", b}});
+    std::array<int, 2> counts{};
+    for (const auto& [i, j, kind] : expected) ++counts[kind == "coplanar" ? 1 : 0];
+    json pairs = check({"a.off", "b.off"}, count > 0 ? 1 : 0).at("pairs");
+    ASSERT_EQ(pairs.size(), count > 0 ? 1U : 0U);
+    if (count == 0) continue;
+    EXPECT_EQ(contacts_of(pairs[0]), expected);
+    pairs[0].erase("triangles");
+    EXPECT_EQ(pairs[0], (json{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", counts[0]}, {"coplanar", counts[1]}}));
   }
-  ASSERT_EQ(answer.at("pairs").size(), 1U);
-  const json& pair = answer.at("pairs").at(0);
-  EXPECT_EQ(pair.at("a"), 0);
-  EXPECT_EQ(pair.at("b"), 1);
-  EXPECT_EQ(contacts_of(pair), expected);
-  std::array<int, 2> counts{};
-  for (const auto& [i, j, kind] : expected) ++counts[kind == "coplanar" ? 1 : 0];
-  EXPECT_EQ(pair.at("crossing"), 0);
-  EXPECT_EQ(pair.at("touching"), counts[0]);
-  EXPECT_EQ(pair.at("coplanar"), counts[1]);
 }
 
-// Counted on paper, over the corners, edges and triangles that are shared: 80 - 20 + 2 for a face (corner counts 4, 4,
-// 4, 6 against 6, 4, 4, 4), 24 + 24 - 4 for an edge, 6 x 6 for a corner.
-INSTANTIATE_TEST_SUITE_P(Check, CubesThatMeet,
-                         testing::Values(Meeting{"FaceToFace", {2, 0, 0}, 62}, Meeting{"EdgeToEdge", {2, 2, 0}, 44},
-                                         Meeting{"CornerToCorner", {2, 2, 2}, 36}, Meeting{"Apart", {4, 0, 0}, 0}),
-                         [](const auto& test) { return test.param.name; });
-
-TEST(Check, NamesACrossing) {
+TEST_F(Check, NamesACrossing) {
   // The second triangle passes through (1, 1, 0), inside the first.
   const Solid flat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
   const Solid upright{{{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}, {{0, 1, 2}}};
-  const Folder folder;
   folder.write("flat.obj", obj(flat));
   folder.write("upright.stl", stl(upright));
-  const Ended run = impinge(folder, {"check", "flat.obj", "upright.stl", "--json", "-", "--triangles"});
-  EXPECT_EQ(run.code, 1);
-  const json pair = json::parse(run.out).at("pairs").at(0);
+  const json pair = check({"flat.obj", "upright.stl"}).at("pairs").at(0);
   EXPECT_EQ(contacts_of(pair), (std::vector<Contact>{{0, 0, "crossing"}}));
 }
 
-TEST(Check, PrintsATableInCanonicalOrderAndASummary) {
-  const Folder folder;
-  folder.write("b.off", off(cube(2, 0, 0)));
-  folder.write("a.off", off(cube(0, 0, 0)));
-  folder.write("c.off", off(cube(2, 2, 0)));
+TEST_F(Check, PrintsATableInCanonicalOrderAndASummary) {
+  write_off(folder, {{"b", cube(2, 0, 0)}, {"a", cube(0, 0, 0)}, {"c", cube(2, 2, 0)}});
   const Ended run = impinge(folder, {"check", "b.off", "a.off", "c.off"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "");
-  const std::string table =
-      "object  object  crossing  touching  coplanar\n"
-      "b       a              0        46        16\n"
-      "b       c              0        46        16\n"
-      "a       c              0        30        14\n"
-      "\n"
-      "3 pairs of objects touch, in 168 pairs of triangles.\n"
-      "3 objects, 36 triangles; read in ";
-  EXPECT_EQ(run.out.substr(0, table.size()), table);
+  EXPECT_THAT(run.out, StartsWith("object  object  crossing  touching  coplanar\n"
+                                  "b       a              0        46        16\n"
+                                  "b       c              0        46        16\n"
+                                  "a       c              0        30        14\n"
+                                  "\n"
+                                  "3 pairs of objects touch, in 168 pairs of triangles.\n"
+                                  "3 objects, 36 triangles; read in "));
 }
 
-TEST(Check, SaysThatNothingTouches) {
-  const Folder folder;
-  folder.write("a.off", off(cube(0, 0, 0)));
-  folder.write("b.off", off(cube(9, 0, 0)));
+TEST_F(Check, SaysThatNothingTouches) {
+  write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(9, 0, 0)}});
   const Ended two = impinge(folder, {"check", "a.off", "b.off"});
   EXPECT_EQ(two.code, 0);
-  EXPECT_EQ(two.out.substr(0, 17), "Nothing touches.\n");
+  EXPECT_THAT(two.out, StartsWith("Nothing touches.\n"));
   const Ended one = impinge(folder, {"check", "a.off"});
   EXPECT_EQ(one.code, 0);
-  EXPECT_NE(one.out.find("only one object"), std::string::npos);
+  EXPECT_THAT(one.out, HasSubstr("only one object"));
 }
 
-TEST(Check, TestsObjectsOfOneFileAndShowsTheFileWhereNamesAreTheSame) {
-  const Folder folder;
+TEST_F(Check, TestsObjectsOfOneFileAndShowsTheFileWhereNamesAreTheSame) {
   folder.write("pair.gltf", gltf({{"left", {0, 0, 0}}, {"right", {2, 0, 0}}}));
-  const Ended within = impinge(folder, {"check", "pair.gltf", "--json", "-"});
-  EXPECT_EQ(within.code, 1) << within.err;
-  const json answer = json::parse(within.out);
+  const json answer = check({"pair.gltf"});
   ASSERT_EQ(answer.at("pairs").size(), 1U);
   EXPECT_EQ(answer.at("pairs").at(0).at("touching"), 46);
   EXPECT_EQ(answer.at("pairs").at(0).at("coplanar"), 16);
@@ -150,24 +119,19 @@ TEST(Check, TestsObjectsOfOneFileAndShowsTheFileWhereNamesAreTheSame) {
 
   folder.write("left.off", off(cube(0, 2, 0)));
   const Ended both = impinge(folder, {"check", "pair.gltf", "left.off"});
-  EXPECT_NE(both.out.find("left (pair.gltf)  right "), std::string::npos) << both.out;
-  EXPECT_NE(both.out.find("left (pair.gltf)  left (left.off) "), std::string::npos) << both.out;
+  EXPECT_THAT(both.out, HasSubstr("left (pair.gltf)  right "));
+  EXPECT_THAT(both.out, HasSubstr("left (pair.gltf)  left (left.off) "));
 
   folder.write("far.off", "OFF\n3 1 0\n1e100 0 0\n0 1 0\n0 0 1\n3 0 1 2\n");
-  EXPECT_TRUE(impinge(folder, {"check", "pair.gltf", "far.off"}).err.starts_with("impinge: 'far' is out of range"));
+  EXPECT_THAT(impinge(folder, {"check", "pair.gltf", "far.off"}).err, StartsWith("impinge: 'far' is out of range"));
 }
 
-TEST(Check, LimitKeepsTheFirstInOrder) {
-  const Folder folder;
+TEST_F(Check, LimitKeepsTheFirstInOrder) {
   const Solid a = cube(0, 0, 0), b = cube(2, 0, 0);
-  folder.write("a.off", off(a));
-  folder.write("b.off", off(b));
+  write_off(folder, {{"a", a}, {"b", b}});
   std::vector<Contact> expected = expected_contacts(a, b);
   for (const std::size_t limit : {1U, 7U, 61U, 62U, 1000U}) {
-    const Ended run =
-        impinge(folder, {"check", "a.off", "b.off", "--json", "-", "--triangles", "--limit", std::to_string(limit)});
-    EXPECT_EQ(run.code, 1);
-    const json answer = json::parse(run.out);
+    const json answer = check({"a.off", "b.off", "--limit", std::to_string(limit)});
     EXPECT_EQ(answer.at("truncated"), limit < 62) << limit;
     const std::vector<Contact> kept(expected.begin(),
                                     expected.begin() + static_cast<long>(std::min<std::size_t>(limit, 62)));
@@ -175,21 +139,16 @@ TEST(Check, LimitKeepsTheFirstInOrder) {
   }
   const Ended none = impinge(folder, {"check", "a.off", "b.off", "--limit", "0", "--json", "out.json"});
   EXPECT_EQ(none.code, 1);
-  EXPECT_NE(none.out.find("--limit 0 keeps nothing"), std::string::npos);
+  EXPECT_THAT(none.out, HasSubstr("--limit 0 keeps nothing"));
   const json answer = json::parse(folder.read("out.json"));
   EXPECT_TRUE(answer.at("pairs").empty());
   EXPECT_EQ(answer.at("truncated"), true);
 }
 
-TEST(Check, FirstGivesOneTrueWitnessAndNoHash) {
-  const Folder folder;
+TEST_F(Check, FirstGivesOneTrueWitnessAndNoHash) {
   const Solid a = cube(0, 0, 0), b = cube(2, 0, 0);
-  folder.write("a.off", off(a));
-  folder.write("b.off", off(b));
-  folder.write("far.off", off(cube(40, 0, 0)));
-  const Ended run = impinge(folder, {"check", "a.off", "b.off", "far.off", "--first", "--json", "-", "--triangles"});
-  EXPECT_EQ(run.code, 1);
-  const json answer = json::parse(run.out);
+  write_off(folder, {{"a", a}, {"b", b}, {"far", cube(40, 0, 0)}});
+  const json answer = check({"a.off", "b.off", "far.off", "--first"});
   EXPECT_TRUE(answer.at("hash").is_null());
   ASSERT_EQ(answer.at("pairs").size(), 1U);
   const std::vector<Contact> witness = contacts_of(answer.at("pairs").at(0));
@@ -201,8 +160,7 @@ TEST(Check, FirstGivesOneTrueWitnessAndNoHash) {
 
 /// Two cubes with a common square as one object: their triangles there are the same, and all else that meets is
 /// neighbours.
-TEST(Check, SelfTestsEachObjectAgainstItself) {
-  const Folder folder;
+TEST_F(Check, SelfTestsEachObjectAgainstItself) {
   const Solid one = cube(0, 0, 0), other = cube(2, 0, 0);
   std::vector<Contact> same;
   for (std::size_t i = 0; i < one.triangles.size(); ++i)
@@ -214,18 +172,14 @@ TEST(Check, SelfTestsEachObjectAgainstItself) {
     }
   folder.write("both.off", off(as_one({one, other})));
   EXPECT_EQ(impinge(folder, {"check", "both.off"}).code, 0);
-  const Ended run = impinge(folder, {"check", "both.off", "--self", "--json", "-", "--triangles"});
-  EXPECT_EQ(run.code, 1);
-  const json answer = json::parse(run.out);
+  const json answer = check({"both.off", "--self"});
   ASSERT_EQ(answer.at("pairs").size(), 1U);
   EXPECT_EQ(same.size(), 2U);
   EXPECT_EQ(contacts_of(answer.at("pairs").at(0)), same);
 }
 
-TEST(Check, ScaleMovesOneFileOnly) {
-  const Folder folder;
-  folder.write("a.off", off(cube(0, 0, 0)));
-  folder.write("b.off", off(cube(4, 0, 0)));
+TEST_F(Check, ScaleMovesOneFileOnly) {
+  write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(4, 0, 0)}});
   EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off"}).code, 0);
   // 4 x 0.5 is the face of the other cube; a double's width more is not.
   EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--scale", "b.off=0.5"}).code, 1);
@@ -233,14 +187,10 @@ TEST(Check, ScaleMovesOneFileOnly) {
   EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--scale", "a.off=2", "--scale", "b.off=1"}).code, 1);
 }
 
-TEST(Check, AnswerDoesNotDependOnThreadsOrBackend) {
-  const Folder folder;
-  folder.write("a.off", off(cube(0, 0, 0)));
-  folder.write("b.off", off(cube(1, 1, 1)));
-  folder.write("c.off", off(cube(2, 0, 0)));
-  const auto answer = [&](std::vector<std::string> more) {
-    json whole = json::parse(
-        impinge(folder, joined({"check", "a.off", "b.off", "c.off", "--json", "-", "--triangles"}, more)).out);
+TEST_F(Check, AnswerDoesNotDependOnThreadsOrBackend) {
+  write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(1, 1, 1)}, {"c", cube(2, 0, 0)}});
+  const auto answer = [&](Words more) {
+    json whole = check(joined({"a.off", "b.off", "c.off"}, more));
     whole.erase("stats");
     return whole;
   };
@@ -251,15 +201,13 @@ TEST(Check, AnswerDoesNotDependOnThreadsOrBackend) {
   EXPECT_EQ(answer({"--stats"}), expected);
 }
 
-TEST(Check, StatsShowStagesAndTheCostFunction) {
-  const Folder folder;
-  folder.write("a.off", off(cube(0, 0, 0)));
-  folder.write("b.off", off(cube(1, 1, 1)));
+TEST_F(Check, StatsShowStagesAndTheCostFunction) {
+  write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(1, 1, 1)}});
   const Ended run = impinge(folder, {"check", "a.off", "b.off", "--stats"});
   EXPECT_EQ(run.code, 1);
   for (const char* word :
        {"broad", "hierarchy", "partition", "narrow", "exact", "results", "T predicted", "T measured"})
-    EXPECT_NE(run.out.find(word), std::string::npos) << word;
+    EXPECT_THAT(run.out, HasSubstr(word)) << word;
 }
 
 }  // namespace

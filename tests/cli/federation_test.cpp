@@ -3,19 +3,15 @@
 // IFC files of four trades in three units and two schemas, whose clashes were planted.
 #include "scenes/federation.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 
 namespace impinge::test {
 namespace {
 
-using nlohmann::json;
 using Pair = std::pair<std::string, std::string>;
 
 class FederatedProject : public testing::Test {
@@ -26,10 +22,8 @@ class FederatedProject : public testing::Test {
       files.push_back(file.name);
     }
   }
-  [[nodiscard]] json clash(const std::vector<std::string>& more) const {
-    const Ended run = impinge(folder, joined({"clash", "--json", "-", "--threads", "2"}, more));
-    EXPECT_EQ(run.code, 1) << run.err;
-    return run.code == 1 ? json::parse(run.out) : json::object();
+  [[nodiscard]] json clash(const Words& more) const {
+    return document(folder, joined({"clash", "--quiet", "--threads", "2"}, more), 1);
   }
   static Pair names_of(const json& report, const json& pair) {
     return std::minmax({name_in(report, pair, "a"), name_in(report, pair, "b")});
@@ -39,7 +33,7 @@ class FederatedProject : public testing::Test {
   const scenes::Federation federation =
       scenes::federation({.storeys = 2, .rooms = 4, .files = {1, 1, 1, 1}, .national_grid = true});
   Folder folder;
-  std::vector<std::string> files;
+  Words files;
 };
 
 TEST_F(FederatedProject, ClashesAsPlannedInWhateverOrderOfFiles) {

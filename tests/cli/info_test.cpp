@@ -1,18 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // `impinge info`: the list and its document.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "meshes.hpp"
 #include "program.hpp"
 
 namespace impinge::test {
 namespace {
-
-using nlohmann::json;
 
 /// The place that the line of its facts names between two texts, if it is one of the edges that (2 0 0), (2 2 2) and (2
 /// 0 2) are the ends of: which of them comes first is open.
@@ -30,8 +25,7 @@ TEST(Info, ListsObjectsTrianglesAndOpenEdges) {
   Solid open = cube(0, 0, 0);
   open.triangles.pop_back();
   open.triangles.push_back({0, 1, 1});
-  folder.write("closed.off", off(cube(4, 5, 6)));
-  folder.write("open.off", off(open));
+  write_off(folder, {{"closed", cube(4, 5, 6)}, {"open", open}});
   const Ended run = impinge(folder, {"info", "closed.off", "open.off"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out,
@@ -54,26 +48,16 @@ TEST(Info, JsonHoldsTheSame) {
   folder.write("pair.gltf", gltf({{"left", {0, 0, 0}}, {"right", {2, 0, 0}}}));
   const Ended run = impinge(folder, {"info", "a.off", "missing.off", "pair.gltf", "--json", "-"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("missing.off"), std::string::npos);
+  EXPECT_THAT(run.err, HasSubstr("missing.off"));
   const json answer = json::parse(run.out);
   EXPECT_EQ(answer.at("version"), 1);
   ASSERT_EQ(answer.at("files").size(), 3U);
   const json& file = answer.at("files").at(0);
-  EXPECT_EQ(file.at("file"), "a.off");
-  EXPECT_TRUE(file.at("error").is_null());
+  expect_members(file, {{"file", "a.off"}, {"error", nullptr}});
   EXPECT_TRUE(file.at("warnings").is_array());
   const json& object = file.at("objects").at(0);
-  EXPECT_EQ(object.at("id"), 0);
-  EXPECT_EQ(object.at("name"), "a");
-  EXPECT_EQ(object.at("triangles"), 12);
-  EXPECT_EQ(object.at("vertices"), 8);
-  EXPECT_EQ(object.at("degenerate"), 0);
-  EXPECT_EQ(object.at("closed"), true);
-  EXPECT_EQ(object.at("open_edges"), 0);
-  EXPECT_EQ(object.at("class"), "solid");
-  EXPECT_EQ(object.at("self_crossings"), 0);
-  EXPECT_TRUE(object.at("first_open_edge").is_null());
-  EXPECT_TRUE(object.at("first_self_crossing").is_null());
+  expect_members(object, json::parse(R"({"id":0,"name":"a","triangles":12,"vertices":8,"degenerate":0,"closed":true,
+      "open_edges":0,"class":"solid","self_crossings":0,"first_open_edge":null,"first_self_crossing":null})"));
   EXPECT_NEAR(object.at("volume"), 8.0, 1e-9);
   EXPECT_NEAR(object.at("area"), 24.0, 1e-9);
   EXPECT_NEAR(object.at("inner_radius"), 1.0, 0.05);
@@ -81,8 +65,7 @@ TEST(Info, JsonHoldsTheSame) {
   EXPECT_NEAR(object.at("radius"), std::sqrt(3.0), 1e-9);
   EXPECT_TRUE(answer.at("files").at(1).at("error").is_string());
   const json& right = answer.at("files").at(2).at("objects").at(1);
-  EXPECT_EQ(right.at("id"), 2);
-  EXPECT_EQ(right.at("name"), "right");
+  expect_members(right, {{"id", 2}, {"name", "right"}});
   EXPECT_NEAR(right.at("center").at(0), 3.0, 1e-6);
 }
 
@@ -91,10 +74,9 @@ TEST(Info, NamesWhereAPartCrossesItself) {
   // Two boxes in one part; they cross around (5 5 5), and neither is open.
   folder.write("both.off", off(as_one({box({0, 0, 0}, {6, 6, 6}), box({4, 4, 4}, {10, 10, 10})})));
   const Ended run = impinge(folder, {"info", "both.off", "--json", "out.json"});
-  EXPECT_EQ(run.out.find("both is "), std::string::npos) << run.out;  // it has an inside
+  EXPECT_THAT(run.out, Not(HasSubstr("both is ")));  // it has an inside
   const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
-  EXPECT_EQ(object.at("closed"), true);
-  EXPECT_EQ(object.at("class"), "solid");
+  expect_members(object, {{"closed", true}, {"class", "solid"}});
   EXPECT_GT(object.at("self_crossings"), 0);
   const json& crossing = object.at("first_self_crossing");
   // One triangle of each box, and a place that is in the box of both.
@@ -110,10 +92,10 @@ TEST(Info, WhereNothingIsExactNothingIsSaidOfSolids) {
   const Folder folder;
   folder.write("far.off", "OFF\n3 1 0\n1e200 0 0\n0 1e100 0\n0 0 1e-200\n3 0 1 2\n");
   const Ended run = impinge(folder, {"info", "far.off", "--json", "out.json"});
-  EXPECT_NE(run.out.find("unknown"), std::string::npos) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("unknown"));
   const json object = json::parse(folder.read("out.json")).at("files").at(0).at("objects").at(0);
-  for (const char* key : {"class", "closed", "open_edges", "self_crossings", "volume", "area", "inner_radius"})
-    EXPECT_TRUE(object.at(key).is_null()) << key;
+  expect_members(object, json::parse(R"({"class":null,"closed":null,"open_edges":null,"self_crossings":null,
+      "volume":null,"area":null,"inner_radius":null})"));
 }
 
 TEST(Info, LeavesOutColumnsOnNarrowTerminals) {
@@ -122,9 +104,7 @@ TEST(Info, LeavesOutColumnsOnNarrowTerminals) {
   Launch launch;
   launch.environment["COLUMNS"] = "60";
   const Ended run = impinge(folder, {"info", "a.off"}, launch);
-  EXPECT_EQ(run.out.find("radius"), std::string::npos);
-  EXPECT_NE(run.out.find("closed"), std::string::npos);
-  EXPECT_NE(run.out.find("wider terminal"), std::string::npos);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("closed"), HasSubstr("wider terminal"), Not(HasSubstr("radius"))));
 }
 
 }  // namespace

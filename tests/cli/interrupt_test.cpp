@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Ctrl-C, and the progress line that makes people wait for it.
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <pty.h>
 #include <unistd.h>
@@ -26,13 +25,13 @@ void write_long_work(const Folder& folder) {
 
 class Interruption : public testing::TestWithParam<int> {};
 
-void expect_clean_end(const std::vector<std::string>& arguments, int signal) {
+void expect_clean_end(const Words& arguments, int signal) {
   const Folder folder;
   write_long_work(folder);
   const std::string old = R"({"version":1,"objects":[],"pairs":[]})";
   folder.write("out.json", old);
   const std::vector<std::string> before = folder.names();
-  std::vector<std::string> words{IMPINGE_PROGRAM};
+  Words words{IMPINGE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   Running running(folder, words);
   ASSERT_TRUE(running.handles(signal, 20s));
@@ -98,7 +97,7 @@ TEST_P(DrawnProgress, IsSeenOnATerminalAndWiped) {
   ::close(terminal);
   ::close(screen);
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(seen.find(label), std::string::npos) << seen;
+  EXPECT_THAT(seen, HasSubstr(label));
   EXPECT_EQ(seen.rfind("\r\x1b[Kimpinge: interrupted"), seen.rfind("\r\x1b[K")) << seen;
 }
 

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 // The document of --json: its shape, and where it goes.
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "meshes.hpp"
@@ -18,25 +16,18 @@
 namespace impinge::test {
 namespace {
 
-using nlohmann::json;
-
 class JsonDocument : public testing::Test {
  protected:
-  void SetUp() override {
-    folder.write("a.off", off(cube(0, 0, 0)));
-    folder.write("b.off", off(cube(2, 0, 0)));
-  }
-  Ended check(std::vector<std::string> more) const {
-    return impinge(folder, joined({"check", "a.off", "b.off"}, more));
-  }
+  void SetUp() override { write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(2, 0, 0)}}); }
+  Ended check(const Words& more) const { return impinge(folder, joined({"check", "a.off", "b.off"}, more)); }
+  std::string refused(const Words& more) const { return refusal(folder, joined({"check", "a.off", "b.off"}, more)); }
   Folder folder;
 };
 
 TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
-  const json answer = json::parse(check({"--json", "-"}).out);
+  const json answer = document(folder, {"check", "a.off", "b.off"}, 1);
   EXPECT_EQ(keys(answer), "hash objects pairs stats truncated unit version");
-  EXPECT_EQ(answer.at("version"), 1);
-  EXPECT_EQ(answer.at("truncated"), false);
+  expect_members(answer, {{"version", 1}, {"truncated", false}});
   const std::string hash = answer.at("hash");
   EXPECT_EQ(hash.size(), 16U);
   EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
@@ -50,28 +41,23 @@ TEST_F(JsonDocument, HasExactlyTheKeysOfTheSchema) {
             (json::array({{{"a", 0}, {"b", 1}, {"crossing", 0}, {"touching", 46}, {"coplanar", 16}}})));
   EXPECT_EQ(
       keys(answer.at("stats")),
-      "border_move_seconds border_moves bounds_update_seconds bounds_updated box_test_seconds box_tests "
-      "broad_seconds cpu_seconds device_predicted_seconds device_seconds device_wait_seconds "
-      "element_test_seconds element_tests exact_call_seconds exact_calls exact_seconds hierarchy_seconds "
-      "images_drawn images_overlapped images_read "
+      "border_move_seconds border_moves bounds_update_seconds bounds_updated box_test_seconds box_tests broad_seconds "
+      "cpu_seconds device_predicted_seconds device_seconds device_wait_seconds element_test_seconds element_tests "
+      "exact_call_seconds exact_calls exact_seconds hierarchy_seconds images_drawn images_overlapped images_read "
       "leaf_pair_seconds leaf_pairs measured_seconds narrow_seconds node_seconds nodes_built object_pair_seconds "
-      "object_pairs "
-      "partition_seconds predicted_seconds results_seconds sorted_triangle_seconds sphere_test_seconds sphere_tests "
-      "total_seconds triangle_pairs triangles_sorted");
+      "object_pairs partition_seconds predicted_seconds results_seconds sorted_triangle_seconds sphere_test_seconds "
+      "sphere_tests total_seconds triangle_pairs triangles_sorted");
   for (const auto& item : answer.at("stats").items()) EXPECT_TRUE(item.value().is_number()) << item.key();
 }
 
 TEST_F(JsonDocument, IsTheOnlyThingOnStandardOutput) {
-  const Ended run = check({"--json", "-", "--stats"});
-  EXPECT_EQ(run.err, "");
-  const json answer = json::parse(run.out);
-  EXPECT_GT(answer.at("stats").at("predicted_seconds"), 0.0);
+  EXPECT_GT(document(folder, {"check", "a.off", "b.off", "--stats"}, 1).at("stats").at("predicted_seconds"), 0.0);
 }
 
 TEST_F(JsonDocument, GoesToAFileBesideTheTable) {
   const Ended run = check({"--json", "out.json"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_NE(run.out.find("1 pair of objects touch"), std::string::npos);
+  EXPECT_THAT(run.out, HasSubstr("1 pair of objects touch"));
   EXPECT_EQ(json::parse(folder.read("out.json")).at("pairs").size(), 1U);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.off", "b.off", "out.json"}));
 }
@@ -109,15 +95,11 @@ TEST_F(JsonDocument, GoesWhereALinkPointsThoughNothingIsThere) {
   EXPECT_EQ(check({"--json", "third.json"}).code, 1);
   EXPECT_TRUE(json::accept(folder.read("sub/other.json")));
   std::filesystem::create_symlink("missing/new.json", folder.path() / "lost.json");
-  const Ended lost = check({"--json", "lost.json"});
-  EXPECT_EQ(lost.code, 2);
-  EXPECT_NE(lost.err.find("'lost.json': cannot create files in"), std::string::npos) << lost.err;
+  EXPECT_THAT(refused({"--json", "lost.json"}), HasSubstr("'lost.json': cannot create files in"));
   std::filesystem::create_symlink("round.json", folder.path() / "about.json");
   std::filesystem::create_symlink("about.json", folder.path() / "round.json");
-  const Ended round = check({"--json", "round.json"});
-  EXPECT_EQ(round.code, 2);
-  EXPECT_NE(round.err.find("cannot write to 'round.json': Too many levels of symbolic links"), std::string::npos)
-      << round.err;
+  EXPECT_THAT(refused({"--json", "round.json"}),
+              HasSubstr("cannot write to 'round.json': Too many levels of symbolic links"));
   for (const char* link : {"lost.json", "about.json", "round.json"})
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / link)) << link;
 }
@@ -125,13 +107,9 @@ TEST_F(JsonDocument, GoesWhereALinkPointsThoughNothingIsThere) {
 TEST_F(JsonDocument, NeverReplacesAMeshByMistake) {
   const std::string before = folder.read("b.off");
   // The user forgot the name of the JSON file.
-  const Ended forgot = impinge(folder, {"check", "--json", "b.off", "a.off"});
-  EXPECT_EQ(forgot.code, 2);
-  EXPECT_NE(forgot.err.find("exists and does not end in .json, so it is not replaced"), std::string::npos)
-      << forgot.err;
-  const Ended input = check({"--json", "./b.off"});
-  EXPECT_EQ(input.code, 2);
-  EXPECT_NE(input.err.find("one of the files to read"), std::string::npos) << input.err;
+  EXPECT_THAT(refusal(folder, {"check", "--json", "b.off", "a.off"}),
+              HasSubstr("exists and does not end in .json, so it is not replaced"));
+  EXPECT_THAT(refused({"--json", "./b.off"}), HasSubstr("one of the files to read"));
   EXPECT_EQ(impinge(folder, {"check", "--json=", "b.off", "a.off"}).code, 2);
   EXPECT_EQ(impinge(folder, {"info", "a.off", "--json", "b.off"}).code, 2);
   EXPECT_EQ(folder.read("b.off"), before);
@@ -182,32 +160,25 @@ TEST_F(JsonDocument, StreamsAMillionPairs) {
 class ClashDocument : public testing::Test {
  protected:
   void SetUp() override {
-    folder.write("a.off", off(box({0, 0, 0}, {2, 2, 2})));
-    folder.write("b.off", off(box({1, 1, 1}, {3, 3, 3})));  // penetrates a
-    folder.write("big.off", off(box({20, 0, 0}, {26, 6, 6})));
-    folder.write("small.off", off(box({22, 2, 2}, {24, 4, 4})));  // inside big
-    folder.write("sheet.off", off(sheet({29, 0}, {33, 3}, 1)));   // 3 from big
+    write_off(folder, {{"a", box({0, 0, 0}, {2, 2, 2})},
+                       {"b", box({1, 1, 1}, {3, 3, 3})},  // penetrates a
+                       {"big", box({20, 0, 0}, {26, 6, 6})},
+                       {"small", box({22, 2, 2}, {24, 4, 4})},   // inside big
+                       {"sheet", sheet({29, 0}, {33, 3}, 1)}});  // 3 from big
   }
-  [[nodiscard]] Ended clash(const std::vector<std::string>& more) const {
-    return impinge(folder,
-                   joined({"clash", "a.off", "b.off", "big.off", "small.off", "sheet.off", "--json", "-"}, more));
+  [[nodiscard]] json clash(const Words& more) const {
+    return document(folder, joined({"clash", "a.off", "b.off", "big.off", "small.off", "sheet.off"}, more), 1);
   }
   Folder folder;
 };
 
 TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
-  const Ended run = clash({});
-  EXPECT_EQ(run.code, 1);
-  EXPECT_EQ(run.err, "");
-  const json answer = json::parse(run.out);
+  const json answer = clash({});
   EXPECT_EQ(keys(answer), "counts decisions files groups objects pairs resolved settings tests types unit version");
-  EXPECT_EQ(answer.at("version"), 1);
-  EXPECT_EQ(answer.at("settings"), json::parse(R"({"tolerance":"auto","clearance":0,"depth_precision":0.05,
-    "regions":false,"volumes":false,"fail_on":["penetration","inside"],"ignore":[],"between":null,
-    "within_products":false,"scale":[],"config":null,"previous":null,"decisions":null})"));
-  EXPECT_EQ(answer.at("tests"), json::array());
-  EXPECT_EQ(answer.at("resolved"), json::array());
-  EXPECT_TRUE(answer.at("groups").is_null());
+  expect_members(answer, json::parse(R"({"version":1,"tests":[],"resolved":[],"groups":null,"settings":
+    {"tolerance":"auto","clearance":0,"depth_precision":0.05,"regions":false,"volumes":false,
+    "fail_on":["penetration","inside"],"ignore":[],"between":null,"within_products":false,"scale":[],"config":null,
+    "previous":null,"decisions":null}})"));
   EXPECT_EQ(answer.at("types").at(4), (json{{"name", "sheet"}, {"parts", 1}}));
   EXPECT_EQ(answer.at("objects").at(4).at("type"), 4);
   ASSERT_EQ(answer.at("objects").size(), 5U);
@@ -215,12 +186,10 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
     EXPECT_EQ(
         keys(object),
         "area class closed file first_open_edge first_self_crossing first_unclear_edge id incomplete inner_radius key "
-        "known_as name open_edges path "
-        "pieces placed product properties self_crossings triangles turned type unclear_edges volume");
+        "known_as name open_edges path pieces placed product properties self_crossings triangles turned type "
+        "unclear_edges volume");
   // Triangles are counted as `check` counts them.
-  const json checked =
-      json::parse(impinge(folder, {"check", "a.off", "b.off", "--backend", "paper", "--json", "-"}).out);
-  const json& count = checked.at("pairs").at(0);
+  const json count = document(folder, {"check", "a.off", "b.off", "--backend", "paper"}, 1).at("pairs").at(0);
   json first = answer.at("pairs").at(0);
   EXPECT_TRUE(std::regex_match(first.at("id").get<std::string>(),
                                std::regex("[0-9a-f]{8}-[0-9a-f]{4}-5[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}")));
@@ -234,8 +203,7 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
     "was":null,"a":0,"b":1,"verdict":"penetrating","inner":null,"note":null,"incomplete":null,"axes":null,"fails":true})");
   for (const char* const key : {"crossing", "touching", "coplanar"}) expected[key] = count.at(key);
   EXPECT_EQ(first, expected);
-  EXPECT_EQ(answer.at("pairs").at(1).at("verdict"), "inside");
-  EXPECT_EQ(answer.at("pairs").at(1).at("inner"), 3);
+  expect_members(answer.at("pairs").at(1), {{"verdict", "inside"}, {"inner", 3}});
   EXPECT_EQ(answer.at("pairs").size(), 2U);
   json counts = answer.at("counts");
   EXPECT_GE(counts.at("candidates"), 2);
@@ -245,22 +213,15 @@ TEST_F(ClashDocument, HasExactlyTheKeysOfTheSchema) {
 }
 
 TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
-  const json objects = json::parse(clash({}).out).at("objects");
+  const json objects = clash({}).at("objects");
   const json& solid = objects.at(2);
-  EXPECT_EQ(solid.at("name"), "big");
-  EXPECT_EQ(solid.at("class"), "solid");
-  EXPECT_EQ(solid.at("open_edges"), 0);
-  EXPECT_TRUE(solid.at("first_open_edge").is_null());
+  expect_members(solid, {{"name", "big"}, {"class", "solid"}, {"open_edges", 0}, {"first_open_edge", nullptr}});
   EXPECT_NEAR(solid.at("volume"), 216, 1e-9);
   EXPECT_NEAR(solid.at("area"), 216, 1e-9);
   EXPECT_NEAR(solid.at("inner_radius"), 3, 0.15);
   const json& surface = objects.at(4);
-  EXPECT_EQ(surface.at("class"), "surface");
-  EXPECT_EQ(surface.at("closed"), false);
-  EXPECT_EQ(surface.at("open_edges"), 4);
-  EXPECT_EQ(surface.at("self_crossings"), 0);
-  EXPECT_TRUE(surface.at("volume").is_null());
-  EXPECT_TRUE(surface.at("inner_radius").is_null());
+  expect_members(surface, json::parse(R"({"class":"surface","closed":false,"open_edges":4,"self_crossings":0,
+    "volume":null,"inner_radius":null})"));
   EXPECT_NEAR(surface.at("area"), 12, 1e-9);
   // Which edge is the first is open; it is a side of the rectangle.
   json edge = surface.at("first_open_edge");
@@ -274,24 +235,19 @@ TEST_F(ClashDocument, TellsOfEachPartWhatItIs) {
 }
 
 TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
-  const json answer = json::parse(
-      clash({"--depth", "0.01", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"})
-          .out);
-  EXPECT_EQ(answer.at("settings").at("tolerance"), 0.25);
-  EXPECT_EQ(answer.at("settings").at("clearance"), 3.5);
-  EXPECT_EQ(answer.at("settings").at("fail_on"), json::array({"clearance"}));
+  const json answer =
+      clash({"--depth", "0.01", "--clearance", "3.5", "--regions", "--tolerance", "0.25", "--fail-on", "clearance"});
+  expect_members(answer.at("settings"), json::parse(R"({"tolerance":0.25,"clearance":3.5,"fail_on":["clearance"]})"));
   ASSERT_EQ(answer.at("pairs").size(), 3U);
 
   const json& penetrating = answer.at("pairs").at(0);
-  EXPECT_EQ(penetrating.at("fails"), false);
+  expect_members(penetrating, {{"fails", false}, {"distance", nullptr}, {"nearest", nullptr}});
   const json& depth = penetrating.at("overlap_depth");
   for (const char* side : {"a_in_b", "b_in_a"}) {
     EXPECT_LE(depth.at(side).at(0), 1.0);
     EXPECT_GE(depth.at(side).at(1), 1.0);
     EXPECT_LE(depth.at(side).at(1).get<double>() - depth.at(side).at(0).get<double>(), 0.011);
   }
-  EXPECT_TRUE(penetrating.at("distance").is_null());
-  EXPECT_TRUE(penetrating.at("nearest").is_null());
   ASSERT_EQ(penetrating.at("regions").size(), 1U);
   const json& region = penetrating.at("regions").at(0);
   EXPECT_EQ(keys(region), "area box centroid change id length lines normal pairs triangles_a triangles_b");
@@ -311,9 +267,7 @@ TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
   EXPECT_GE(inside.at("overlap_depth").at("b_in_a").at(1), 2.0);
 
   const json& apart = answer.at("pairs").at(2);
-  EXPECT_EQ(apart.at("verdict"), "apart");
-  EXPECT_EQ(apart.at("fails"), true);
-  EXPECT_TRUE(apart.at("overlap_depth").is_null());
+  expect_members(apart, {{"verdict", "apart"}, {"fails", true}, {"overlap_depth", nullptr}});
   const double error = apart.at("distance_error");
   EXPECT_GE(error, 0);
   EXPECT_LE(error, 1e-12);
@@ -326,15 +280,14 @@ TEST_F(ClashDocument, HoldsTheMeasuresThatAreAskedFor) {
 TEST_F(ClashDocument, EchoesSettingsWithOddNames) {
   const std::string name = "\x1b\"q\"\n\xff";
   folder.write(name + ".off", off(box({0, 0, 8}, {2, 2, 9})));
-  const Ended run = impinge(folder, {"clash", "a.off", name + ".off", "--ignore", name, "a", "--scale", "a.off=0.5",
-                                     "--within-products", "--json", "-"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
-  const json answer = json::parse(run.out);
+  const Words words{"clash", "a.off",   name + ".off", "--ignore",         name,
+                    "a",     "--scale", "a.off=0.5",   "--within-products"};
+  const json answer = document(folder, words, 0);
+  EXPECT_EQ(impinge(folder, joined(words, {"--json", "-"})).out.find('\x1b'), std::string::npos);
   const std::string shown = "\x1b\"q\"\n\xEF\xBF\xBD";
-  EXPECT_EQ(answer.at("settings").at("ignore"), json::array({json::array({shown, "a"})}));
-  EXPECT_EQ(answer.at("settings").at("scale"), json::array({json::array({"a.off", 0.5})}));
-  EXPECT_EQ(answer.at("settings").at("within_products"), true);
+  expect_members(answer.at("settings"), {{"ignore", json::array({json::array({shown, "a"})})},
+                                         {"scale", json::array({json::array({"a.off", 0.5})})},
+                                         {"within_products", true}});
   EXPECT_EQ(answer.at("objects").at(1).at("name"), shown);
   EXPECT_TRUE(answer.at("pairs").empty());
 }

@@ -32,6 +32,10 @@ std::string off(const Solid& solid) {
   return text;
 }
 
+void write_off(const Folder& folder, const std::vector<std::pair<std::string, Solid>>& solids) {
+  for (const auto& [name, solid] : solids) folder.write(name + ".off", off(solid));
+}
+
 Solid as_one(const std::vector<Solid>& solids) {
   Solid all;
   for (const Solid& solid : solids) {

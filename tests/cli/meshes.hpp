@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/core/folder.hpp"
+
 /// Small meshes with whole coordinates, as the texts of mesh files.
 namespace impinge::test {
 
@@ -29,6 +31,8 @@ Solid sheet(const std::array<int, 2>& lo, const std::array<int, 2>& hi, int z);
 Solid as_one(const std::vector<Solid>& solids);
 
 std::string off(const Solid& solid);
+/// Writes each as NAME.off.
+void write_off(const Folder& folder, const std::vector<std::pair<std::string, Solid>>& solids);
 std::string obj(const Solid& solid);
 /// Several parts in one file; only the first may have an empty name, and then has none.
 std::string obj(const std::vector<std::pair<std::string, Solid>>& parts);

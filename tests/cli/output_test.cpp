@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: MIT
 // Where the text goes, and what happens when it cannot go there; names that attack the terminal.
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "meshes.hpp"
@@ -19,45 +16,34 @@ namespace {
 
 class Output : public testing::Test {
  protected:
-  void SetUp() override {
-    folder.write("a.off", off(cube(0, 0, 0)));
-    folder.write("b.off", off(cube(2, 0, 0)));
-  }
+  void SetUp() override { write_off(folder, {{"a", cube(0, 0, 0)}, {"b", cube(2, 0, 0)}}); }
   Folder folder;
 };
-
-void expect_one_sentence(const Ended& run, const std::string& part) {
-  EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(run.signal, 0);
-  EXPECT_EQ(run.err.rfind("impinge: ", 0), 0U) << run.err;
-  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-}
 
 TEST_F(Output, AFullDeviceIsAnError) {
   const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
   ASSERT_GE(full, 0);
   Launch launch;
   launch.out = full;
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", "b.off"},
-                                                {"check", "a.off", "b.off", "--json", "-"},
-                                                {"clash", "a.off", "b.off"},
-                                                {"info", "a.off"},
-                                                {"info", "a.off", "--json", "-"},
-                                                {"--help"},
-                                                {"--version"}})
-    expect_one_sentence(impinge(folder, words, launch), "cannot write to standard output: No space left");
+  for (const Words& words : {Words{"check", "a.off", "b.off"},
+                             {"check", "a.off", "b.off", "--json", "-"},
+                             {"clash", "a.off", "b.off"},
+                             {"info", "a.off"},
+                             {"info", "a.off", "--json", "-"},
+                             {"--help"},
+                             {"--version"}})
+    EXPECT_THAT(refusal(folder, words, launch), HasSubstr("cannot write to standard output: No space left"));
   ::close(full);
 }
 
 TEST_F(Output, AClosedStandardOutputIsAnErrorAndNoFileTakesItsPlace) {
   Launch launch;
   launch.close_out = true;
-  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off"}, launch), "cannot write to standard output");
+  EXPECT_THAT(refusal(folder, {"check", "a.off", "b.off"}, launch), HasSubstr("cannot write to standard output"));
   // With nothing to print there it is no error; and the table must not land in the JSON.
   EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--quiet"}, launch).code, 1);
   EXPECT_EQ(impinge(folder, {"check", "a.off", "b.off", "--json", "out.json"}, launch).code, 2);
-  EXPECT_EQ(folder.read("out.json").find("pairs of"), std::string::npos);
+  EXPECT_THAT(folder.read("out.json"), Not(HasSubstr("pairs of")));
   EXPECT_EQ(folder.read("a.off"), off(cube(0, 0, 0)));
 }
 
@@ -67,18 +53,18 @@ TEST_F(Output, APipeThatNobodyReadsIsAnError) {
   ::close(ends[0]);
   Launch launch;
   launch.out = ends[1];
-  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off"}, launch), "Broken pipe");
-  expect_one_sentence(impinge(folder, {"check", "a.off", "b.off", "--json", "-"}, launch), "Broken pipe");
+  EXPECT_THAT(refusal(folder, {"check", "a.off", "b.off"}, launch), HasSubstr("Broken pipe"));
+  EXPECT_THAT(refusal(folder, {"check", "a.off", "b.off", "--json", "-"}, launch), HasSubstr("Broken pipe"));
   ::close(ends[1]);
 }
 
 TEST_F(Output, QuietSaysNothingButErrors) {
-  for (const std::vector<std::string>& asked : {std::vector<std::string>{"check", "a.off", "--quiet", "--stats"},
-                                                {"clash", "a.off", "--quiet", "--fail-on", "contact"}}) {
+  for (const Words& asked :
+       {Words{"check", "a.off", "--quiet", "--stats"}, {"clash", "a.off", "--quiet", "--fail-on", "contact"}}) {
     const Ended touching = impinge(folder, joined(asked, {"b.off"}));
     EXPECT_EQ(touching.code, 1);
     EXPECT_EQ(touching.out + touching.err, "");
-    expect_one_sentence(impinge(folder, joined(asked, {"missing.off"})), "missing.off");
+    EXPECT_THAT(refusal(folder, joined(asked, {"missing.off"})), HasSubstr("missing.off"));
   }
 }
 
@@ -96,23 +82,22 @@ TEST_F(Output, NamesCannotSteerTheTerminal) {
     }
     return true;
   };
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", "a.off", name + ".off"},
-                                                {"clash", "a.off", name + ".off"},
-                                                {"info", name + ".off"},
-                                                {"check", name},
-                                                {"check", "a.off", "--ignore", name, name},
-                                                {"check", "a.off", "--scale", name},
-                                                {"check", "a.off", "--limit", name},
-                                                {"check", "a.off", "--" + name},
-                                                {name}}) {
+  for (const Words& words : {Words{"check", "a.off", name + ".off"},
+                             {"clash", "a.off", name + ".off"},
+                             {"info", name + ".off"},
+                             {"check", name},
+                             {"check", "a.off", "--ignore", name, name},
+                             {"check", "a.off", "--scale", name},
+                             {"check", "a.off", "--limit", name},
+                             {"check", "a.off", "--" + name},
+                             {name}}) {
     const Ended run = impinge(folder, words);
     EXPECT_TRUE(is_plain(run.out)) << run.out;
     EXPECT_TRUE(is_plain(run.err)) << run.err;
     EXPECT_FALSE((run.out + run.err).empty());
   }
   const Ended table = impinge(folder, {"check", "a.off", name + ".off"});
-  EXPECT_NE(table.out.find("\\x1b]0;gone\\x07\\x1b[2J\\n\\r\\x7f\\u009b\\u202e\xEF\xBF\xBD"), std::string::npos)
-      << table.out;
+  EXPECT_THAT(table.out, HasSubstr("\\x1b]0;gone\\x07\\x1b[2J\\n\\r\\x7f\\u009b\\u202e\xEF\xBF\xBD"));
 }
 
 TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
@@ -123,20 +108,19 @@ TEST_F(Output, LinesFitTheTerminalAndStayUtf8) {
   for (const std::size_t width : {60U, 61U, 62U, 63U, 80U}) {
     Launch launch;
     launch.environment["COLUMNS"] = std::to_string(width);
-    for (const std::vector<std::string>& asked :
-         {std::vector<std::string>{"check"},
-          {"clash", "--depth", "0.01", "--clearance", "1", "--fail-on", "contact"}}) {
+    for (const Words& asked :
+         {Words{"check"}, {"clash", "--depth", "0.01", "--clearance", "1", "--fail-on", "contact"}}) {
       const Ended run = impinge(folder, joined(asked, {"a.off", "b.off", name}), launch);
       EXPECT_EQ(run.code, 1) << run.err;
       EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
       EXPECT_NO_THROW(std::ignore = nlohmann::json(run.out).dump()) << "it is no UTF-8";
       std::istringstream lines(run.out.substr(0, run.out.find("\n\n")));
       for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), width) << line;
-      EXPECT_NE(run.out.find("\xe2\x80\xa6"), std::string::npos) << "nothing was cut";
+      EXPECT_THAT(run.out, HasSubstr("\xe2\x80\xa6")) << "nothing was cut";
     }
   }
   const Ended pipe = impinge(folder, {"check", "a.off", name});
-  EXPECT_EQ(pipe.out.find("\xe2\x80\xa6"), std::string::npos) << "a pipe has no width";
+  EXPECT_THAT(pipe.out, Not(HasSubstr("\xe2\x80\xa6"))) << "a pipe has no width";
 }
 
 TEST_F(Output, FilesThatCannotBeReadAreNamed) {
@@ -145,18 +129,18 @@ TEST_F(Output, FilesThatCannotBeReadAreNamed) {
   folder.write("notes.xyz", "no mesh at all");
   std::filesystem::create_directory(folder.path() / "folder.off");
   for (const char* name : {"missing.off", "empty.off", "broken.off", "notes.xyz", "folder.off", "a.off/b.off", "."}) {
-    expect_one_sentence(impinge(folder, {"check", "a.off", name}), name);
+    EXPECT_THAT(refusal(folder, {"check", "a.off", name}), HasSubstr(name));
     const Ended run = impinge(folder, {"info", name, "a.off"});
-    expect_one_sentence(run, name);
-    EXPECT_NE(run.out.find("a.off: 1 object"), std::string::npos) << "the other file is listed";
+    EXPECT_THAT(sentence_of(run), HasSubstr(name));
+    EXPECT_THAT(run.out, HasSubstr("a.off: 1 object")) << "the other file is listed";
   }
 }
 
 TEST_F(Output, LargeFilesAreRefusedUnread) {
   folder.write("large.off", "OFF\n");
   std::filesystem::resize_file(folder.path() / "large.off", 4'000'000'000);  // sparse
-  expect_one_sentence(impinge(folder, {"check", "large.off"}), "large.off");
-  expect_one_sentence(impinge(folder, {"check", "a.off", "--max-file", "100"}), "a.off");
+  EXPECT_THAT(refusal(folder, {"check", "large.off"}), HasSubstr("large.off"));
+  EXPECT_THAT(refusal(folder, {"check", "a.off", "--max-file", "100"}), HasSubstr("a.off"));
   EXPECT_EQ(impinge(folder, {"check", "a.off", "--max-file", "1k"}).code, 0);
 }
 
@@ -164,7 +148,7 @@ TEST_F(Output, AMissingImporterIsAnError) {
   folder.write("pair.gltf", gltf({{"left", {0, 0, 0}}, {"right", {2, 0, 0}}}));
   Launch launch;
   launch.environment["IMPINGE_IMPORTER"] = "/missing/impinge-import";
-  expect_one_sentence(impinge(folder, {"check", "pair.gltf"}, launch), "/missing/impinge-import");
+  EXPECT_THAT(refusal(folder, {"check", "pair.gltf"}, launch), HasSubstr("/missing/impinge-import"));
 }
 
 }  // namespace

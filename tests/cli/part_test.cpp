@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 #include "report/json_writer.hpp"

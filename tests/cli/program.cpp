@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -25,8 +26,7 @@ std::string contents(int descriptor) {
   return text;
 }
 
-[[noreturn]] void become(const Folder& folder, const std::vector<std::string>& words, const Launch& launch, int out,
-                         int err) {
+[[noreturn]] void become(const Folder& folder, const Words& words, const Launch& launch, int out, int err) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   ::unsetenv("COLUMNS");
   ::unsetenv("TERM");
@@ -45,7 +45,7 @@ std::string contents(int descriptor) {
 
 }  // namespace
 
-Running::Running(const Folder& folder, const std::vector<std::string>& words, const Launch& launch)
+Running::Running(const Folder& folder, const Words& words, const Launch& launch)
     : out_(::memfd_create("out", MFD_CLOEXEC)), err_(::memfd_create("err", MFD_CLOEXEC)) {
   process_ = ::fork();
   if (process_ == 0)
@@ -83,13 +83,36 @@ Ended Running::wait() {
           contents(err_)};
 }
 
-std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {
+Words joined(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 
-Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, const Launch& launch) {
+Ended impinge(const Folder& folder, const Words& arguments, const Launch& launch) {
   return Running(folder, joined({IMPINGE_PROGRAM}, arguments), launch).wait();
+}
+
+std::string sentence_of(const Ended& run) {
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_EQ(run.signal, 0);
+  EXPECT_THAT(run.err, StartsWith("impinge: "));
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  return run.err;
+}
+
+std::string refusal(const Folder& folder, const Words& arguments, const Launch& launch) {
+  const Ended run = impinge(folder, arguments, launch);
+  EXPECT_EQ(run.out, "");
+  return sentence_of(run);
+}
+
+json document(const Folder& folder, const Words& arguments, int code, const Launch& launch) {
+  const Ended run = impinge(folder, joined(arguments, {"--json", "-"}), launch);
+  EXPECT_EQ(run.code, code);
+  EXPECT_EQ(run.err, "");
+  json document = json::parse(run.out, nullptr, false);
+  EXPECT_FALSE(document.is_discarded()) << run.out;
+  return document;
 }
 
 std::string written(const std::function<void(report::Sink&)>& fill) {
@@ -102,13 +125,17 @@ std::string written(const std::function<void(report::Sink&)>& fill) {
   return text;
 }
 
-std::string keys(const nlohmann::json& object) {
+std::string keys(const json& object) {
   std::string names;
   for (const auto& item : object.items()) names += (names.empty() ? "" : " ") + item.key();
   return names;
 }
 
-std::string name_in(const nlohmann::json& report, const nlohmann::json& pair, const char* side) {
+void expect_members(const json& object, const json& expected) {
+  for (const auto& [name, value] : expected.items()) EXPECT_EQ(object.value(name, json("missing")), value) << name;
+}
+
+std::string name_in(const json& report, const json& pair, const char* side) {
   return report.at("objects").at(pair.at(side).get<std::size_t>()).at("name");
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -16,6 +18,15 @@
 
 /// Runs the built program as a shell would, with everything that it says caught.
 namespace impinge::test {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// Those of a command line.
+using Words = std::vector<std::string>;
 
 /// What a page of impinge begins with, and the file in which its program is.
 inline const std::string kPageHead =
@@ -36,10 +47,20 @@ struct Launch {
 };
 
 /// The words of a command line and more of them.
-std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more);
+Words joined(Words words, const Words& more);
 
 /// Runs `impinge` in the folder and waits for it.
-Ended impinge(const Folder& folder, const std::vector<std::string>& arguments, const Launch& launch = {});
+Ended impinge(const Folder& folder, const Words& arguments, const Launch& launch = {});
+
+/// The sentence of a run that failed: exit code 2, and one line on standard error that begins with "impinge: ".
+std::string sentence_of(const Ended& run);
+
+/// That of `impinge` with these arguments, which prints nothing else.
+std::string refusal(const Folder& folder, const Words& arguments, const Launch& launch = {});
+
+/// The document that `impinge` writes to standard output with these arguments and `--json -`; it says nothing beside
+/// it, and ends with this code.
+json document(const Folder& folder, const Words& arguments, int code, const Launch& launch = {});
 
 /// Runs a line of shell in the folder, with the program on the PATH.
 Ended shell(const Folder& folder, const std::string& line);
@@ -48,15 +69,18 @@ Ended shell(const Folder& folder, const std::string& line);
 std::string written(const std::function<void(report::Sink&)>& fill);
 
 /// The keys of an object, sorted, with a space between them.
-std::string keys(const nlohmann::json& object);
+std::string keys(const json& object);
+
+/// Fails where a member of `expected` is missing in `object`, or has another value there.
+void expect_members(const json& object, const json& expected);
 
 /// The name of the object that `pair` has on this side, "a" or "b".
-std::string name_in(const nlohmann::json& report, const nlohmann::json& pair, const char* side);
+std::string name_in(const json& report, const json& pair, const char* side);
 
 /// A program that is still running.
 class Running {
  public:
-  Running(const Folder& folder, const std::vector<std::string>& words, const Launch& launch = {});
+  Running(const Folder& folder, const Words& words, const Launch& launch = {});
   ~Running();
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;

@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Exports that have a date in their names.
-#include <gtest/gtest.h>
-
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "meshes.hpp"
@@ -13,8 +10,6 @@
 
 namespace impinge::test {
 namespace {
-
-using nlohmann::json;
 
 struct Block {
   std::string name;  ///< empty: it has none, and is called as its file is; only the first may
@@ -31,16 +26,14 @@ std::string blocks(const std::vector<Block>& all) {
 
 /// The names of two parts.
 std::string parts_of(const json& report, const json& pair) {
-  const auto name = [&](const char* side) {
-    return report.at("objects").at(pair.at(side).get<std::size_t>()).at("path").get<std::string>();
-  };
-  return std::min(name("a"), name("b")) + "/" + std::max(name("a"), name("b"));
+  const auto [first, second] = std::minmax({name_in(report, pair, "a"), name_in(report, pair, "b")});
+  return first + "/" + second;
 }
 
 class Renamed : public testing::Test {
  protected:
   /// A run on these files, which knows the last one, and what it complained of.
-  void run(std::vector<std::string> files) {
+  void run(Words files) {
     files.insert(files.begin(), {"clash", "--json", "new.json", "--bcf", "new.bcf", "--regions"});
     if (!report.is_null()) {
       folder.write("last.json", report.dump());
@@ -126,7 +119,7 @@ TEST_F(Renamed, PartsAreKnownByShapeAndPlaceAndThenByTheirNewNames) {
   run({"a.obj"});
   expect({"x/y", "x/z"}, {});
   EXPECT_EQ(ids(), first);
-  EXPECT_NE(said.find("3 parts are known again by shape and place alone"), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("3 parts are known again by shape and place alone"));
   // One moves, and keeps its new name; one gets another and moves, and is another.
   folder.write("a.obj", blocks({{"x", {0, 0, 0}, 4}, {"y", {3, 3, 2}}, {"w", {-1, -1, 0}}}));
   run({"a.obj"});
@@ -144,8 +137,7 @@ TEST_F(Renamed, PartsAreKnownByShapeAndPlaceAndThenByTheirNewNames) {
 }
 
 TEST_F(Renamed, PartsThatAreCalledAsTheirFileAre) {
-  folder.write("plate_1.off", off(box({0, 0, 0}, {4, 4, 4})));
-  folder.write("pin_1.off", off(box({3, 3, 3}, {6, 6, 6})));
+  write_off(folder, {{"plate_1", box({0, 0, 0}, {4, 4, 4})}, {"pin_1", box({3, 3, 3}, {6, 6, 6})}});
   run({"plate_1.off", "pin_1.off"});
   const std::set<std::string> first = ids();
   for (const char* name : {"plate", "pin"})
@@ -166,7 +158,7 @@ TEST_F(Renamed, OneOfTwoFilesOfWhichAPartHasChanged) {
   const std::set<std::string> first = ids();
   folder.write("pins_2.obj", blocks({{"pin", {3, 3, 1}}, kModel[2], {"new", {3, -1, 0}}}));
   run({"pins_2.obj", "plates.obj"});
-  EXPECT_NE(said.find("pins_2.obj is taken for pins_1.obj of last.json, renamed: "), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("pins_2.obj is taken for pins_1.obj of last.json, renamed: "));
   EXPECT_EQ(known_as(), (Known{{"plates.obj", "plates.obj"}, {"pins_2.obj", "pins_1.obj"}}));
   expect({"pin/plate", "bolt/plate"}, {"new/plate"});
   for (const std::string& id : first) EXPECT_TRUE(ids().contains(id));
@@ -263,23 +255,22 @@ TEST_F(Renamed, PartsOfWhichTheNamesAreNoUtf8) {
   for (const bool alone : {true, false}) {
     SCOPED_TRACE(alone);
     report = json();
-    std::vector<std::string> files{"t\xfcren_1.obj"};
+    Words files{"t\xfcren_1.obj"};
     if (!alone) files.emplace_back("pin.obj");
     run(files);
     const std::set<std::string> first = ids();
     files[0] = "t\xfcren_2.obj";
     run(files);
-    EXPECT_NE(said.find(" of last.json, renamed: its parts are known by the same names as then"), std::string::npos)
-        << said;
+    EXPECT_THAT(said, HasSubstr(" of last.json, renamed: its parts are known by the same names as then"));
     EXPECT_EQ(ids(), first);
     for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "persisting");
   }
 }
 
 TEST_F(Renamed, FilesOfWhichTheNamesAreNoUtf8AreNotRenamed) {
-  folder.write("\xff.off", off(box({0, 0, 0}, {4, 4, 4})));
-  folder.write("\xfe.off", off(box({3, 3, 3}, {6, 6, 6})));
-  folder.write("plate.off", off(box({-1, -1, 1}, {5, 5, 5})));
+  write_off(folder, {{"\xff", box({0, 0, 0}, {4, 4, 4})},
+                     {"\xfe", box({3, 3, 3}, {6, 6, 6})},
+                     {"plate", box({-1, -1, 1}, {5, 5, 5})}});
   run({"\xff.off", "\xfe.off", "plate.off"});
   ASSERT_EQ(report.at("pairs").size(), 3U);
   const std::set<std::string> first = ids();
@@ -338,7 +329,7 @@ TEST_F(Renamed, SeveralAtOnceAreToldApartByTheirParts) {
   // Two that are alike: nobody knows which is which.
   folder.write("x.obj", blocks(left)), folder.write("y.obj", blocks(left));
   run({"x.obj", "y.obj"});
-  EXPECT_NE(said.find("all clashes of x.obj and 1 other are new: "), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("all clashes of x.obj and 1 other are new: "));
   for (const json& pair : report.at("pairs")) EXPECT_EQ(pair.at("change"), "new");
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "table.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "numbers.hpp"

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/text.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "program.hpp"

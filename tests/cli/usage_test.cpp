@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 // Wrong command lines: always exit code 2, one sentence, nothing on standard output.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 
@@ -14,100 +12,85 @@
 namespace impinge::test {
 namespace {
 
-struct Wrong {
-  std::vector<std::string> words;
-  std::string part;  ///< of the sentence
-};
-
-class WrongUsage : public testing::TestWithParam<Wrong> {};
-
-TEST_P(WrongUsage, IsOneSentence) {
+TEST(Usage, WrongCommandLinesAreOneSentence) {
   const Folder folder;
   folder.write("a.off", off(cube(0, 0, 0)));
-  const Ended run = impinge(folder, GetParam().words);
-  EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err.rfind("impinge: ", 0), 0U) << run.err;
-  EXPECT_NE(run.err.find(GetParam().part), std::string::npos) << run.err;
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  const std::vector<std::pair<Words, std::string>> wrong{
+      {{}, "subcommand is required"},
+      {{"a.off"}, "'a.off' is no command of impinge"},
+      {{"check"}, "FILE is required; see impinge check --help"},
+      {{"info"}, "FILE is required"},
+      {{"--frobnicate"}, "--frobnicate"},
+      {{"check", "a.off", "-x"}, "-x"},
+      {{"check", "a.off", "--limit", "-1"}, "'-1'"},
+      {{"check", "a.off", "--limit", "1e3"}, "'1e3'"},
+      {{"check", "a.off", "--limit", "18446744073709551616"}, "--limit"},
+      {{"check", "a.off", "--limit"}, "--limit: 1 required N missing"},
+      {{"check", "a.off", "--limit", "1", "--limit", "2"}, "--limit: At Most 1 required"},
+      {{"check", "a.off", "--limit="}, "'--limit=' is empty"},
+      {{"check", "a.off", "--threads", "1025"}, "0 to 1024"},
+      {{"check", "a.off", "--threads", "two"}, "'two'"},
+      {{"check", "a.off", "--backend", "hybrid", "--device-share", "2"}, "'2'"},
+      {{"check", "a.off", "--device-share", "0.5"}, "for --backend hybrid"},
+      {{"devices", "--jsn"}, "'--jsn'"},
+      {{"devices", "a.off"}, "'a.off'"},
+      {{"check", "a.off", "--backend", "cuda"}, "cuda not in {auto,simd,paper,scalar,gpu,raster,hybrid}"},
+      {{"check", "a.off", "--triangles"}, "--triangles requires --json"},
+      {{"check", "a.off", "--first=maybe"}, "--first"},
+      {{"check", "a.off", "--ignore", "a"}, "--ignore: 2 required A B missing"},
+      {{"check", "a.off", "--scale", "b.off=2"}, "none of the files"},
+      {{"check", "a.off", "--scale", "a.off"}, "FILE=S"},
+      {{"check", "a.off", "--scale", "a.off="}, "positive"},
+      {{"check", "a.off", "--scale", "a.off=0"}, "positive"},
+      {{"check", "a.off", "--scale", "a.off=inf"}, "positive"},
+      {{"check", "a.off", "--scale", "a.off=nan"}, "positive"},
+      {{"check", "a.off", "--scale", "a.off=1,5"}, "positive"},
+      {{"check", "a.off", "--scale", "a.off=2", "--scale", "a.off=3"}, "twice"},
+      {{"check", "a.off", "--max-file", "2X"}, "--max-file: x unit not recognized"},
+      {{"info", "a.off", "--max-file", "-1"}, "--max-file: Value -1"},
+      {{"info", "a.off", "--max-file", "1.5G"}, "--max-file: Value 1.5"},
+      {{"info", "a.off", "--max-file", "18446745T"}, "overflow"},
+      {{"clash", "a.off", "--stats"}, "see impinge clash --help"},
+      {{"clash", "a.off", "--tolerance", "-1"},
+       "--tolerance takes auto or a length from 0 up, such as 10 or 10mm, not '-1'"},
+      {{"clash", "a.off", "--tolerance", "nan"}, "--tolerance takes auto"},
+      {{"clash", "a.off", "--tolerance", "inf"}, "'inf'"},
+      {{"clash", "a.off", "--tolerance", "1 mile"}, "'1 mile'; the units are m, cm, mm, in and ft"},
+      {{"clash", "a.off", "--tolerance", "0,5"}, "'0,5'"},
+      {{"clash", "a.off", "--tolerance", "Auto"}, "'Auto'"},
+      {{"clash", "a.off", "--tolerance"}, "--tolerance: 1 required auto|0|D missing"},
+      {{"clash", "a.off", "--tolerance", "0", "--tolerance", "1"}, "--tolerance: At Most 1"},
+      {{"clash", "a.off", "--clearance", "-1"}, "--clearance takes a length from 0 up"},
+      {{"clash", "a.off", "--clearance", "auto"}, "'auto'"},
+      {{"clash", "a.off", "--fail-on", "penetrating"},
+       "--fail-on: penetrating not in {contact,penetration,inside,clearance,new}"},
+      {{"clash", "a.off", "--fail-on", "new"},
+       ": --fail-on new needs an earlier run to compare with: add --previous FILE, with its JSON; see impinge clash "
+       "--help\n"},
+      {{"clash", "a.off", "--group-by", "colour"}, "part|type|test|none, not 'colour'"},
+      {{"clash", "a.off", "--group-by", "test"}, "--config FILE"},
+      {{"clash"}, ": no file to read is named; see impinge clash --help\n"},
+      {{"clash", "a.off", "--fail-on", "inside, contact"}, " contact not in {"},
+      {{"clash", "a.off", "--fail-on", ""}, "'--fail-on' is empty"},
+      {{"clash", "a.off", "--fail-on"}, "--fail-on: 1 required LIST missing"},
+      {{"clash", "a.off", "--fail-on", "clearance"}, "add --clearance C"},
+      {{"clash", "a.off", "--fail-on", "clearance", "--clearance", "0"}, "add --clearance C"},
+      {{"clash", "a.off", "--depth=maybe"}, "none or a share"},
+      {{"clash", "a.off", "--depth", "0"}, "none or a share"},
+      {{"clash", "a.off", "--depth", "1.5"}, "none or a share"},
+      {{"clash", "a.off", "--ignore", "a", "b"}, "nothing is named 'b'"},
+      {{"clash", "a.off", "--json", "a.off"}, "one of the files to read"},
+  };
+  for (const auto& [words, part] : wrong) EXPECT_THAT(refusal(folder, words), HasSubstr(part));
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Usage, WrongUsage,
-    testing::Values(Wrong{{}, "subcommand is required"}, Wrong{{"a.off"}, "'a.off' is no command of impinge"},
-                    Wrong{{"check"}, "FILE is required; see impinge check --help"}, Wrong{{"info"}, "FILE is required"},
-                    Wrong{{"--frobnicate"}, "--frobnicate"}, Wrong{{"check", "a.off", "-x"}, "-x"},
-                    Wrong{{"check", "a.off", "--limit", "-1"}, "'-1'"},
-                    Wrong{{"check", "a.off", "--limit", "1e3"}, "'1e3'"},
-                    Wrong{{"check", "a.off", "--limit", "18446744073709551616"}, "--limit"},
-                    Wrong{{"check", "a.off", "--limit"}, "--limit: 1 required N missing"},
-                    Wrong{{"check", "a.off", "--limit", "1", "--limit", "2"}, "--limit: At Most 1 required"},
-                    Wrong{{"check", "a.off", "--limit="}, "'--limit=' is empty"},
-                    Wrong{{"check", "a.off", "--threads", "1025"}, "0 to 1024"},
-                    Wrong{{"check", "a.off", "--threads", "two"}, "'two'"},
-                    Wrong{{"check", "a.off", "--backend", "hybrid", "--device-share", "2"}, "'2'"},
-                    Wrong{{"check", "a.off", "--device-share", "0.5"}, "for --backend hybrid"},
-                    Wrong{{"devices", "--jsn"}, "'--jsn'"}, Wrong{{"devices", "a.off"}, "'a.off'"},
-                    Wrong{{"check", "a.off", "--backend", "cuda"},
-                          "cuda not in {auto,simd,paper,scalar,gpu,raster,hybrid}"},
-                    Wrong{{"check", "a.off", "--triangles"}, "--triangles requires --json"},
-                    Wrong{{"check", "a.off", "--first=maybe"}, "--first"},
-                    Wrong{{"check", "a.off", "--ignore", "a"}, "--ignore: 2 required A B missing"},
-                    Wrong{{"check", "a.off", "--scale", "b.off=2"}, "none of the files"},
-                    Wrong{{"check", "a.off", "--scale", "a.off"}, "FILE=S"},
-                    Wrong{{"check", "a.off", "--scale", "a.off="}, "positive"},
-                    Wrong{{"check", "a.off", "--scale", "a.off=0"}, "positive"},
-                    Wrong{{"check", "a.off", "--scale", "a.off=inf"}, "positive"},
-                    Wrong{{"check", "a.off", "--scale", "a.off=nan"}, "positive"},
-                    Wrong{{"check", "a.off", "--scale", "a.off=1,5"}, "positive"},
-                    Wrong{{"check", "a.off", "--scale", "a.off=2", "--scale", "a.off=3"}, "twice"},
-                    Wrong{{"check", "a.off", "--max-file", "2X"}, "--max-file: x unit not recognized"},
-                    Wrong{{"info", "a.off", "--max-file", "-1"}, "--max-file: Value -1"},
-                    Wrong{{"info", "a.off", "--max-file", "1.5G"}, "--max-file: Value 1.5"},
-                    Wrong{{"info", "a.off", "--max-file", "18446745T"}, "overflow"}));
-
-INSTANTIATE_TEST_SUITE_P(
-    Clash, WrongUsage,
-    testing::Values(Wrong{{"clash", "a.off", "--stats"}, "see impinge clash --help"},
-                    Wrong{{"clash", "a.off", "--tolerance", "-1"},
-                          "--tolerance takes auto or a length from 0 up, such as 10 or 10mm, not '-1'"},
-                    Wrong{{"clash", "a.off", "--tolerance", "nan"}, "--tolerance takes auto"},
-                    Wrong{{"clash", "a.off", "--tolerance", "inf"}, "'inf'"},
-                    Wrong{{"clash", "a.off", "--tolerance", "1 mile"}, "'1 mile'; the units are m, cm, mm, in and ft"},
-                    Wrong{{"clash", "a.off", "--tolerance", "0,5"}, "'0,5'"},
-                    Wrong{{"clash", "a.off", "--tolerance", "Auto"}, "'Auto'"},
-                    Wrong{{"clash", "a.off", "--tolerance"}, "--tolerance: 1 required auto|0|D missing"},
-                    Wrong{{"clash", "a.off", "--tolerance", "0", "--tolerance", "1"}, "--tolerance: At Most 1"},
-                    Wrong{{"clash", "a.off", "--clearance", "-1"}, "--clearance takes a length from 0 up"},
-                    Wrong{{"clash", "a.off", "--clearance", "auto"}, "'auto'"},
-                    Wrong{{"clash", "a.off", "--fail-on", "penetrating"},
-                          "--fail-on: penetrating not in {contact,penetration,inside,clearance,new}"},
-                    Wrong{{"clash", "a.off", "--fail-on", "new"}, "add --previous FILE"},
-                    Wrong{{"clash", "a.off", "--group-by", "colour"}, "part|type|test|none, not 'colour'"},
-                    Wrong{{"clash", "a.off", "--group-by", "test"}, "--config FILE"},
-                    Wrong{{"clash"}, "no file to read is named"},
-                    Wrong{{"clash", "a.off", "--fail-on", "inside, contact"}, " contact not in {"},
-                    Wrong{{"clash", "a.off", "--fail-on", ""}, "'--fail-on' is empty"},
-                    Wrong{{"clash", "a.off", "--fail-on"}, "--fail-on: 1 required LIST missing"},
-                    Wrong{{"clash", "a.off", "--fail-on", "clearance"}, "add --clearance C"},
-                    Wrong{{"clash", "a.off", "--fail-on", "clearance", "--clearance", "0"}, "add --clearance C"},
-                    Wrong{{"clash", "a.off", "--depth=maybe"}, "none or a share"},
-                    Wrong{{"clash", "a.off", "--depth", "0"}, "none or a share"},
-                    Wrong{{"clash", "a.off", "--depth", "1.5"}, "none or a share"},
-                    Wrong{{"clash", "a.off", "--ignore", "a", "b"}, "nothing is named 'b'"},
-                    Wrong{{"clash", "a.off", "--json", "a.off"}, "one of the files to read"}));
 
 TEST(Usage, VersionAndHelpEndWell) {
   const Folder folder;
   const Ended version = impinge(folder, {"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.out, "impinge " IMPINGE_VERSION "\n");
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
-                                                {"-h"},
-                                                {"check", "--help"},
-                                                {"clash", "--help"},
-                                                {"info", "--help"},
-                                                {"check", "-h", "x"}})
+  for (const Words& words :
+       {Words{"--help"}, {"-h"}, {"check", "--help"}, {"clash", "--help"}, {"info", "--help"}, {"check", "-h", "x"}})
     EXPECT_EQ(impinge(folder, words).code, 0);
 }
 
@@ -121,9 +104,9 @@ TEST(Usage, WordsAfterTheMarkAreFiles) {
 
 // The help pages: their examples run as they stand, and their lines fit.
 
-const std::vector<std::vector<std::string>> kPages = {{"--help"},           {"check", "--help"},   {"clash", "--help"},
-                                                      {"motion", "--help"}, {"impacts", "--help"}, {"view", "--help"},
-                                                      {"info", "--help"},   {"devices", "--help"}};
+const std::vector<Words> kPages = {{"--help"},           {"check", "--help"},   {"clash", "--help"},
+                                   {"motion", "--help"}, {"impacts", "--help"}, {"view", "--help"},
+                                   {"info", "--help"},   {"devices", "--help"}};
 
 /// The lines that begin with the program's name between "Examples:" and the next empty line.
 std::vector<std::string> examples_of(const std::string& page) {
@@ -178,7 +161,7 @@ TEST(Help, ExplainsEveryOptionAndCommand) {
   const Folder folder;
   const std::string program = impinge(folder, {"--help"}).out;
   for (const char* command : {"check", "clash", "motion", "impacts", "view", "info", "devices"}) {
-    EXPECT_NE(program.find("\n  " + std::string(command) + " "), std::string::npos) << command;
+    EXPECT_THAT(program, HasSubstr("\n  " + std::string(command) + " ")) << command;
     // Every option of the page has a line of its own that begins with it, or ends there and is explained below.
     std::istringstream lines(impinge(folder, {command, "--help"}).out);
     std::size_t options = 0;
@@ -193,7 +176,7 @@ TEST(Help, ExplainsEveryOptionAndCommand) {
   const std::string clash = impinge(folder, {"clash", "--help"}).out;
   for (const char* option : {"--tolerance auto|0|D", "--json FILE|-", "--ignore A B", "--scale FILE=S", "--limit N",
                              "--up y|z", "--unit m|cm|mm|in|ft", "--group-by part|type|test|none", "-h,--help"})
-    EXPECT_NE(clash.find("\n  " + std::string(option)), std::string::npos) << option;
+    EXPECT_THAT(clash, HasSubstr("\n  " + std::string(option))) << option;
 }
 
 }  // namespace

@@ -12,55 +12,50 @@ using testing::HasSubstr;
 using scenes::kFoot;
 using scenes::kMetre;
 using scenes::kMillimetre;
-using scenes::Step;
 
 TEST(IfcGrids, StandWhereTheirAxesAre) {
   for (const char* schema : {"IFC2X3", "IFC4", "IFC4X3"})
     for (const auto& [unit, metres] : {std::pair(kMillimetre, 0.001), {kFoot, 0.3048}, {kMetre, 1.}}) {
       const bool degrees = metres == 1;
-      Step step(schema, unit, 0, degrees);
+      IfcFile step(schema, unit, 0, degrees);
       step.solid("box", step.extruded(step.rectangle(1, 1), 1));
       const std::string parent = step.placement("$", step.axes({5e6, 1000, 7}, {0, 0, 1}, {0, 1, 0}));
       const std::string at = step.placement(parent, step.axes({100, 200, 0}));
       const auto world = [](double x, double y) { return Point{5e6 - (200 + y), 1000 + 100 + x, 7}; };
       const auto axis = [&](const std::string& tag, const std::string& curve) {
-        return step.line("IFCGRIDAXIS(" + tag + "," + step.line(curve) + ",.T.)");
+        return step.line("IFCGRIDAXIS({},{},.T.)", tag, curve);
       };
       const auto grid = [&](const std::string& name, const std::string& axes) {
-        return step.line("IFCGRID('" + step.guid() + "',$," + name + ",$,$," + at + ",$," + axes +
+        return step.line("IFCGRID('{}',$,{},$,$,{},$,{}{}", step.guid(), name, at, axes,
                          (std::string(schema) == "IFC2X3" ? ")" : ",$)"));
       };
-      const std::string turned =
-          step.line("IFCAXIS2PLACEMENT2D(" + step.point(1, 2) + "," + step.line("IFCDIRECTION((0.,1.))") + ")");
-      const std::string circle = step.line("IFCCIRCLE(" + turned + ",10.)");
+      const std::string turned = step.flat_axes(1, 2, step.line("IFCDIRECTION((0.,1.))"));
+      const std::string circle = step.line("IFCCIRCLE({},10.)", turned);
       const std::string quarter = degrees ? "90." : "1.5707963267948966";
-      const std::string in_storey = grid(
-          "'Wing'", "(" + axis("'A'", "IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(30, 4) + "))") + "),(" +
-                        axis("'1'", "IFCTRIMMEDCURVE(" + circle + ",(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(" +
-                                        quarter + ")),.T.,.PARAMETER.)") +
-                        "," +
-                        axis("$", "IFCTRIMMEDCURVE(" + circle + ",(" + step.point(1, 12) + "),(" + step.point(11, 2) +
-                                      "),.F.,.CARTESIAN.)") +
-                        "),(" +
-                        axis("'x'", "IFCTRIMMEDCURVE(" +
-                                        step.line("IFCLINE(" + step.point(3, 4) + "," +
-                                                  step.line("IFCVECTOR(" + step.direction({0, 2, 0}) + ",5.)") + ")") +
-                                        ",(IFCPARAMETERVALUE(1.)),(IFCPARAMETERVALUE(2.)),.T.,.PARAMETER.)") +
-                        ")");
-      step.line("IFCRELCONTAINEDINSPATIALSTRUCTURE('" + step.guid() + "',$,$,$,(" + in_storey + ")," + step.storey +
-                ")");
-      const std::string whole = axis("'C'", "IFCCIRCLE(" + turned + ",10.)");
-      grid("$", "(" + whole + "),(" + whole + "),$");
-      grid("'Old'", "(" + axis("'E'", "IFCELLIPSE(" + turned + ",1.,2.)") + "),(" + whole + "),$");
+      const std::string upwards = step.line("IFCVECTOR({},5.)", step.direction({0, 2, 0}));
+      const std::string straight = step.line("IFCLINE({},{})", step.point(3, 4), upwards);
+      const std::string along = axis("'A'", step.polyline({{0, 0}, {30, 4}}));
+      const std::string by_angles = axis("'1'", step.line("IFCTRIMMEDCURVE({},(IFCPARAMETERVALUE(0.)),"
+                                                          "(IFCPARAMETERVALUE({})),.T.,.PARAMETER.)",
+                                                          circle, quarter));
+      const std::string by_points = axis("$", step.line("IFCTRIMMEDCURVE({},({}),({}),.F.,.CARTESIAN.)", circle,
+                                                        step.point(1, 12), step.point(11, 2)));
+      const std::string third = axis("'x'", step.line("IFCTRIMMEDCURVE({},(IFCPARAMETERVALUE(1.)),"
+                                                      "(IFCPARAMETERVALUE(2.)),.T.,.PARAMETER.)",
+                                                      straight));
+      const std::string in_storey =
+          grid("'Wing'", fmt::format("({}),({},{}),({})", along, by_angles, by_points, third));
+      step.related("IFCRELCONTAINEDINSPATIALSTRUCTURE", "(" + in_storey + ")", step.storey);
+      const std::string whole = axis("'C'", circle);
+      grid("$", fmt::format("({}),({}),$", whole, whole));
+      grid("'Old'", fmt::format("({}),({}),$", axis("'E'", step.line("IFCELLIPSE({},1.,2.)", turned)), whole));
       Model model = read_ifc(step);
       EXPECT_EQ(model.warnings,
                 std::vector<std::string>{"Clashes are not named by the axes of the grid 'Old': its axis 'E' is a curve "
                                          "that is not read (IfcEllipse); export the axes as lines and arcs."});
       ASSERT_EQ(model.grids.size(), 2u);
-      EXPECT_EQ(model.grids[0].name, "Wing");
-      EXPECT_EQ(model.grids[0].storey, "Level 1");
-      EXPECT_EQ(model.grids[1].name, "IfcGrid");
-      EXPECT_EQ(model.grids[1].storey, "");
+      EXPECT_EQ(model.grids[0].name + " of " + model.grids[0].storey, "Wing of Level 1");
+      EXPECT_EQ(model.grids[1].name + " of " + model.grids[1].storey, "IfcGrid of ");
       ASSERT_TRUE(bring_to_unit(model, 2, "case.ifc").has_value());
       const auto expect_axis = [&](const GridAxis& found, const char* tag, std::uint32_t family, const Points& ends) {
         EXPECT_EQ(found.tag, tag);
@@ -94,12 +89,12 @@ TEST(IfcGrids, StandWhereTheirAxesAre) {
 
 /// Composite curves of shared segments: 8 million points in a small file, and a curve of itself.
 TEST(IfcGrids, OfEndlessCurvesAreRefused) {
-  Step step;
+  IfcFile step;
   step.solid("box", step.extruded(step.rectangle(1, 1), 1));
-  const std::string at = step.placement("$", step.origin);
+  const std::string at = step.place();
   const auto grid = [&](const std::string& name, const std::string& curve) {
-    const std::string axis = step.line("IFCGRIDAXIS('A'," + curve + ",.T.)");
-    step.line("IFCGRID('" + step.guid() + "',$,'" + name + "',$,$," + at + ",$,(" + axis + "),(" + axis + "),$,$)");
+    const std::string axis = step.line("IFCGRIDAXIS('A',{},.T.)", curve);
+    step.line("IFCGRID('{}',$,'{}',$,$,{},$,({}),({}),$,$)", step.guid(), name, at, axis, axis);
   };
   const auto composite = [&](const std::string& part) {
     std::string parts = part;
@@ -109,14 +104,13 @@ TEST(IfcGrids, OfEndlessCurvesAreRefused) {
   const auto segment = [](const std::string& curve) {
     return "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.," + curve + ")";
   };
-  std::string curve = step.line("IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(1, 0) + "))");
+  std::string curve = step.polyline({{0, 0}, {1, 0}});
   grid("small", curve);
   for (int level = 0; level < 3; ++level) curve = step.line(composite(step.line(segment(curve))));
   grid("shared", curve);
   grid("loop", "#9000");
-  std::string text = step.text();
-  text.replace(text.find("ENDSEC;\nEND-"), 0, "#9000=" + composite("#9001") + ";\n#9001=" + segment("#9000") + ";\n");
-  const Model model = read_text(text, "case.ifc");
+  const std::string loop = "#9000=" + composite("#9001") + ";\n#9001=" + segment("#9000") + ";\n";
+  const Model model = read_text(step.text(loop), "case.ifc");
   ASSERT_EQ(model.grids.size(), 1u);
   EXPECT_EQ(model.grids[0].name, "small");
   EXPECT_THAT(model.warnings, testing::UnorderedElementsAre(
@@ -126,29 +120,27 @@ TEST(IfcGrids, OfEndlessCurvesAreRefused) {
 
 /// A wall is placed there too: web-ifc says what is wrong with a placement only when it first meets it.
 TEST(IfcGrids, WithBrokenPlacementsAreRefused) {
-  Step step;
-  const std::string box = step.shape(step.shown(step.extruded(step.rectangle(1, 1), 1)));
-  const std::string axis = step.line(
-      "IFCGRIDAXIS('A'," + step.line("IFCPOLYLINE((" + step.point(0, 0) + "," + step.point(1, 0) + "))") + ",.T.)");
+  IfcFile step;
+  const std::string box = step.block(1, 1, 1);
+  const std::string axis = step.line("IFCGRIDAXIS('A',{},.T.)", step.polyline({{0, 0}, {1, 0}}));
   const auto linear = [&](const std::string& curve) {
-    const std::string point = step.line("IFCPOINTBYDISTANCEEXPRESSION(IFCLENGTHMEASURE(3.),$,$,$," + curve + ")");
-    return step.line("IFCLINEARPLACEMENT($," + step.line("IFCAXIS2PLACEMENTLINEAR(" + point + ",$,$)") + ",$)");
+    const std::string point = step.line("IFCPOINTBYDISTANCEEXPRESSION(IFCLENGTHMEASURE(3.),$,$,$,{})", curve);
+    return step.line("IFCLINEARPLACEMENT($,{},$)", step.line("IFCAXIS2PLACEMENTLINEAR({},$,$)", point));
   };
   const std::string lacking = step.placement("$", "#9999");
-  const std::vector<std::string> broken{"#9999",
-                                        lacking,
-                                        step.placement(lacking, step.origin),
-                                        step.placement("$", step.line("IFCAXIS2PLACEMENT3D(#9999,$,$)")),
-                                        step.placement("$", step.line("IFCAXIS2PLACEMENT3D(" + step.point({0, 0, 0}) +
-                                                                      "," + step.point({0, 0, 1}) + ",$)")),
-                                        step.origin,
-                                        linear("#9999")};
+  const std::vector<std::string> broken{
+      "#9999",
+      lacking,
+      step.placement(lacking, step.origin),
+      step.placement("$", step.line("IFCAXIS2PLACEMENT3D(#9999,$,$)")),
+      step.placement("$", step.line("IFCAXIS2PLACEMENT3D({},{},$)", step.point({0, 0, 0}), step.point({0, 0, 1}))),
+      step.origin,
+      linear("#9999")};
   for (const std::string& place : broken) {
     step.product("wall", place, box);
-    step.line("IFCGRID('" + step.guid() + "',$,'broken',$,$," + place + ",$,(" + axis + "),(" + axis + "),$,$)");
+    step.line("IFCGRID('{}',$,'broken',$,$,{},$,({}),({}),$,$)", step.guid(), place, axis, axis);
   }
-  step.line("IFCGRID('" + step.guid() + "',$,'good',$,$," + step.placement("$", step.origin) + ",$,(" + axis + "),(" +
-            axis + "),$,$)");
+  step.line("IFCGRID('{}',$,'good',$,$,{},$,({}),({}),$,$)", step.guid(), step.place(), axis, axis);
   step.solid("box", step.extruded(step.rectangle(1, 1), 1));
   const Model model = read_ifc(step);
   ASSERT_EQ(model.grids.size(), 1u);
@@ -157,12 +149,6 @@ TEST(IfcGrids, WithBrokenPlacementsAreRefused) {
   EXPECT_THAT(model.warnings,
               testing::Each(HasSubstr("'broken': its placement is on another grid or an alignment, or a "
                                       "line of it is missing or broken.")));
-}
-
-std::string good_text() {
-  Step step;
-  step.solid("box", step.extruded(step.rectangle(1, 1), 1));
-  return step.text();
 }
 
 }  // namespace

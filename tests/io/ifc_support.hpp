@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -10,18 +13,6 @@
 #include "support.hpp"
 
 namespace impinge::io {
-
-inline Points world_points(const Object& object) {
-  Points points;
-  for (const Point& p : object.mesh.vertices()) {
-    const auto row = [&](int r) {
-      return object.pose.R[3 * r] * p.x + object.pose.R[3 * r + 1] * p.y + object.pose.R[3 * r + 2] * p.z +
-             object.pose.t[r];
-    };
-    points.push_back({row(0), row(1), row(2)});
-  }
-  return points;
-}
 
 /// By the divergence theorem, about the first vertex.
 inline double volume_of(const Object& object) {
@@ -50,7 +41,8 @@ struct Box {
 inline Box box_of(const Object& object) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const Point& p : world_points(object)) {
+  for (const Point& vertex : object.mesh.vertices()) {
+    const Point p = world_vertex(object.pose, vertex);
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
@@ -67,6 +59,65 @@ inline void expect_box(const Object& object, const Box& expected, double error) 
   EXPECT_NEAR(box.high.z, expected.high.z, error) << object.name;
 }
 
+/// A file of which lines are formatted.
+class IfcFile : public scenes::Step {
+ public:
+  using Step::flat_axes;
+  using Step::line;
+  using Step::Step;
+  using Step::text;
+
+  template <class... Args>
+  std::string line(fmt::format_string<Args...> text, Args&&... args) {
+    return line(fmt::format(text, std::forward<Args>(args)...));
+  }
+  std::string related(const std::string& kind, const std::string& first, const std::string& second) {
+    return line("{}('{}',$,$,$,{},{})", kind, guid(), first, second);
+  }
+  std::string place(const Point& at = {}) { return placement("$", axes(at)); }
+  std::string body(const std::string& items) { return shape(shown(items)); }
+  std::string block(double x, double y, double z) { return body(extruded(rectangle(x, y), z)); }
+  std::string flat_axes(double x, double y, const std::string& direction = "$") {
+    return line("IFCAXIS2PLACEMENT2D({},{})", point(x, y), direction);
+  }
+  /// Through points of the plane, back to the first one if it is closed.
+  std::string polyline(const std::vector<std::array<double, 2>>& corners, bool is_closed = false) {
+    std::vector<std::string> points;
+    for (const auto& [x, y] : corners) points.push_back(point(x, y));
+    if (is_closed) points.push_back(points.front());
+    return line("IFCPOLYLINE(({}))", fmt::join(points, ","));
+  }
+  std::string map_of(const std::string& representation) {
+    return line("IFCREPRESENTATIONMAP({},{})", origin, representation);
+  }
+  /// What the map shows by a transformation: its first and second axis, where to, its scale and its third axis.
+  std::string mapped(const std::string& map, const std::string& axes = "$,$", const Point& to = {},
+                     const std::string& scale = "$,$") {
+    return line("IFCMAPPEDITEM({},{})", map,
+                line("IFCCARTESIANTRANSFORMATIONOPERATOR3D({},{},{})", axes, point(to), scale));
+  }
+  /// A placement on axes, which is not read.
+  std::string on_grid() { return line("IFCGRIDPLACEMENT({},$)", line("IFCVIRTUALGRIDINTERSECTION(($,$),(0.,0.,0.))")); }
+  /// Lines by which the mapped item of "#9000" shows itself, on which web-ifc traps.
+  [[nodiscard]] std::string shows_itself(const std::string& item) const {
+    return fmt::format(
+        "#9000=IFCREPRESENTATIONMAP({},#9001);\n"
+        "#9001=IFCSHAPEREPRESENTATION({},'Body','MappedRepresentation',({}));\n",
+        origin, context, item);
+  }
+  /// The text with lines of their own numbers at its end.
+  [[nodiscard]] std::string text(const std::string& more) const {
+    std::string text = Step::text();
+    return text.insert(text.find("ENDSEC;\nEND-"), more);
+  }
+};
+
 inline Model read_ifc(const scenes::Step& step) { return read_text(step.text(), "case.ifc"); }
+
+inline std::string good_text() {
+  IfcFile file;
+  file.solid("box", file.extruded(file.rectangle(1, 1), 1));
+  return file.text();
+}
 
 }  // namespace impinge::io

@@ -12,6 +12,7 @@
 namespace impinge::io {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(Obj, ReadsEveryFormOfACornerAndNegativeIndices) {
@@ -243,8 +244,7 @@ TEST(Ply, UnknownHeaderLinesArePassedOverWithAWarning) {
       read_ply("ply\nformat ascii 1.0\nCreated by a program\n" +
                    text_ply("element face 1\nproperty list uchar int vertex_indices\n", "3 0 1 2\n").substr(21),
                "a.ply"));
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_THAT(model.warnings[0], HasSubstr("Line 3 of the header of a.ply begins with 'Created'"));
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("Line 3 of the header of a.ply begins with 'Created'")));
 }
 
 TEST(Ply, WarnsWhereFloatsAreTooCoarseForThePart) {
@@ -339,8 +339,8 @@ TEST(Stl, BinaryIsToldByItsSizeEvenIfItBeginsWithSolid) {
 TEST(Stl, BinaryWarnsWhereFloatsAreTooCoarseForThePart) {
   // Floats at 2^20 are 2^-3 apart; the part is of size 4.
   const Model model = model_of(read_stl(binary_stl("", {{0x1p20f, 0, 0, 0x1p20f + 4, 0, 0, 0x1p20f, 1, 0}}), "file"));
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_THAT(model.warnings[0], HasSubstr("1 of 1 object; worst is 'file', of size 4 with a spacing of 0.125"));
+  EXPECT_THAT(model.warnings,
+              ElementsAre(HasSubstr("1 of 1 object; worst is 'file', of size 4 with a spacing of 0.125")));
   // At 1 they are 2^-23 apart: a part of size 1/8 is at the border's good side, one of 1/16 is not: 2^-23 / 2^-4
   // = 1.9e-6.
   EXPECT_TRUE(model_of(read_stl(binary_stl("", {{1, 0, 0, 1.125f, 0, 0, 1, 0.125f, 0}}), "file")).warnings.empty());
@@ -349,8 +349,7 @@ TEST(Stl, BinaryWarnsWhereFloatsAreTooCoarseForThePart) {
 
 TEST(Stl, BytesAfterTheLastTriangleAreReported) {
   const Model model = model_of(read_stl(binary_stl("", {{0, 0, 0, 1, 0, 0, 0, 1, 0}}) + "tail", "file"));
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_THAT(model.warnings[0], HasSubstr("4 bytes"));
+  EXPECT_THAT(model.warnings, ElementsAre(HasSubstr("4 bytes")));
 }
 
 TEST(Stl, PointsMadeToCollideTakeNoQuadraticTime) {

@@ -4,12 +4,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,15 @@ inline void expect_sound(const Model& model) {
   for (const Object& object : model.objects) EXPECT_GT(object.mesh.triangle_count(), 0u) << object.name;
 }
 
+/// Whether it is a model, which is sound then; else an error that says something of the file of this name.
+inline bool expect_sound_or_error(const Result<Model>& model, const std::string& file) {
+  if (model)
+    expect_sound(*model);
+  else
+    EXPECT_THAT(error_of(model), testing::StartsWith(file));
+  return model.has_value();
+}
+
 inline std::string bytes_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   EXPECT_TRUE(in) << file << " is missing; install what ./dev test installs";
@@ -71,6 +82,15 @@ void append_bytes(std::string& out, T value, bool big_endian = false) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if (big_endian) std::reverse(bytes.begin(), bytes.end());
   out.append(bytes.data(), bytes.size());
+}
+
+/// A ZIP archive of these members, by their names.
+inline void write_zip(const std::filesystem::path& file, const std::map<std::string, std::string>& members) {
+  int problem = 0;
+  zip_t* const archive = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &problem);
+  for (const auto& [name, text] : members)
+    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), ZIP_FL_ENC_UTF_8);
+  EXPECT_EQ(zip_close(archive), 0) << file;
 }
 
 /// Of a file with this text.

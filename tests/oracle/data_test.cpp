@@ -49,28 +49,36 @@ std::optional<Mesh> sample(const char* name) {
   return model.objects.size() == 1 ? std::optional(model.objects[0].mesh) : std::nullopt;
 }
 
+/// One mesh twice.
+PlacedScene twice(const MeshData& mesh) {
+  PlacedScene scene;
+  scene.meshes = {mesh};
+  scene.objects = {{.mesh = 0}, {.mesh = 0}};
+  return scene;
+}
+
+/// The scene's two objects placed so, exactly.
+expected::Set expect_exact_at(PlacedScene scene, const auto& poses) {
+  scene.objects[0].pose = poses.a;
+  scene.objects[1].pose = poses.b;
+  return expected::expect_exact(scene);
+}
+
 class RealMesh : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealMesh, AgainstItselfApartLightAndDeep) {
   const auto found = sample(GetParam());
   ASSERT_TRUE(found);
   const Mesh& mesh = *found;
-  PlacedScene scene;
-  scene.meshes = {data_of(mesh)};
-  scene.objects = {{.mesh = 0}, {.mesh = 0}};
+  const PlacedScene scene = twice(data_of(mesh));
   Random random(1);
   for (const double depth : {-0.01, 0.0005, 0.03}) {
     SCOPED_TRACE("depth " + std::to_string(depth));
     const auto poses = scenes::near_first_touch(random, mesh, mesh, depth);
     ASSERT_TRUE(poses) << poses.error().message;
-    scene.objects[0].pose = poses->a;
-    scene.objects[1].pose = poses->b;
-    EXPECT_EQ(expected::expect_exact(scene).empty(), depth < 0);
+    EXPECT_EQ(expect_exact_at(scene, *poses).empty(), depth < 0);
   }
-  const auto poses = scenes::centers_apart(random, mesh, mesh, 0.2);
-  scene.objects[0].pose = poses.a;
-  scene.objects[1].pose = poses.b;
-  EXPECT_FALSE(expected::expect_exact(scene).empty());
+  EXPECT_FALSE(expect_exact_at(scene, scenes::centers_apart(random, mesh, mesh, 0.2)).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(CgalDemo, RealMesh,
@@ -80,9 +88,7 @@ INSTANTIATE_TEST_SUITE_P(CgalDemo, RealMesh,
 TEST(RealMesh, ClosedPartOnItselfUnderOneMotion) {
   const auto mesh = sample("anchor.off");
   ASSERT_TRUE(mesh);
-  PlacedScene scene;
-  scene.meshes = {data_of(*mesh)};
-  scene.objects = {{.mesh = 0}, {.mesh = 0}};
+  const PlacedScene scene = twice(data_of(*mesh));
   Random random(1);
   const PlacedScene moved = scenes::moved(scene, scenes::random_motion(random, 10));
   const expected::Set set = expected::expect_exact(moved);
@@ -97,34 +103,26 @@ TEST(RealMesh, AgainstAnotherOfItsSize) {
   const double scale = elephant->sphere_radius() / lion->sphere_radius();
   const auto scaled = lion->transformed({.m = {scale, 0, 0, 0, scale, 0, 0, 0, scale}});
   ASSERT_TRUE(scaled) << scaled.error().message;
-  PlacedScene scene = scenes::pair_scene(data_of(*elephant), data_of(*scaled));
+  const PlacedScene scene = scenes::pair_scene(data_of(*elephant), data_of(*scaled));
   Random random(1);
   const auto light = scenes::near_first_touch(random, *elephant, *scaled, 0.03);
   ASSERT_TRUE(light) << light.error().message;
-  for (const auto& poses : {*light, scenes::centers_apart(random, *elephant, *scaled, 0.2)}) {
-    scene.objects[0].pose = poses.a;
-    scene.objects[1].pose = poses.b;
-    EXPECT_FALSE(expected::expect_exact(scene).empty());
-  }
+  for (const auto& poses : {*light, scenes::centers_apart(random, *elephant, *scaled, 0.2)})
+    EXPECT_FALSE(expect_exact_at(scene, poses).empty());
 }
 
 TEST(Knots, LightAndDeep) {
   for (const int triangles : {968, 3162, 5200, 7590, 9612}) {
     SCOPED_TRACE(triangles);
-    PlacedScene scene;
-    scene.meshes = {scenes::torus_knot_of(triangles)};
-    scene.objects = {{.mesh = 0}, {.mesh = 0}};
+    const PlacedScene scene = twice(scenes::torus_knot_of(triangles));
     ASSERT_EQ(scene.meshes[0].triangle_count(), static_cast<std::size_t>(triangles));
     const auto mesh = Mesh::create(scene.meshes[0].xyz, scene.meshes[0].triangles);
     ASSERT_TRUE(mesh);
     Random random(static_cast<std::uint64_t>(triangles));
     const auto light = scenes::near_first_touch(random, *mesh, *mesh, 0.03);
     ASSERT_TRUE(light);
-    for (const auto& poses : {*light, scenes::centers_apart(random, *mesh, *mesh, 0.2)}) {
-      scene.objects[0].pose = poses.a;
-      scene.objects[1].pose = poses.b;
-      EXPECT_FALSE(expected::expect_exact(scene).empty());
-    }
+    for (const auto& poses : {*light, scenes::centers_apart(random, *mesh, *mesh, 0.2)})
+      EXPECT_FALSE(expect_exact_at(scene, poses).empty());
   }
 }
 

@@ -14,7 +14,7 @@
 #include "core/shapes.hpp"
 #include "impinge/collide.hpp"
 #include "impinge/scene.hpp"
-#include "rational.hpp"
+#include "points.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
@@ -26,8 +26,6 @@ namespace {
 
 using oracle::Vec;
 using scenes::MeshData;
-
-Vec rational(const Point& p) { return oracle::vec(p.x, p.y, p.z); }
 
 bool in_hull(const Vec& x, const std::vector<Vec>& common) {
   using oracle::operator-;
@@ -41,7 +39,7 @@ bool in_hull(const Vec& x, const std::vector<Vec>& common) {
 std::vector<test::Contact> truth(const Mesh& mesh, const Pose& pose, Adjacency adjacency) {
   std::vector<test::Contact> contacts;
   std::vector<Vec> world;
-  for (const Point& v : mesh.vertices()) world.push_back(rational(world_vertex(pose, v)));
+  for (const Point& v : mesh.vertices()) world.push_back(points::exact(world_vertex(pose, v)));
   const auto triangles = mesh.triangles();
   const auto box = [&](std::uint32_t t) {
     Triangle placed;

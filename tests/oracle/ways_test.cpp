@@ -49,9 +49,9 @@ std::vector<std::pair<std::string, PlacedScene>> small_scenes() {
   };
 }
 
-class Family : public testing::TestWithParam<std::size_t> {};
+class SmallScene : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Family, HasOneAnswerInEveryWay) {
+TEST_P(SmallScene, HasOneAnswerInEveryWay) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   const auto [name, scene] = small_scenes()[GetParam()];
   SCOPED_TRACE(name);
@@ -65,7 +65,7 @@ TEST_P(Family, HasOneAnswerInEveryWay) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Family, testing::Range<std::size_t>(0, small_scenes().size()));
+INSTANTIATE_TEST_SUITE_P(All, SmallScene, testing::Range<std::size_t>(0, small_scenes().size()));
 
 }  // namespace
 }  // namespace impinge
