@@ -194,14 +194,8 @@ std::vector<HardScene> hard_scenes(scenes::Random& random) {
            [](int i) {
              return Body{{1.0 * (i % 7), 1.0 * (i / 7 % 7), 1.0 * (i / 49)}, {0.5, 0.5, 0.5}, {0, 0, 0}};
            }),
-      made("all equal", 100,
-           [](int) {
-             return Body{{1, 2, 3}, {1, 1, 1}, {0, 0, 0}};
-           }),
-      made("one point", 100,
-           [](int) {
-             return Body{{1, 2, 3}, {0, 0, 0}, {0, 0, 0}};
-           }),
+      {"all equal", std::vector<Body>(100, {{1, 2, 3}, {1, 1, 1}, {0, 0, 0}})},
+      {"one point", std::vector<Body>(100, {{1, 2, 3}, {0, 0, 0}, {0, 0, 0}})},
       made("nested", 100,
            [](int i) {
              return Body{{0, 0, 0}, std::ldexp(1.0, i - 50) * Vec3{1, 2, 3}, {0, 0, 0}};
