@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <iterator>
@@ -284,14 +283,12 @@ Result<bool> Scene::touches_with(const Mesh& mesh, const Pose& pose, const Confi
     if (!guest.in_domain) return not_in_range("the mesh");
     if (guest.mesh == nullptr) return false;
     const QueryMemory memory(workspace);
-    constexpr std::array<std::uint32_t, 1> kOne{0};
-    (*CurrentPairs(s.near_pairs, options.threads)).find_near(kOne, {&guest.box, 1}, memory->near_pairs.jumping);
+    (*CurrentPairs(s.near_pairs, options.threads)).find_near(guest.box, memory->near_pairs.jumping);
     const auto guest_index = static_cast<std::uint32_t>(s.objects.size());
     memory->pairs.clear();
     for (const std::uint64_t found : memory->near_pairs.jumping.found) {
       const auto object = static_cast<std::uint32_t>(found);
-      if (overlap(s.objects[object].box, guest.box) && broad::spheres_meet(s.objects[object].sphere, guest.sphere))
-        memory->pairs.push_back({object, guest_index});
+      if (broad::bounds_meet(s.objects[object], guest)) memory->pairs.push_back({object, guest_index});
     }
     const auto placed = [&](std::uint32_t object) {
       return object == guest_index ? PlacedMesh{guest, mesh.state()} : s.placed(object);
