@@ -17,6 +17,7 @@
 #include "bench/peers/embree.hpp"
 #include "bench/peers/fcl.hpp"
 #include "bench/peers/fcl_impacts.hpp"
+#include "bench/support.hpp"
 #include "impinge/impacts.hpp"
 #include "impinge/io.hpp"
 
@@ -49,14 +50,6 @@ void add(const Subject& subject, const std::string& what, const std::vector<Cont
     table.add({subject.name, count(subject.data.triangle_count()), what, contestants[c].name,
                milliseconds(median(times[c].seconds)), digits(ratio.median), digits(ratio.low), digits(ratio.high)});
   }
-}
-
-scenes::MeshData data_of(const Mesh& mesh) {
-  scenes::MeshData data;
-  for (const Point& p : mesh.vertices()) data.xyz.insert(data.xyz.end(), {p.x, p.y, p.z});
-  for (const auto& triangle : mesh.triangles())
-    data.triangles.insert(data.triangles.end(), triangle.begin(), triangle.end());
-  return data;
 }
 
 /// All vertices and faces, and all pairs of edges, that share no vertex and whose boxes around both states meet: by
@@ -157,7 +150,7 @@ void measure_public_steps(const std::filesystem::path& folder, const Effort& eff
     std::vector<std::filesystem::path> frames;
     for (const auto& entry : std::filesystem::directory_iterator(scene / "frames")) frames.push_back(entry.path());
     std::sort(frames.begin(), frames.end());
-    const auto data = [&](std::size_t i) { return data_of(must(io::read(frames.at(i))).objects.at(0).mesh); };
+    const auto data = [&](std::size_t i) { return numbers_of(must(io::read(frames.at(i))).objects.at(0).mesh); };
     measure_impacts({scene.filename().string(), data(0)}, data(1).xyz, effort, table);
   }
 }

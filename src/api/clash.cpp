@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "broad/box_tree.hpp"
 #include "clash/depth.hpp"
 #include "clash/overlap_volume.hpp"
 #include "core/guarded.hpp"
@@ -69,31 +68,17 @@ std::vector<std::uint64_t> find_candidates(const Scene::State& scene, const std:
   for (std::size_t i = 0; i < bounds.size(); ++i)
     if (scene.meshes[i] != nullptr) largest = std::max(largest, largest_coordinate(bounds[i].box));
   const double least = std::max(options.terms ? 0 : options.tolerance.value_or(0), options.clearance);
-  std::vector<Box> boxes(bounds.size());
-  std::vector<std::uint32_t> groups(boxes.size(), 0);
-  std::vector<broad::BoxTree::Entry> entries;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    boxes[i] = bounds[i].box;
-    if (scene.meshes[i] == nullptr || is_empty(boxes[i])) continue;
+  std::vector<Box> boxes(bounds.size(), kEmpty);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& box = bounds[i].box;
+    if (scene.meshes[i] == nullptr || is_empty(box)) continue;
     // Each box grows by half of the reach or its share of the automatic tolerance, and by what rounding may take from
     // that.
     const double reach = std::max(least / 2, bounds[i].rounding + 0x1p-42 * largest);
     const double half = reach + 0x1p-49 * (largest + reach);
-    boxes[i] = {boxes[i].lo - Vec3{half, half, half}, boxes[i].hi + Vec3{half, half, half}};
-    groups[i] = scene.objects[i].group;
-    entries.emplace_back(boxes[i], i);
+    boxes[i] = {box.lo - Vec3{half, half, half}, box.hi + Vec3{half, half, half}};
   }
-  broad::BoxTree tree;
-  tree.build(entries);
-  broad::BoxTree::Search search;
-  tree.find_pairs(boxes, groups, search);
-  std::vector<std::uint64_t> candidates = std::move(search.found);
-  const auto is_ignored = [&](std::uint64_t key) {
-    return scene.ignored.contains(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key));
-  };
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_ignored), candidates.end());
-  std::sort(candidates.begin(), candidates.end());
-  return candidates;
+  return scene.overlapping(boxes);
 }
 
 /// The terms of a pair of objects; one for all without `ClashOptions::terms`.

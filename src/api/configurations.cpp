@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: The impinge authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <iterator>
-#include <list>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "broad/may_touch.hpp"
 #include "core/guarded.hpp"
@@ -25,52 +24,32 @@
 namespace impinge {
 namespace {
 
-/// Configurations that one thread takes at once: enough to be worth waking it.
-constexpr std::size_t kAtOnce = 64;
-
 Result<void> validate(const Scene::State& scene, int threads) {
   if (threads < 0) return validate(Options{.threads = threads});
   return scene.check_domain();
 }
 
-/// The error of the lowest configuration that has one.
-class FirstError {
- public:
-  void take(std::size_t configuration, const Error& error) {
-    const std::lock_guard lock(mutex_);
-    if (error_ && configuration > at_) return;
-    at_ = configuration;
-    error_ = Error{error.code, "configuration " + std::to_string(configuration) + ": " + error.message};
-  }
-  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-
- private:
-  std::mutex mutex_;
-  std::size_t at_ = 0;
-  std::optional<Error> error_;
-};
-
-/// Searches that threads take in turns: as many as have been at work at once.
-template <class Search>
-class Idle {
- public:
-  template <class Make>
-  Search* take(const Make& make) {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) idle_.push_back(&all_.emplace_back(make()));
-    Search* const taken = idle_.back();
-    return idle_.pop_back(), taken;
-  }
-  void give_back(Search* search) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(search);
-  }
-
- private:
-  std::mutex mutex_;
-  std::list<Search> all_;
-  std::vector<Search*> idle_;
-};
+/// Calls body(worker, i) for i = 0 to n - 1, which takes a microsecond or more, on up to so many threads until it
+/// returns false. Each thread at work has a worker of its own, which `make` makes.
+template <class Make, class Body>
+void share(std::size_t n, int threads, const Make& make, const Body& body) {
+  constexpr std::size_t kWorthWaking = 32, kTurns = 16;
+  // A thread takes so few at once that none is long at work when the others are done, but neighbours in memory are
+  // mostly written by one thread.
+  const auto most = static_cast<std::size_t>(schedule::concurrency(threads));
+  const std::size_t at_once = std::clamp<std::size_t>(n / (kTurns * most), 8, 64);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> ended = false;
+  run_each(on_threads(threads), std::min(most, (n + kWorthWaking - 1) / kWorthWaking), [&](std::size_t) {
+    if (next >= n) return;
+    auto worker = make();
+    for (std::size_t i; (i = next.fetch_add(at_once)) < n;)
+      for (const std::size_t end = std::min(i + at_once, n); i < end; ++i) {
+        if (ended) return;
+        if (!body(worker, i)) ended = true;
+      }
+  });
+}
 
 /// Configurations of some objects of a scene.
 struct Batch {
@@ -96,31 +75,27 @@ struct Batch {
   [[nodiscard]] std::size_t size() const { return movers.size() == 0 ? 0 : poses.size() / movers.size(); }
 
   /// Calls take(configuration, found) for the configurations number_of(0), number_of(1), .. until it returns false.
-  /// Each thread at work has a search of its own.
   template <class MakeSearch, class Number, class Take>
   Result<void> run(const MakeSearch& make_search, const Number& number_of, const Take& take) const {
-    FirstError failed;
-    std::atomic<bool> ended = false;
-    Idle<decltype(make_search())> searches;
-    const auto run_some = [&](std::size_t chunk) {
-      const auto taken = searches.take(make_search);
-      auto& search = *taken;
-      for (std::size_t i = chunk * kAtOnce; i < std::min((chunk + 1) * kAtOnce, size()); ++i) {
-        if (ended || stop.stop_requested()) return;
-        const std::size_t configuration = number_of(i);
-        auto found = search.find(poses.subspan(configuration * movers.size(), movers.size()));
-        if (!found)
-          failed.take(configuration, found.error());
-        else if (!take(configuration, *found))
-          ended = true;
-      }
-      searches.give_back(taken);
-    };
-    const std::size_t chunks = (size() + kAtOnce - 1) / kAtOnce;
-    run_each(chunks > 1 ? on_threads(threads) : ForEach(), chunks, run_some);
+    std::mutex mutex;
+    std::optional<std::pair<std::size_t, Error>> first_error;  // of the lowest configuration that has one
+    bool is_over = false;
+    share(size(), threads, make_search, [&](auto& search, std::size_t i) {
+      if (stop.stop_requested()) return false;
+      const std::size_t configuration = number_of(i);
+      const auto found = search.find(poses.subspan(configuration * movers.size(), movers.size()));
+      if (found && take(configuration, *found)) return true;
+      const std::lock_guard lock(mutex);
+      if (found)
+        is_over = true;
+      else if (!first_error || configuration < first_error->first)
+        first_error = {configuration, found.error()};
+      return !found;
+    });
     if (stop.stop_requested()) return cancelled();
-    if (!ended && failed.error()) return *failed.error();
-    return {};
+    if (is_over || !first_error) return {};
+    const auto& [configuration, error] = *first_error;
+    return Error{error.code, "configuration " + std::to_string(configuration) + ": " + error.message};
   }
 };
 
@@ -197,7 +172,6 @@ template <class OfferSome>
 Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::size_t count,
                                                     const MeasureOptions& options, const OfferSome& offer_some) {
   if (auto valid = validate(s, options.threads); !valid) return valid.error();
-  if (auto valid = s.check_domain(); !valid) return valid.error();
   if (auto valid = validate_limits(options); !valid) return valid.error();
   std::vector<ObjectDistance> nearest;
   if (count == 0) return nearest;
@@ -215,27 +189,28 @@ Result<std::vector<ObjectDistance>> nearest_objects(const Scene::State& s, std::
 template <class Placed>
 Result<bool> any_touches(broad::ObjectPairs& pairs, const Placed& placed, const ConfigurationOptions& options,
                          Workspace::State& memory) {
-  // A few are put in order, the nearest first: they are the likeliest to touch.
+  constexpr std::size_t kFew = 64;
   const auto square = [&](const broad::ObjectPair& pair) {
     const Vec3 d = placed(pair.a).object.sphere.center - placed(pair.b).object.sphere.center;
     return dot(d, d);
   };
-  if (pairs.size() <= kAtOnce)
+  const auto touch = [&](TouchSearch& search, std::size_t i) {
+    return search.find(placed(pairs[i].a), placed(pairs[i].b)).has_value();
+  };
+  std::atomic<bool> found = false;
+  if (pairs.size() <= kFew)  // the nearest first: they are the likeliest to touch
     std::sort(pairs.begin(), pairs.end(),
               [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
-  std::atomic<bool> found = false;
-  const auto search_some = [&](TouchSearch& search, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !found; ++i)
-      if (search.find(placed(pairs[i].a), placed(pairs[i].b))) found = true;
-  };
-  if (options.threads == 1 || pairs.size() <= kAtOnce) {
+  if (options.threads == 1 || pairs.size() <= kFew) {
     memory.touch.restart(options.stop);
-    search_some(memory.touch, 0, pairs.size());
+    for (std::size_t i = 0; i < pairs.size() && !found; ++i) found = touch(memory.touch, i);
   } else {
-    run_each(on_threads(options.threads), (pairs.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
-      TouchSearch search(options.stop);
-      search_some(search, chunk * kAtOnce, std::min((chunk + 1) * kAtOnce, pairs.size()));
-    });
+    share(
+        pairs.size(), options.threads, [&] { return TouchSearch(options.stop); },
+        [&](TouchSearch& search, std::size_t i) {
+          if (touch(search, i)) found = true;
+          return !found;
+        });
   }
   if (options.stop.stop_requested() && !found) return cancelled();
   return found.load();
@@ -308,14 +283,12 @@ Result<bool> Scene::touches_with(const Mesh& mesh, const Pose& pose, const Confi
     if (!guest.in_domain) return not_in_range("the mesh");
     if (guest.mesh == nullptr) return false;
     const QueryMemory memory(workspace);
-    constexpr std::array<std::uint32_t, 1> kOne{0};
-    (*CurrentPairs(s.near_pairs, options.threads)).find_near(kOne, {&guest.box, 1}, memory->near_pairs.jumping);
+    (*CurrentPairs(s.near_pairs, options.threads)).find_near(guest.box, memory->near_pairs.jumping);
     const auto guest_index = static_cast<std::uint32_t>(s.objects.size());
     memory->pairs.clear();
     for (const std::uint64_t found : memory->near_pairs.jumping.found) {
       const auto object = static_cast<std::uint32_t>(found);
-      if (overlap(s.objects[object].box, guest.box) && broad::spheres_meet(s.objects[object].sphere, guest.sphere))
-        memory->pairs.push_back({object, guest_index});
+      if (broad::bounds_meet(s.objects[object], guest)) memory->pairs.push_back({object, guest_index});
     }
     const auto placed = [&](std::uint32_t object) {
       return object == guest_index ? PlacedMesh{guest, mesh.state()} : s.placed(object);
@@ -329,7 +302,6 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
                                                                                   const MeasureOptions& options) const {
   return guarded([&]() -> Result<std::vector<std::optional<ObjectDistance>>> {
     if (auto valid = validate_limits(options); !valid) return valid.error();
-    if (auto valid = state_->check_domain(); !valid) return valid.error();
     const auto batch = Batch::of(*state_, ids, poses, options);
     if (!batch) return batch.error();
     std::vector<std::optional<ObjectDistance>> found(batch->size());

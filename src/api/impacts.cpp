@@ -154,9 +154,10 @@ class Together {
 
   /// Impacts are of features, so that what goes through something at the start need not have one there.
   [[nodiscard]] Result<void> check_start() const {
-    Options options;
-    options.find = Options::Find::first;
-    options.adjacency = options_.adjacency, options.threads = options_.threads, options.stop = options_.stop;
+    const Options options{.find = Options::Find::first,
+                          .threads = options_.threads,
+                          .adjacency = options_.adjacency,
+                          .stop = options_.stop};
     for (std::uint32_t i = 0; i < meshes_.size(); ++i)
       for (std::uint32_t j = i; j < meshes_.size(); ++j) {
         if (!moves_[i] && !moves_[j]) continue;

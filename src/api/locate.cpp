@@ -25,7 +25,7 @@ Result<solid::Body> closed_body(const Mesh& mesh, const Pose& pose) {
   if (auto valid = scene::validate(pose); !valid) return valid.error();
   const MeshState& state = mesh.state();
   if (!in_range(pose, state.data)) return not_in_range("the mesh");
-  solid::Body body = solid::make_body({&state.data, &state.wide_tree, pose});
+  solid::Body body = solid::make_body(state.placed(pose));
   const solid::Topology topology = solid::examine(body);
   if (topology.closed) return body;
   return Error{Code::bad_mesh, topology.shells == 0

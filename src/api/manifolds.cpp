@@ -21,7 +21,7 @@ namespace manifolds {
 /// What manifolds need to know of a mesh, in its own frame.
 struct KnownMesh {
   explicit KnownMesh(const MeshState& state)
-      : mesh(state.weak_from_this()), topology(solid::examine(solid::make_body({&state.data, &state.wide_tree, {}}))) {
+      : mesh(state.weak_from_this()), topology(solid::examine(solid::make_body(state.placed({})))) {
     const LocalFrame frame = local_frame(state.data.box, state.data.box);
     double volume = 0;
     for (const auto& [i, j, k] : state.data.triangles) {

@@ -24,10 +24,6 @@ struct Measured {
   const char* name;  ///< "first" or "second", for errors
 
   [[nodiscard]] std::string title() const { return std::string("the ") + name + " mesh"; }
-  [[nodiscard]] hierarchy::PlacedTree tree() const {
-    const MeshState& state = mesh.state();
-    return {&state.data, &state.wide_tree, pose};
-  }
 };
 
 Result<void> validate(const Measured& placed) {
@@ -59,8 +55,8 @@ Result<std::optional<measure::NearestPair>> nearest(const Measured& a, const Mea
                                                     const MeasureOptions& options, Workspace* workspace) {
   if (auto valid = validate(a, b, options); !valid) return valid.error();
   QueryMemory memory(workspace);
-  auto found = measure::nearest_pair(a.tree(), b.tree(), reach.within, reach.enough,
-                                     {on_threads(options.threads), options.stop, &memory.nearest()});
+  auto found = measure::nearest_pair(a.mesh.state().placed(a.pose), b.mesh.state().placed(b.pose), reach.within,
+                                     reach.enough, {on_threads(options.threads), options.stop, &memory.nearest()});
   if (options.stop.stop_requested()) return cancelled();
   return found;
 }

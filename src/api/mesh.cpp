@@ -14,6 +14,7 @@
 #include "core/pose.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/pipeline.hpp"
 #include "scene/bounding_sphere.hpp"
 #include "scene/vertex_numbers.hpp"
 
@@ -177,9 +178,7 @@ Result<Mesh> Mesh::make(Result<MeshData> numbers, const TreeConfig& config) {
 
 Result<void> Mesh::build_tree(int threads) const {
   return guarded([&]() -> Result<void> {
-    if (threads < 0)
-      return Error{Code::bad_option,
-                   "threads is " + std::to_string(threads) + "; choose 0 for all, or a positive number"};
+    if (threads < 0) return validate(Options{.threads = threads});
     if (!state_->data.triangles.empty()) state_->wide_tree.build(on_threads(threads));
     return {};
   });

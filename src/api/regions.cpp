@@ -15,18 +15,11 @@
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/pair_judge.hpp"
 #include "solid/part.hpp"
 
 namespace impinge {
 namespace {
-
-/// A closed mesh counts as a solid even if it crosses itself.
-solid::Part part_of(const Mesh& mesh, const Pose& pose) {
-  solid::Body body = solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
-  solid::Topology topology = solid::examine(body);
-  const bool closed = topology.closed;
-  return solid::make_part(std::move(body), std::move(topology), closed);
-}
 
 /// The tolerance that is applied: 0 if the option's is below what rounding leaves of the coordinates.
 Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const RegionOptions& options) {
@@ -40,14 +33,6 @@ Result<double> tolerance_for(const solid::Body& a, const solid::Body& b, const R
                                          ", more than a quarter of one mesh's size; choose a smaller one"};
   const double scale = std::max(largest_coordinate(a.box), largest_coordinate(b.box));
   return tolerance < clash::kLeastTolerance * scale ? 0 : tolerance;
-}
-
-std::vector<exact::Contact> contacts_of(const Contacts& found) {
-  std::vector<exact::Contact> contacts;
-  contacts.reserve(found.triangles.size());
-  for (std::size_t i = 0; i < found.triangles.size(); ++i)
-    contacts.push_back({found.triangles[i].a, found.triangles[i].b, found.kinds[i]});
-  return contacts;
 }
 
 }  // namespace
@@ -65,7 +50,8 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     for (const auto& [mesh, pose, name] : {std::tuple(&mesh_a, &pose_a, "object 0"), {&mesh_b, &pose_b, "object 1"}})
       if (!in_exact_domain(*pose, mesh->state().data)) return not_in_exact_domain(name);
     if (is_exact && found->triangles.empty()) return std::vector<Region>{};
-    const solid::Part part_a = part_of(mesh_a, pose_a), part_b = part_of(mesh_b, pose_b);
+    const solid::Part part_a = solid::make_part(solid::make_body(mesh_a.state().placed(pose_a))),
+                      part_b = solid::make_part(solid::make_body(mesh_b.state().placed(pose_b)));
     const auto tolerance = tolerance_for(part_a.body, part_b.body, options);
     if (!tolerance) return tolerance.error();
     if (!is_exact && *tolerance == 0) found = find(Options::Find::all);
@@ -73,7 +59,7 @@ Result<std::vector<Region>> contact_regions(const Mesh& mesh_a, const Pose& pose
     const std::size_t most = clash::most_small_pairs(part_a.body, part_b.body);
     const auto contacts = *tolerance > 0
                               ? clash::contacts_within(part_a.body, part_b.body, *tolerance, most, options.stop)
-                              : contacts_of(*found);
+                              : exact_contacts(*found);
     found = Contacts{};
     if (!contacts)
       return Error{Code::bad_option, "tolerance is " + std::to_string(*tolerance) + ", and more than " +

@@ -29,7 +29,7 @@ Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, s
   const QueryMemory memory(workspace);
   broad::BoxTree::Search near;
   const CurrentPairs near_pairs(scene.near_pairs, options.threads);
-  (*near_pairs).find_near(std::vector<std::uint32_t>{0}, {&one.object.box, 1}, near);
+  (*near_pairs).find_near(one.object.box, near);
   std::vector<std::uint32_t> indices{index};
   for (const std::uint64_t found : near.found) {
     const auto object = static_cast<std::uint32_t>(found);

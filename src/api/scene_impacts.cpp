@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "broad/box_tree.hpp"
 #include "core/guarded.hpp"
 #include "core/hash.hpp"
 #include "core/pose.hpp"
@@ -70,23 +69,16 @@ class SceneMotion {
 
   /// Those whose boxes over the whole motion overlap, and whose boxes at both ends do not say that they never meet.
   [[nodiscard]] broad::ObjectPairs find_pairs() const {
-    std::vector<Box> boxes(starts_.size());
-    std::vector<std::uint32_t> groups(starts_.size());
-    std::vector<broad::BoxTree::Entry> entries;
+    std::vector<Box> boxes(starts_.size(), kEmpty);
     for (std::uint32_t i = 0; i < starts_.size(); ++i) {
       if (starts_[i].placed.mesh == nullptr) continue;
       const auto [from, to] = bounds(i);
-      boxes[i] = {min(from.lo, to.lo), max(from.hi, to.hi)}, groups[i] = scene_.objects[i].group;
-      entries.emplace_back(boxes[i], i);
+      boxes[i] = {min(from.lo, to.lo), max(from.hi, to.hi)};
     }
-    broad::BoxTree tree;
-    tree.build(entries);
-    broad::BoxTree::Search search;
-    tree.find_pairs(boxes, groups, search);
     broad::ObjectPairs pairs = scene_.own_pairs;
-    for (const std::uint64_t key : search.found) {
+    for (const std::uint64_t key : scene_.overlapping(boxes)) {
       const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
-      if (scene_.are_tested(a, b) && !motion::stay_apart(bounds(a), bounds(b), options_.end)) pairs.push_back({a, b});
+      if (!motion::stay_apart(bounds(a), bounds(b), options_.end)) pairs.push_back({a, b});
     }
     std::ranges::sort(pairs, {}, [](const broad::ObjectPair& pair) { return std::pair(pair.a, pair.b); });
     return pairs;
@@ -121,12 +113,8 @@ class SceneMotion {
       for (std::uint64_t i = impacts.offsets[row]; i < impacts.offsets[row + 1]; ++i) {
         const Impact& x = impacts.impacts[i];
         enum : std::uint64_t { vertex, face, edge };
-        const std::uint64_t of_a = x.feature == Feature::vertex_face   ? vertex
-                                   : x.feature == Feature::face_vertex ? face
-                                                                       : edge;
-        const std::uint64_t of_b = x.feature == Feature::vertex_face   ? face
-                                   : x.feature == Feature::face_vertex ? vertex
-                                                                       : edge;
+        constexpr std::uint64_t kWords[][2] = {{vertex, face}, {face, vertex}, {edge, edge}};  // by Feature
+        const auto [of_a, of_b] = kWords[static_cast<std::size_t>(x.feature)];
         const auto [lo, hi] = std::minmax({mix(mix(key_a, of_a), x.a), mix(mix(key_b, of_b), x.b)});
         sum += mix(mix(mix(lo, hi), number_bits(x.time.lo)), number_bits(x.time.hi));
       }

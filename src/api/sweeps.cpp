@@ -72,22 +72,16 @@ Result<std::optional<TimeOfImpact>> on_straight_paths(const Swept& a, const Swep
   const Result<Moving> of_b = moving(b);
   if (!of_b) return of_b.error();
   // An edge through a face is no impact, so that what goes through something at the start need not have one there.
-  Options at_start;
-  at_start.find = Options::Find::first;
-  at_start.threads = options.threads;
-  at_start.stop = options.stop;
-  const Result<Contacts> contacts = collide(of_a->from, {}, of_b->from, {}, at_start);
+  const Result<Contacts> contacts = collide(
+      of_a->from, {}, of_b->from, {}, {.find = Options::Find::first, .threads = options.threads, .stop = options.stop});
   if (!contacts) return contacts.error();
   if (!contacts->triangles.empty()) {
     const auto [i, j] = contacts->triangles[0];
     const auto [p, q] = measure::common_point(triangle_of(of_a->from, i), triangle_of(of_b->from, j));
     return std::optional(TimeOfImpact{{0, 0}, 0, p, q});
   }
-  MotionOptions motion;
-  motion.earliest = true;
-  motion.threads = options.threads;
-  motion.stop = options.stop;
-  const Result<Impacts> found = find_impacts(*of_a, *of_b, motion);
+  const Result<Impacts> found =
+      find_impacts(*of_a, *of_b, {.earliest = true, .threads = options.threads, .stop = options.stop});
   if (!found) return found.error();
   if (found->impacts.empty()) return std::optional<TimeOfImpact>();
   const Impact& first = found->impacts.front();
@@ -100,10 +94,6 @@ Result<std::optional<TimeOfImpact>> on_screws(const Swept& a, const Swept& b, do
   const motion::Screw screw_a(a.sweep.from, a.sweep.to, a.sweep.turns);
   const motion::Screw screw_b(b.sweep.from, b.sweep.to, b.sweep.turns);
   const Twist twist_a = screw_a.twist(radius_a), twist_b = screw_b.twist(radius_b);
-  const auto placed = [](const Swept& swept, const motion::Screw& screw, double time) {
-    const MeshState& state = swept.mesh.state();
-    return hierarchy::PlacedTree{&state.data, &state.wide_tree, screw.at(time)};
-  };
   // Both ends of a step are off.
   const double slack = 2 * (screw_a.deviation(radius_a) + screw_b.deviation(radius_b));
   measure::Approach approach{1, slack, std::max(tolerance, 4 * slack)};
@@ -111,7 +101,8 @@ Result<std::optional<TimeOfImpact>> on_screws(const Swept& a, const Swept& b, do
   const QueryMemory memory(workspace);
   const measure::SearchMeans means{on_threads(options.threads), options.stop, &memory->nearest};
   for (double time = 0;;) {
-    const hierarchy::PlacedTree now_a = placed(a, screw_a, time), now_b = placed(b, screw_b, time);
+    const hierarchy::PlacedTree now_a = a.mesh.state().placed(screw_a.at(time)),
+                                now_b = b.mesh.state().placed(screw_b.at(time));
     if (!in_exact_domain(now_a.pose, *now_a.mesh)) return not_in_exact_domain(std::string("the ") + a.name + " mesh");
     if (!in_exact_domain(now_b.pose, *now_b.mesh)) return not_in_exact_domain(std::string("the ") + b.name + " mesh");
     approach.within = 1 - time;

@@ -6,8 +6,6 @@
 
 namespace impinge::broad {
 
-inline constexpr Box kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-
 inline Box united(const Box& a, const Box& b) { return {min(a.lo, b.lo), max(a.hi, b.hi)}; }
 
 /// Half the surface: what a tree's boxes are weighed by. In the exact domain it does not overflow.

@@ -20,6 +20,8 @@ inline bool bounds_meet(const scene::PlacedObject& a, const scene::PlacedObject&
 }
 
 /// Whether two objects are to be tested, and their bounds meet.
-bool may_touch(const scene::SceneView& view, std::uint32_t a, std::uint32_t b);
+inline bool may_touch(const scene::SceneView& view, std::uint32_t a, std::uint32_t b) {
+  return bounds_meet(view.objects[a], view.objects[b]) && view.are_tested(a, b);
+}
 
 }  // namespace impinge::broad

@@ -5,6 +5,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <numeric>
 #include <utility>
@@ -234,12 +235,11 @@ void NearPairs::merge_fresh() {
   candidates_.swap(merged_);
 }
 
-void NearPairs::find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes,
-                          BoxTree::Search& search) const {
-  find_resting(asked, boxes, search);
+void NearPairs::find_near(const Box& box, BoxTree::Search& search) const {
+  constexpr std::array<std::uint32_t, 1> kOne{0};
+  find_resting(kOne, {&box, 1}, search);
   for (const std::uint32_t object : jumping_)
-    for (const std::uint32_t i : asked)
-      if (overlap(boxes[i], boxes_[object])) search.found.push_back(std::uint64_t{i} << 32 | object);
+    if (overlap(box, boxes_[object])) search.found.push_back(object);
 }
 
 std::size_t NearPairs::find(const scene::SceneView& view, ObjectPairs& pairs, Scratch& scratch,

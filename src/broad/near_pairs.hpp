@@ -50,12 +50,13 @@ class NearPairs {
   std::size_t find(const scene::SceneView& view, ObjectPairs& pairs, Scratch& scratch,
                    const FindConfig& config = {}) const;
 
-  /// Looks boxes[i], for each i of `asked`, up among the objects' fat boxes, and the boxes of those that jump.
+  /// Looks a box up among the objects' fat boxes, and the boxes of those that jump. `search.found` then holds the
+  /// objects. It must be current.
+  void find_near(const Box& box, BoxTree::Search& search) const;
+
+  /// Looks boxes[i], for each i of `asked`, up, but not among the objects that jump, which are those of `jumping`.
   /// `search.found` then holds a number for each overlap: i in the upper half, the object in the lower. It must be
   /// current.
-  void find_near(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const;
-
-  /// The same but for objects that jump, which are those of `jumping`.
   void find_resting(std::span<const std::uint32_t> asked, std::span<const Box> boxes, BoxTree::Search& search) const {
     tree_.find(asked, boxes, search);
   }

@@ -16,6 +16,8 @@ struct Box {
   Vec3 lo, hi;
 };
 
+inline constexpr Box kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+
 inline Box intersection(const Box& a, const Box& b) { return {max(a.lo, b.lo), min(a.hi, b.hi)}; }
 inline bool is_empty(const Box& box) { return box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z; }
 /// Exact: comparisons only.

@@ -33,31 +33,43 @@
 namespace impinge {
 namespace {
 
-/// A closed surface with bumps, so that neither the boxes nor the contacts are of one size. Its coordinates have few
-/// digits, as those of most models: how long exact arithmetic takes depends on them. Its triangles are in no order that
-/// would help memory, as those of a scan.
-Mesh bumpy_sphere(std::uint32_t rings, const TreeConfig& tree = {}) {
-  const std::uint32_t sides = rings * 3 / 2;
+/// A surface of rows of vertices with two triangles between each four. `is_closed`: the last vertex of a row is beside
+/// its first. Its coordinates have few digits, as those of most models: how long exact arithmetic takes depends on
+/// them. Its triangles are in no order that would help memory, as those of a scan.
+template <class Place>
+Mesh surface(std::uint32_t rows, std::uint32_t columns, bool is_closed, const TreeConfig& tree, const Place& place) {
   std::vector<double> xyz;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i <= rings; ++i) {
-    for (std::uint32_t j = 0; j < sides; ++j) {
-      const double theta = 3.141592653589793 * i / rings, phi = 6.283185307179586 * j / sides;
-      const double r = 1 + 0.05 * std::sin(7 * theta) * std::cos(5 * phi);
-      for (const double x :
-           {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)})
-        xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
-      if (i == rings) continue;
-      const std::uint32_t right = (j + 1) % sides;
-      const std::uint32_t a = i * sides + j, b = i * sides + right, c = a + sides, d = b + sides;
+  std::vector<std::uint32_t> triangles, shuffled;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const Point p = place(i, j);
+      for (const double x : {p.x, p.y, p.z}) xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
+      if (i + 1 == rows || (j + 1 == columns && !is_closed)) continue;
+      const std::uint32_t a = i * columns + j, b = i * columns + (j + 1) % columns, c = a + columns, d = b + columns;
       triangles.insert(triangles.end(), {a, c, b, b, c, d});
     }
   }
   constexpr std::size_t kStride = 7919;  // a prime that no number of triangles here has as a factor
-  std::vector<std::uint32_t> shuffled;
   for (std::size_t i = 0, n = triangles.size() / 3; i < n; ++i)
     for (std::size_t k = 0; k < 3; ++k) shuffled.push_back(triangles[3 * (i * kStride % n) + k]);
   return Mesh::create(std::span<const double>(xyz), shuffled, tree).value();
+}
+
+/// With bumps, so that neither the boxes nor the contacts are of one size.
+Mesh bumpy_sphere(std::uint32_t rings, const TreeConfig& tree = {}) {
+  const std::uint32_t sides = rings * 3 / 2;
+  return surface(rings + 1, sides, true, tree, [&](std::uint32_t i, std::uint32_t j) {
+    const double theta = 3.141592653589793 * i / rings, phi = 6.283185307179586 * j / sides;
+    const double r = 1 + 0.05 * std::sin(7 * theta) * std::cos(5 * phi);
+    return Point{r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)};
+  });
+}
+
+/// A level square of 2 x 2, parted so often in either direction.
+Mesh plate(std::uint32_t parts) {
+  return surface(parts + 1, parts + 1, false, {}, [&](std::uint32_t i, std::uint32_t j) {
+    return Point{2.0 * i / parts, 2.0 * j / parts, 0};
+  });
 }
 
 /// Others at work on the machine only ever add to a time: the quickest of these runs is the truest.
@@ -83,21 +95,6 @@ double quickest(const Work& work) {
     least = std::min(least, seconds);
   }
   return least;
-}
-
-/// A level square of 2 x 2, parted so often in either direction.
-Mesh plate(std::uint32_t parts) {
-  std::vector<double> xyz;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i <= parts; ++i) {
-    for (std::uint32_t j = 0; j <= parts; ++j) {
-      for (const double x : {2.0 * i / parts, 2.0 * j / parts, 0.0}) xyz.push_back(0x1p-12 * std::round(0x1p12 * x));
-      if (i == parts || j == parts) continue;
-      const std::uint32_t a = i * (parts + 1) + j, b = a + 1, c = b + parts, d = c + 1;
-      triangles.insert(triangles.end(), {a, c, b, b, c, d});
-    }
-  }
-  return Mesh::create(std::span<const double>(xyz), triangles).value();
 }
 
 /// Where an object of a cloud stands, in which each of a radius of 1 meets some others; moved on a little with each

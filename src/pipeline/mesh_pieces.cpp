@@ -21,10 +21,6 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-solid::Body placed_body(const Mesh& mesh, const Pose& pose) {
-  return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
-}
-
 /// Some triangles of a mesh as a mesh, with the vertices that they use.
 Mesh mesh_of(const Mesh& whole, const Triangles& triangles) {
   constexpr std::uint32_t kUnused = 0xffffffff;
@@ -102,7 +98,7 @@ Result<std::shared_ptr<const MeshPieces>> pieces_of(const Mesh& mesh, int thread
   MeshPiecesCache& cache = mesh.state().pieces_cache;
   if (auto known = cache.find()) return known;
   if (!in_exact_domain(Pose{}, mesh.state().data)) return not_in_exact_domain("the mesh");
-  const solid::Body body = placed_body(mesh, {});
+  const solid::Body body = solid::make_body(mesh.state().placed({}));
   const solid::Topology topology = solid::examine(body);
   solid::Classification found = solid::classify(body, topology, stop);
   if (stop.stop_requested()) return cancelled();
@@ -132,7 +128,7 @@ clash::PlacedPart placed_in_pieces(const MeshPieces& pieces, const solid::Body& 
   clash::PlacedPart part{whole, {}};
   for (const MeshPieces::Piece& piece : pieces.pieces) {
     const solid::ClassedPiece& found = piece.found;
-    clash::PlacedPiece placed{.body = piece.mesh ? placed_body(*piece.mesh, pose) : whole,
+    clash::PlacedPiece placed{.body = piece.mesh ? solid::make_body(piece.mesh->state().placed(pose)) : whole,
                               .part_class = found.part_class,
                               .inner_points = found.inner_points,
                               .radius = found.radius,

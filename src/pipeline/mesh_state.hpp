@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/mesh_data.hpp"
+#include "hierarchy/placed_tree.hpp"
 #include "hierarchy/wide_tree.hpp"
 #include "impinge/mesh.hpp"
 #include "motion/features.hpp"
@@ -41,6 +42,9 @@ struct MeshState : std::enable_shared_from_this<MeshState> {
   static constexpr std::uint32_t kPlainLeafSize = 4, kPlainDirect = 128, kWideLeafSize = 16;
   // What is not made yet has to be made for the plan of a tree, which the next meshes then share.
   static constexpr double kRefitted = 1 / 3.0;
+
+  /// Its numbers and the fast way's tree at a pose.
+  [[nodiscard]] hierarchy::PlacedTree placed(const Pose& pose) const { return {&data, &wide_tree, pose}; }
 
   const MeshData data;
   const TreeConfig config;

@@ -59,9 +59,7 @@ class NearestObjectsSearch {
   }
 
  private:
-  static hierarchy::PlacedTree tree_of(const PlacedMesh& placed) {
-    return {placed.object.mesh, &placed.mesh.wide_tree, placed.object.pose};
-  }
+  static hierarchy::PlacedTree tree_of(const PlacedMesh& placed) { return placed.mesh.placed(placed.object.pose); }
   void set_nearest_most(double most);
   void bound(double most);
   void sort_gaps();

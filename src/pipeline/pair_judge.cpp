@@ -18,24 +18,24 @@
 namespace impinge {
 namespace {
 
-std::vector<exact::Contact> list(const Contacts& contacts) {
-  std::vector<exact::Contact> result;
-  result.reserve(contacts.triangles.size());
-  for (std::size_t i = 0; i < contacts.triangles.size(); ++i)
-    result.push_back({contacts.triangles[i].a, contacts.triangles[i].b, contacts.kinds[i]});
-  return result;
-}
-
 /// The contacts of the boundaries that exact cells are found in; none once it is stopped.
 std::vector<exact::Contact> exact_contacts(const Part& a, const Part& b, const std::stop_token& stop) {
   const auto boundary = [](const Part& part) -> const Mesh& {
     return part.found->boundary ? *part.found->boundary : *part.mesh;
   };
   const auto found = collide(boundary(a), a.pose, boundary(b), b.pose, {.threads = 1, .stop = stop});
-  return found ? list(*found) : std::vector<exact::Contact>();
+  return found ? exact_contacts(*found) : std::vector<exact::Contact>();
 }
 
 }  // namespace
+
+std::vector<exact::Contact> exact_contacts(const Contacts& contacts) {
+  std::vector<exact::Contact> result;
+  result.reserve(contacts.triangles.size());
+  for (std::size_t i = 0; i < contacts.triangles.size(); ++i)
+    result.push_back({contacts.triangles[i].a, contacts.triangles[i].b, contacts.kinds[i]});
+  return result;
+}
 
 OverlapDepth find_depths(const Part& a, const Part& b, const clash::DepthGoal& goal) {
   const solid::Body &body_a = a.placed.whole, &body_b = b.placed.whole;
@@ -216,7 +216,8 @@ std::vector<Region> PairJudge::find_regions(double tolerance) const {
   std::optional<std::vector<exact::Contact>> within;
   if (tolerance > 0)
     within = clash::contacts_within(a.body, b.body, tolerance, clash::most_small_pairs(a.body, b.body), options_.stop);
-  return clash::regions_of(a, b, within ? *within : list(*contacts_), within ? tolerance : 0, {}, options_.stop);
+  return clash::regions_of(a, b, within ? *within : exact_contacts(*contacts_), within ? tolerance : 0, {},
+                           options_.stop);
 }
 
 std::optional<Nearest> PairJudge::nearest(double clearance) const {

@@ -70,6 +70,9 @@ class PairJudge {
   std::optional<Within> nearest_;
 };
 
+/// The contacts of an answer about two meshes.
+std::vector<exact::Contact> exact_contacts(const Contacts& contacts);
+
 /// The penetration depth of each closed part in the other.
 OverlapDepth find_depths(const Part& a, const Part& b, const clash::DepthGoal& goal);
 

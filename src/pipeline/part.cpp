@@ -12,16 +12,6 @@
 namespace impinge {
 namespace {
 
-solid::Body body_of(const Mesh& mesh, const Pose& pose) {
-  return solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose});
-}
-
-solid::Part closed_part(solid::Body body) {
-  solid::Topology topology = solid::examine(body);
-  const bool closed = topology.closed;
-  return solid::make_part(std::move(body), std::move(topology), closed);
-}
-
 /// The meshes of some objects, each once.
 std::vector<const Mesh*> meshes_of(const std::vector<Placed>& objects) {
   std::map<const MeshState*, const Mesh*> known;
@@ -73,7 +63,7 @@ Result<Part> make_part(const Placed& object, const solid::Body& body, const std:
 const ExactPart& Part::exact(const std::stop_token& stop) const {
   return exact_.get([&] {
     const Mesh& boundary = found->boundary ? *found->boundary : *mesh;
-    solid::Body body = found->boundary ? body_of(boundary, pose) : placed.whole;
+    solid::Body body = found->boundary ? solid::make_body(boundary.state().placed(pose)) : placed.whole;
     solid::Topology topology = solid::examine(body);
     bool is_plain = topology.closed;
     if (is_plain) {
@@ -85,13 +75,13 @@ const ExactPart& Part::exact(const std::stop_token& stop) const {
 }
 
 const solid::Part& Part::whole() const {
-  return whole_.get([&] { return closed_part(placed.whole); });
+  return whole_.get([&] { return solid::make_part(placed.whole); });
 }
 
 std::vector<solid::Body> bodies_of(const std::vector<Placed>& objects, int threads) {
   std::vector<solid::Body> bodies(objects.size());
   run_each(on_threads(threads), objects.size(), [&](std::size_t i) {
-    if (objects[i].mesh != nullptr) bodies[i] = body_of(*objects[i].mesh, objects[i].pose);
+    if (objects[i].mesh != nullptr) bodies[i] = solid::make_body(objects[i].mesh->state().placed(objects[i].pose));
   });
   return bodies;
 }

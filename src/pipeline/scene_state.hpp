@@ -103,8 +103,23 @@ struct Scene::State {
     for (const ObjectId& id : ids) near_pairs.place(id.index, objects[id.index]);
   }
   /// Whether two objects are tested against each other.
-  [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {
-    return (objects[a].group == 0 || objects[a].group != objects[b].group) && !ignored.contains(a, b);
+  [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const { return view().are_tested(a, b); }
+  /// The keys of the objects that are tested against each other and whose boxes, which are by object, overlap, sorted.
+  [[nodiscard]] std::vector<std::uint64_t> overlapping(std::span<const Box> boxes) const {
+    std::vector<broad::BoxTree::Entry> entries;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      if (!is_empty(boxes[i])) entries.emplace_back(boxes[i], i);
+    broad::BoxTree tree;
+    tree.build(entries);
+    broad::BoxTree::Search search;
+    std::vector<std::uint32_t> groups;
+    for (const scene::PlacedObject& object : objects) groups.push_back(object.group);
+    tree.find_pairs(boxes, groups, search);
+    std::erase_if(search.found, [this](std::uint64_t key) {
+      return ignored.contains(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key));
+    });
+    std::sort(search.found.begin(), search.found.end());
+    return std::move(search.found);
   }
   [[nodiscard]] PlacedMesh placed(std::uint32_t object) const { return {objects[object], *meshes[object]}; }
   [[nodiscard]] scene::SceneView view() const { return {objects, &ignored}; }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/hash.hpp"
 #include "core/mesh_data.hpp"
 #include "core/shapes.hpp"
 #include "scene/ignored_pairs.hpp"
@@ -31,10 +32,21 @@ inline std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
 struct SceneView {
   std::span<const PlacedObject> objects;
   const IgnoredPairs* ignored = nullptr;
+
+  /// Whether two objects are tested against each other.
+  [[nodiscard]] bool are_tested(std::uint32_t a, std::uint32_t b) const {
+    const bool are_one_group = objects[a].group != 0 && objects[a].group == objects[b].group;
+    return !are_one_group && (ignored == nullptr || ignored->empty() || !ignored->contains(a, b));
+  }
 };
 
 /// The hash key of a mesh's and a pose's numbers (contract 2.6).
-std::uint64_t key(const MeshData& mesh, const Pose& pose);
+inline std::uint64_t key(const MeshData& mesh, const Pose& pose) {
+  std::uint64_t key = mesh.hash;
+  for (const double r : pose.R) key = mix(key, number_bits(r));
+  for (const double t : pose.t) key = mix(key, number_bits(t));
+  return key;
+}
 
 /// Bounds and domain of a mesh at a valid pose.
 PlacedObject place(const MeshData& mesh, const Pose& pose, std::uint32_t group);

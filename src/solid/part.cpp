@@ -49,4 +49,10 @@ Part make_part(Body body, Topology topology, bool solid) {
   return part;
 }
 
+Part make_part(Body body) {
+  Topology topology = examine(body);
+  const bool closed = topology.closed;
+  return make_part(std::move(body), std::move(topology), closed);
+}
+
 }  // namespace impinge::solid

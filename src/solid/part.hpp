@@ -40,5 +40,7 @@ struct Part {
 
 /// `solid`: whether the body is closed and no two of its triangles cross or share an area.
 Part make_part(Body body, Topology topology, bool solid);
+/// The body with its own topology; solid if it is closed, even if it crosses itself.
+Part make_part(Body body);
 
 }  // namespace impinge::solid

@@ -169,12 +169,7 @@ TEST(SweepAndPrune, StaysRightOverManyFrames) {
     scenes::Random& random = seeded.random;
     std::vector<PlacedObject> objects(400);
     std::vector<Vec3> velocities(objects.size());
-    const auto put = [&](PlacedObject& object, const Vec3& center) {
-      const Vec3 half{0.4, 0.7, 0.2};
-      object.mesh = &kSomething;
-      object.sphere = {center, norm(half)};
-      object.box = {center - half, center + half};
-    };
+    const auto put = [&](PlacedObject& object, const Vec3& center) { object = test::box_at(center, {0.4, 0.7, 0.2}); };
     const auto anywhere = [&] { return Vec3{random.uniform(0, 8), random.uniform(0, 8), random.uniform(0, 8)}; };
     for (std::size_t i = 0; i < objects.size(); ++i) {
       put(objects[i], anywhere());

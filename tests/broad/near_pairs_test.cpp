@@ -154,12 +154,12 @@ TEST(NearPairs, FindJumpingObjectsNearABox) {
       ASSERT_TRUE(near_pairs.is_current());
     }
     const Vec3 middle = within(random, 6);
-    const std::vector<Box> asked{{middle - Vec3{1, 1, 1}, middle + Vec3{1, 1, 1}}};
-    near_pairs.find_near(std::vector<std::uint32_t>{0}, asked, search);
+    const Box asked{middle - Vec3{1, 1, 1}, middle + Vec3{1, 1, 1}};
+    near_pairs.find_near(asked, search);
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
       const auto found = std::count(search.found.begin(), search.found.end(), i);
       ASSERT_LE(found, 1);
-      ASSERT_TRUE(found == 1 || !overlap(objects[i].box, asked[0])) << "frame " << frame;
+      ASSERT_TRUE(found == 1 || !overlap(objects[i].box, asked)) << "frame " << frame;
     }
   }
 }
@@ -194,14 +194,8 @@ std::vector<HardScene> hard_scenes(scenes::Random& random) {
            [](int i) {
              return Body{{1.0 * (i % 7), 1.0 * (i / 7 % 7), 1.0 * (i / 49)}, {0.5, 0.5, 0.5}, {0, 0, 0}};
            }),
-      made("all equal", 100,
-           [](int) {
-             return Body{{1, 2, 3}, {1, 1, 1}, {0, 0, 0}};
-           }),
-      made("one point", 100,
-           [](int) {
-             return Body{{1, 2, 3}, {0, 0, 0}, {0, 0, 0}};
-           }),
+      {"all equal", std::vector<Body>(100, {{1, 2, 3}, {1, 1, 1}, {0, 0, 0}})},
+      {"one point", std::vector<Body>(100, {{1, 2, 3}, {0, 0, 0}, {0, 0, 0}})},
       made("nested", 100,
            [](int i) {
              return Body{{0, 0, 0}, std::ldexp(1.0, i - 50) * Vec3{1, 2, 3}, {0, 0, 0}};

@@ -132,7 +132,7 @@ void stop_soon(const Ask& ask) {
 /// Each of these would take many minutes, and the test its time limit, did it not look at its token.
 TEST(Stop, EndsWhatAllTrianglesAboutOneVertexWouldTake) {
   const Mesh large = disc(100000), middling = disc(12000);
-  const hierarchy::PlacedTree placed{&large.state().data, &large.state().wide_tree, {}};
+  const hierarchy::PlacedTree placed = large.state().placed({});
   stop_soon([&](const std::stop_token& stop) {
     measure::near_pairs(
         placed, placed, 0, [](const TrianglePair&) { return true; }, stop);

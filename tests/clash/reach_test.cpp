@@ -28,7 +28,7 @@ struct InPieces {
   InPieces(const MeshData& shape, const Pose& pose)
       : mesh(test::mesh_of(shape)),
         pieces(pieces_of(mesh, 1, {}).value()),
-        part(placed_in_pieces(*pieces, solid::make_body({&mesh.state().data, &mesh.state().wide_tree, pose}))) {}
+        part(placed_in_pieces(*pieces, solid::make_body(mesh.state().placed(pose)))) {}
 };
 
 struct Pair {

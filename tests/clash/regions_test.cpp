@@ -202,7 +202,7 @@ TEST(Regions, NamesWhatIsWrong) {
 TEST(Regions, AreNotFoundOnceStopped) {
   const scenes::MeshData sheet = scenes::flat_grid(12, 12);
   const Mesh sheets = test::mesh_of(scenes::joined(sheet, scenes::shifted(sheet, 0, 0, 1)));
-  const solid::Body body = solid::make_body({&sheets.state().data, &sheets.state().wide_tree, {}});
+  const solid::Body body = solid::make_body(sheets.state().placed({}));
   const solid::Part part = solid::make_part(body, solid::examine(body), false);
   const auto contacts = clash::contacts_within(body, body, 1e-6, 1 << 20);
   const auto regions_if_stopped_at = [&](int step) {

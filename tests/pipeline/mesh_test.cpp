@@ -128,7 +128,7 @@ TEST(Mesh, OfFloatsIsThatOfTheSameDoubles) {
   const Mesh of_doubles = create(doubles, soup.triangles).value();
   EXPECT_EQ(of_floats.precision(), Precision::single);
   EXPECT_EQ(of_doubles.precision(), Precision::whole);
-  Pose pose = scenes::random_motion(seeded.random, 0.3);
+  const Pose pose = scenes::random_motion(seeded.random, 0.3);
   const Contacts expected = collide(of_doubles, {}, of_doubles, pose).value();
   EXPECT_FALSE(expected.triangles.empty());
   test::expect_same(expected, collide(of_floats, {}, of_floats, pose).value());
@@ -261,10 +261,7 @@ TEST(Transformed, RefusesWhatIsNotFinite) {
 
 TEST(Collide, RefusesBadPosesAndWorldsOutOfRange) {
   const Mesh cube = test::mesh_of(scenes::cube());
-  Pose mirror, far, fine;
-  mirror.R[0] = -1;
-  far.t[1] = 0x1p300;
-  fine.t[1] = 0x1p299;
+  const Pose mirror{.R = {-1, 0, 0, 0, 1, 0, 0, 0, 1}}, far{.t = {0, 0x1p300, 0}}, fine{.t = {0, 0x1p299, 0}};
   expect_error(collide(cube, {}, cube, mirror), Code::bad_pose, {"Mesh::transformed"});
   expect_error(collide(cube, mirror, cube, {}), Code::bad_pose, {"Mesh::transformed"});
   expect_error(collide(cube, {}, cube, far), Code::out_of_range, {"object 1", "2^300"});
@@ -272,9 +269,8 @@ TEST(Collide, RefusesBadPosesAndWorldsOutOfRange) {
   EXPECT_TRUE(collide(cube, fine, cube, {}));
   const Mesh small = cube.transformed({{0x1p-359, 0, 0, 0, 0x1p-359, 0, 0, 0, 0x1p-359}, {}}).value();
   expect_error(collide(small, {}, cube, {}), Code::out_of_range, {"object 0 is out of range", "2^-300"});
-  Pose beside;
-  beside.t = {1, 1, 1};  // where all of it is in the world, which is in the domain
-  EXPECT_EQ(collide(small, beside, cube, {})->objects.size(), 1u);
+  // Where all of it is in the world, which is in the domain.
+  EXPECT_EQ(collide(small, {.t = {1, 1, 1}}, cube, {})->objects.size(), 1u);
 }
 
 /// A mesh whose own numbers are below the least normal double, at a pose that rounds them away: all of it is one point.
@@ -282,14 +278,11 @@ TEST(Collide, TakesAMeshOfDenormalsAtAPoseInTheDomain) {
   const Mesh cube = test::mesh_of(scenes::cube());
   for (const double size : {0x1p-1074, 0x1p-1030, 0x1p-1000}) {
     const Mesh dust = cube.transformed({{size, 0, 0, 0, size, 0, 0, 0, size}, {}}).value();
-    Pose on_cube, off_cube;
-    on_cube.t = {1, 0.5, 0.25};
-    off_cube.t = {1.5, 0.5, 0.25};
-    const auto contacts = collide(dust, on_cube, cube, {});
+    const auto contacts = collide(dust, {.t = {1, 0.5, 0.25}}, cube, {});
     ASSERT_TRUE(contacts) << contacts.error().message;
     EXPECT_GE(contacts->triangles.size(), 12u);  // every triangle of the dust with the face's one or two
     for (const Kind kind : contacts->kinds) EXPECT_EQ(kind, Kind::touching);
-    EXPECT_TRUE(collide(dust, off_cube, cube, {})->triangles.empty());
+    EXPECT_TRUE(collide(dust, {.t = {1.5, 0.5, 0.25}}, cube, {})->triangles.empty());
   }
 }
 

@@ -158,9 +158,7 @@ TEST_P(WithBackend, StopEndsAQueryWithoutAnAnswer) {
   source.request_stop();
   const Mesh cube = test::mesh_of(scenes::cube());
   for (const int threads : {1, 0}) {
-    Options options = with({});
-    options.threads = threads;
-    options.stop = source.get_token();
+    const Options options = with({.threads = threads, .stop = source.get_token()});
     const auto result = collide(cube, {}, cube, {}, options);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, Code::cancelled);
@@ -181,8 +179,7 @@ TEST_P(WithBackend, ProgressCountsEachPairOfObjectsOnce) {
 
 TEST_P(WithBackend, StatisticsAddUp) {
   const Mesh plane = test::mesh_of(scenes::bumpy_grid(30, 30));
-  Pose pose;
-  pose.t = {0.5, 0.5, 0};
+  const Pose pose{.t = {0.5, 0.5, 0}};
   const Contacts found = collide(plane, {}, plane, pose, with({.threads = 1, .statistics = true})).value();
   const Statistics& s = found.statistics;
   EXPECT_EQ(s.object_pairs, 1u);
@@ -193,6 +190,38 @@ TEST_P(WithBackend, StatisticsAddUp) {
   EXPECT_GT(s.nodes_built, 0u);
   EXPECT_GE(s.total_seconds, s.measured_seconds);  // on one thread
   EXPECT_GT(s.measured_seconds, 0);
+}
+
+/// What is kept in a file comes back, and what is no calibration is passed over.
+TEST(Calibration, IsTextThatComesBack) {
+  const std::string title = "impinge calibration 2\n";
+  set_calibration(title + "device 1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
+  const std::string text = calibration();
+  EXPECT_NE(text.find(" A device, of some driver 1.2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("2.000000e-09"), std::string::npos) << text;
+  for (const std::string& other :
+       {std::string(), std::string("nonsense"), std::string("impinge calibration 1\n1 1 1 1 1 B\n"), title + "1 2 3",
+        title + "nan 1e-9 1e-9 0 0 B\n", title + "-1 1e-9 1e-9 0 0 B\n", title + "1e-5 0 1e-9 0 0 B\n",
+        title + "1e-5 1e-9 1e300 0 0 B\n", title + std::string(5000, '\n'), title + std::string(3, '\0')})
+    set_calibration(other);
+  EXPECT_EQ(calibration(), text);
+  set_calibration(text);
+  EXPECT_EQ(calibration(), text);
+}
+
+TEST(Calibration, OfTheCpuComesBackToo) {
+  const Mesh ball = test::mesh_of(scenes::bumpy_grid(4, 4));
+  const auto box_test_seconds = [&] {
+    return collide(ball, {}, ball, {}, {.backend = "simd", .predict_cost = true})->statistics.box_test_seconds;
+  };
+  const double measured = box_test_seconds();
+  std::string text = calibration();
+  const std::size_t line = text.find("cpu "), name = text.find(" simd, ", line);
+  ASSERT_NE(name, std::string::npos) << text;
+  text.replace(line, name - line, "cpu 0 0 1e-9 2e-9 0.25 3e-9 4e-9 5e-9 6e-9 7e-9");
+  set_calibration(text);
+  EXPECT_EQ(box_test_seconds(), 0.25);
+  EXPECT_LT(measured, 0.25);
 }
 
 }  // namespace

@@ -92,9 +92,9 @@ TEST(CollidePoses, FindsAWitnessForEachPoseThatTouches) {
   for (const int threads : {1, 0})
     for (const std::uint8_t kinds : {kAllKinds, kTouching}) {
       const Options all{.kinds = kinds, .threads = threads};
-      Options first = all;
-      first.find = Options::Find::first;
-      const Contacts found = collide_poses(soup, one, cube, many, first).value();
+      const Contacts found =
+          collide_poses(soup, one, cube, many, {.find = Options::Find::first, .kinds = kinds, .threads = threads})
+              .value();
       const std::vector<Row> witnesses = rows_of(found),
                              rows = rows_of(collide_poses(soup, one, cube, many, all).value());
       ASSERT_EQ(witnesses.size(), 40u);
@@ -209,9 +209,7 @@ TEST(CollidePoses, NamesWhatIsWrong) {
   }
   std::stop_source stopped;
   stopped.request_stop();
-  Options options;
-  options.stop = stopped.get_token();
-  EXPECT_EQ(code_of(collide_poses(cube, one, cube, three, options)), Code::cancelled);
+  EXPECT_EQ(code_of(collide_poses(cube, one, cube, three, {.stop = stopped.get_token()})), Code::cancelled);
 }
 
 }  // namespace

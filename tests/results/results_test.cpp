@@ -13,7 +13,6 @@
 #include "results/assemble.hpp"
 #include "results/collector.hpp"
 #include "results/row_hash.hpp"
-#include "scenes/shapes.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/core/support.hpp"
 
@@ -90,20 +89,6 @@ TEST(Hash, OfARowIsTheDocumentedOneOnEveryInstructionSet) {
       sum += documented::contact(key_a, a, key_b, b, static_cast<std::uint32_t>(size % 3));
     }
   }
-}
-
-TEST(Hash, TakesMinusZeroAsZero) {
-  scenes::MeshData negative = scenes::cube();
-  for (double& x : negative.xyz)
-    if (x == 0) x = -0.0;
-  Pose pose, minus;
-  pose.t = {1, 0, 0};
-  minus.t = {1, -0.0, -0.0};
-  minus.R[1] = minus.R[5] = -0.0;
-  const Mesh cube = test::mesh_of(scenes::cube()), same = test::mesh_of(negative);
-  const auto expected = collide(cube, {}, cube, pose), found = collide(same, {}, cube, minus);
-  EXPECT_NE(expected->hash, 0u);
-  test::expect_same(*expected, *found);
 }
 
 /// A contact of the pair of objects at an index.

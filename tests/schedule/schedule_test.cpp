@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "impinge/collide.hpp"
-#include "impinge/devices.hpp"
 #include "scenes/shapes.hpp"
 #include "schedule/cost.hpp"
 #include "schedule/parallel.hpp"
@@ -71,14 +70,16 @@ TEST(RunTasks, CopesWithNothingToDo) {
 }
 
 /// Contract 3.2, on the workers too.
-TEST(RunTasks, EachTaskRoundsToNearest) {
+TEST(Threads, RoundToNearest) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
   const test::CallersMode mode(FE_UPWARD, true);
   std::atomic<int> wrong{0};
+  const auto look = [&](auto&&...) { wrong += test::rounds_to_nearest_with_denormals() ? 0 : 1; };
   schedule::run_tasks(std::vector<int>(200, 4), 8, [&](int& depth, const auto& spawn) {
-    if (!test::rounds_to_nearest_with_denormals()) ++wrong;
+    look();
     if (depth > 0) spawn(depth - 1);
   });
+  schedule::for_each(200, 8, look);
   EXPECT_EQ(wrong, 0);
   EXPECT_TRUE(mode.is_untouched());
 }
@@ -133,17 +134,6 @@ TEST(ForEach, KeepsItsCallersThreadFromOtherTasks) {
     is_waiting.local() = false;
   });
   EXPECT_EQ(wrong, 0);
-}
-
-TEST(ForEach, RoundsToNearest) {
-  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 8);
-  const test::CallersMode mode(FE_UPWARD, true);
-  std::atomic<int> wrong{0};
-  schedule::for_each(200, 8, [&](std::size_t) {
-    if (!test::rounds_to_nearest_with_denormals()) ++wrong;
-  });
-  EXPECT_EQ(wrong, 0);
-  EXPECT_TRUE(mode.is_untouched());
 }
 
 TEST(Cost, IsEquationOneWithTermsForTheBroadPhaseTheGridAndExactArithmetic) {
@@ -204,8 +194,7 @@ TEST(Cost, ConstantsAreReadOffRunsThatTheyWouldExplain) {
 
 TEST(Cost, IsPredictedWhenAskedFor) {
   const Mesh ball = test::mesh_of(scenes::uv_sphere(32, 32));
-  Pose pose;
-  pose.t = {1.5, 0, 0};
+  const Pose pose{.t = {1.5, 0, 0}};
   const Statistics plain = collide(ball, {}, ball, pose)->statistics;
   EXPECT_EQ(plain.predicted_seconds, 0);
   EXPECT_EQ(plain.box_test_seconds, 0);
@@ -296,9 +285,6 @@ TEST(Concurrency, IsNoMoreThanThereIs) {
   EXPECT_EQ(schedule::concurrency(1), 1);
   EXPECT_EQ(schedule::concurrency(1'000'000), static_cast<int>(most));
 }
-
-// --- the split between CPU and device
-// ------------------------------------------------------------------------------------
 
 TEST(TwoEnded, GivesEachPieceOnceFromEitherEnd) {
   schedule::TwoEnded row({1, 2, 3, 4, 5});
@@ -409,6 +395,13 @@ Ends run(const Race& race, const std::vector<double>& weights) {
   return ends;
 }
 
+void expect_together(const Race& race, const std::vector<double>& weights) {
+  const Ends ends = run(race, weights);
+  EXPECT_LT(std::abs(ends.cpu - ends.device), 0.1 * std::max(ends.cpu, ends.device))
+      << race.device_speed << ' ' << race.misjudged << ' ' << race.threads << ' ' << race.question << ": " << ends.cpu
+      << ' ' << ends.device;
+}
+
 TEST(DevicePortions, LetBothSidesEndTogether) {
   test::Seeded seeded(5);
   for (const double speed : {1 / 20.0, 1 / 5.0, 1 / 2.0, 1.0, 2.0, 5.0, 20.0})
@@ -417,21 +410,12 @@ TEST(DevicePortions, LetBothSidesEndTogether) {
         for (const double question : {0.0, 2e-4}) {
           std::vector<double> weights(1024);  // a second of one thread's work
           for (double& weight : weights) weight = seeded.random.integer(1, 10) / (5.5 * 1024);
-          const Ends ends = run({speed * threads, question, threads, misjudged}, weights);
-          EXPECT_LT(std::abs(ends.cpu - ends.device), 0.1 * std::max(ends.cpu, ends.device))
-              << speed << ' ' << misjudged << ' ' << threads << ' ' << question << ": " << ends.cpu << ' '
-              << ends.device;
+          expect_together({speed * threads, question, threads, misjudged}, weights);
         }
     }
-}
-
-/// As many pieces as one pair of objects is cut into.
-TEST(DevicePortions, LetBothSidesOfOnePairEndTogether) {
-  const std::vector<double> weights(256, 1 / 256.0);
-  for (const double speed : {1 / 20.0, 1.0, 20.0}) {
-    const Ends ends = run({speed, 2e-4, 1, 1}, weights);
-    EXPECT_LT(std::abs(ends.cpu - ends.device), 0.1 * std::max(ends.cpu, ends.device)) << speed;
-  }
+  // As many pieces as one pair of objects is cut into.
+  for (const double speed : {1 / 20.0, 1.0, 20.0})
+    expect_together({speed, 2e-4, 1, 1}, std::vector<double>(256, 1 / 256.0));
 }
 
 TEST(DevicePortions, AreNoneWhereADeviceGainsNothing) {
@@ -490,38 +474,6 @@ TEST(Ways, ForgetWhatIsDoneOnlyOnce) {
   EXPECT_EQ(ways.last_seconds(), 5);
   EXPECT_EQ(ways.seconds(schedule::Way::device, {3, 2, 1}), 1);
   EXPECT_EQ(ways.quickest({3, 2, 1}), schedule::Way::device);
-}
-
-/// What is kept in a file comes back, and what is no calibration is passed over.
-TEST(Calibration, IsTextThatComesBack) {
-  const std::string title = "impinge calibration 2\n";
-  set_calibration(title + "device 1.0e-05 2.0e-09 3.0e-09 0.0e+00 1.0e-07 A device, of some driver 1.2\n");
-  const std::string text = calibration();
-  EXPECT_NE(text.find(" A device, of some driver 1.2\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("2.000000e-09"), std::string::npos) << text;
-  for (const std::string& other :
-       {std::string(), std::string("nonsense"), std::string("impinge calibration 1\n1 1 1 1 1 B\n"), title + "1 2 3",
-        title + "nan 1e-9 1e-9 0 0 B\n", title + "-1 1e-9 1e-9 0 0 B\n", title + "1e-5 0 1e-9 0 0 B\n",
-        title + "1e-5 1e-9 1e300 0 0 B\n", title + std::string(5000, '\n'), title + std::string(3, '\0')})
-    set_calibration(other);
-  EXPECT_EQ(calibration(), text);
-  set_calibration(text);
-  EXPECT_EQ(calibration(), text);
-}
-
-TEST(Calibration, OfTheCpuComesBackToo) {
-  const Mesh ball = test::mesh_of(scenes::bumpy_grid(4, 4));
-  const auto box_test_seconds = [&] {
-    return collide(ball, {}, ball, {}, {.backend = "simd", .predict_cost = true})->statistics.box_test_seconds;
-  };
-  const double measured = box_test_seconds();
-  std::string text = calibration();
-  const std::size_t line = text.find("cpu "), name = text.find(" simd, ", line);
-  ASSERT_NE(name, std::string::npos) << text;
-  text.replace(line, name - line, "cpu 0 0 1e-9 2e-9 0.25 3e-9 4e-9 5e-9 6e-9 7e-9");
-  set_calibration(text);
-  EXPECT_EQ(box_test_seconds(), 0.25);
-  EXPECT_LT(measured, 0.25);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct Made {
   solid::Part part;
   explicit Made(const Shape& shape) : mesh(test::mesh_of(shape.mesh)), part(make(mesh, shape)) {}
   static solid::Part make(const Mesh& mesh, const Shape& shape) {
-    solid::Body body = solid::make_body(test::placed(mesh, shape.pose));
+    solid::Body body = solid::make_body(mesh.state().placed(shape.pose));
     solid::Topology topology = solid::examine(body);
     return solid::make_part(std::move(body), std::move(topology), true);
   }

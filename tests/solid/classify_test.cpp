@@ -22,7 +22,7 @@ using Pieces = std::array<std::uint32_t, 3>;
 
 solid::Classification classified(const scenes::MeshData& shape, const Pose& pose = {}) {
   const Mesh mesh = test::mesh_of(shape);
-  const solid::Body body = solid::make_body(test::placed(mesh, pose));
+  const solid::Body body = solid::make_body(mesh.state().placed(pose));
   return solid::classify(body, solid::examine(body), {});
 }
 
@@ -161,7 +161,7 @@ TEST(Classify, ManyShellsTakeTimeLinearInThem) {
 TEST(Classify, StopsWithinATenthOfASecond) {
   scenes::Random random(8);
   const Mesh mesh = test::mesh_of(scenes::faces_apart(scenes::uv_sphere(200, 100), 1e-5, random));
-  const solid::Body body = solid::make_body(test::placed(mesh));
+  const solid::Body body = solid::make_body(mesh.state().placed({}));
   const solid::Topology topology = solid::examine(body);
   std::stop_source source;
   std::chrono::steady_clock::time_point stopped;

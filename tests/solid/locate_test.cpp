@@ -36,7 +36,7 @@ struct Placed {
       : mesh(test::mesh_of(numbers, leaf_size)), pose(at), world(test::world_triangles(mesh, at)) {
     for (const Triangle& t : world) exact.push_back({points::exact(t[0]), points::exact(t[1]), points::exact(t[2])});
   }
-  [[nodiscard]] hierarchy::PlacedTree tree() const { return test::placed(mesh, pose); }
+  [[nodiscard]] hierarchy::PlacedTree tree() const { return mesh.state().placed(pose); }
 };
 
 std::optional<int> expected(const Placed& body, const oracle::Vec& p, Random& random) {

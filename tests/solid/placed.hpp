@@ -9,11 +9,6 @@
 /// Bodies for the tests of `solid/`.
 namespace impinge::test {
 
-/// Kept alive by the handle.
-inline hierarchy::PlacedTree placed(const Mesh& mesh, const Pose& pose = {}) {
-  return {&mesh.state().data, &mesh.state().wide_tree, pose};
-}
-
 inline scenes::MeshData tetrahedron(const std::array<Point, 4>& p) {
   scenes::MeshData shape;
   for (const Point& v : p) shape.add_vertex(v.x, v.y, v.z);

@@ -24,7 +24,7 @@ struct Examined {
   solid::Body body;
   solid::Topology topology;
   explicit Examined(const scenes::MeshData& shape, const Pose& pose = {})
-      : mesh(test::mesh_of(shape)), body(solid::make_body(test::placed(mesh, pose))), topology(solid::examine(body)) {}
+      : mesh(test::mesh_of(shape)), body(solid::make_body(mesh.state().placed(pose))), topology(solid::examine(body)) {}
 };
 
 /// Each triangle a set of its own vertices, edges counted in a map, shells by joining until nothing changes.

@@ -76,7 +76,7 @@ TEST(TriangleTree, WindingNumbersOfClosedMeshesAreThoseOfExactRays) {
     const Sample sample = sample_of(solid.sound, seeded.random);
     const solid::TriangleTree tree(sample.triangles);
     for (const Vec3& p : sample.points) {
-      const auto exact = solid::winding_number(test::placed(mesh), p);
+      const auto exact = solid::winding_number(mesh.state().placed({}), p);
       if (!exact) continue;
       EXPECT_EQ(std::round(tree.winding_number(p)), *exact);
     }
