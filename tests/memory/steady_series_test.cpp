@@ -127,6 +127,28 @@ TEST(SteadySeries, OfConfigurationsAllocatesNothingForEach) {
   });
 }
 
+/// Of one object with the others, and of a mesh that is none of them.
+TEST(SteadySeries, OfOneObjectAllocatesNothing) {
+  Robot robot;
+  const Mesh guest = test::mesh_of(scenes::cube());
+  Workspace workspace;
+  std::size_t contacts = 0;
+  for (const Options& options : all_options())
+    expect_steady(Robot::kConfigurations, [&](int i) {
+      EXPECT_TRUE(robot.scene.set_poses(robot.links, robot.configuration(i)));
+      EXPECT_TRUE(robot.scene.update(1));
+      for (const bool is_guest : {false, true}) {
+        const Pose& pose = robot.configuration(i)[0];
+        Contacts found = (is_guest ? robot.scene.collide_with(guest, pose, options, &workspace)
+                                   : robot.scene.collide_with(robot.links[0], options, &workspace))
+                             .value();
+        contacts += found.triangles.size();
+        workspace.recycle(std::move(found));
+      }
+    });
+  EXPECT_GT(contacts, 100u);
+}
+
 TEST(SteadySeries, OfTouchesAnyAllocatesNothing) {
   Robot robot;
   Workspace workspace;
