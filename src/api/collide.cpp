@@ -66,29 +66,6 @@ Result<void> check(const scene::PlacedBlock& block, const Pose& pose_a, const Po
   return {};
 }
 
-/// Pairs that cannot touch are left out, unless each is to have a row.
-void pair_up(std::uint32_t a, std::uint32_t b, bool keep, Workspace::State& memory) {
-  const scene::SceneView view{memory.placed, nullptr};
-  if (keep || broad::may_touch(view, a, b)) memory.pairs.push_back({a, b});
-}
-
-/// Whether the answer is no more than that nothing touches.
-bool is_apart(const Options& options, const Workspace::State& memory) {
-  const auto in_domain = [](const scene::PlacedObject& object) { return object.in_domain; };
-  return memory.pairs.empty() && (options.backend == "auto" || options.backend == "simd") && !options.statistics &&
-         !options.predict_cost && options.progress == nullptr && !options.stop.stop_requested() &&
-         std::all_of(memory.placed.begin(), memory.placed.end(), in_domain);
-}
-
-/// No contacts, in the memory of an earlier answer.
-Contacts nothing(const Options& options, Workspace::State& memory) {
-  Contacts none = std::move(memory.spare);
-  none.objects.clear(), none.offsets.assign(1, 0), none.triangles.clear(), none.kinds.clear();
-  none.truncated = false, none.partial = options.find == Options::Find::first || options.kinds != kAllKinds;
-  none.hash = 0, none.statistics = {}, none.warnings.clear();
-  return none;
-}
-
 }  // namespace
 
 Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mesh_b, const Pose& pose_b,
@@ -98,12 +75,13 @@ Result<Contacts> collide(const Mesh& mesh_a, const Pose& pose_a, const Mesh& mes
     const QueryMemory memory(workspace);
     scene::PlacedBlock block;
     block.add(mesh_a.state().data, pose_a), block.add(mesh_b.state().data, pose_b);
-    block.compute();
+    const bool are_apart = block.compute_apart();
     if (auto valid = check(block, pose_a, pose_b); !valid) return valid.error();
-    memory->placed.resize(2), memory->meshes.assign({&mesh_a.state(), &mesh_b.state()}), memory->pairs.clear();
-    for (std::size_t i = 0; i < 2; ++i) block.write(i, memory->placed[i]), memory->placed[i].group = 0;
-    pair_up(0, 1, false, *memory);
-    if (is_apart(options, *memory)) return nothing(options, *memory);
+    memory->placed.resize(are_apart ? 0 : 2), memory->pairs.clear();
+    for (std::size_t i = 0; i < memory->placed.size(); ++i)
+      block.write(i, memory->placed[i]), memory->placed[i].group = 0;
+    memory->meshes.assign({&mesh_a.state(), &mesh_b.state()});
+    if (!are_apart && broad::bounds_meet(memory->placed[0], memory->placed[1])) memory->pairs.push_back({0, 1});
     return run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
   });
 }
@@ -160,7 +138,7 @@ Result<Contacts> collide_poses(const Mesh& mesh_a, std::span<const Pose> poses_a
     const std::uint32_t rows = std::min(count_a, count_b) == 0 ? 0 : std::max(count_a, count_b);
     const auto pose_of = [](std::uint32_t row, std::uint32_t count) { return count == 1 ? 0 : row; };
     for (std::uint32_t row = 0; row < rows; ++row)
-      pair_up(pose_of(row, count_a), count_a + pose_of(row, count_b), true, *memory);
+      memory->pairs.push_back({pose_of(row, count_a), count_a + pose_of(row, count_b)});
     auto contacts =
         run_pipeline({{memory->placed, nullptr}, memory->meshes, nullptr, &memory->pairs, true, options}, *memory);
     if (contacts)

@@ -3,6 +3,7 @@
 #include "impinge/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -27,15 +28,14 @@ Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, s
   if (auto valid = scene.check_domain(); !valid) return valid.error();
   if (!one.object.in_domain) return not_in_range("the mesh");
   const QueryMemory memory(workspace);
-  broad::BoxTree::Search near;
-  const CurrentPairs near_pairs(scene.near_pairs, options.threads);
-  (*near_pairs).find_near(one.object.box, near);
-  std::vector<std::uint32_t> indices{index};
-  for (const std::uint64_t found : near.found) {
-    const auto object = static_cast<std::uint32_t>(found);
-    const bool is_tested = index == kGuest || (object != index && scene.are_tested(index, object));
-    if (is_tested) indices.push_back(object);
-  }
+  broad::BoxTree::Search& near = memory->near_pairs.jumping;
+  (*CurrentPairs(scene.near_pairs, options.threads)).find_near(one.object.box, near);
+  std::vector<std::uint64_t>& indices = near.found;
+  for (std::uint64_t& found : indices) found = static_cast<std::uint32_t>(found);  // the lower half
+  std::erase_if(indices, [&](std::uint64_t object) {
+    return index != kGuest && (object == index || !scene.are_tested(index, static_cast<std::uint32_t>(object)));
+  });
+  indices.push_back(index);
   std::sort(indices.begin(), indices.end());
   memory->placed.clear(), memory->meshes.clear(), memory->pairs.clear();
   const auto at = static_cast<std::uint32_t>(std::find(indices.begin(), indices.end(), index) - indices.begin());
@@ -49,7 +49,8 @@ Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, s
     if (i != at && broad::may_touch(view, i, at)) memory->pairs.push_back({std::min(i, at), std::max(i, at)});
   auto contacts = run_pipeline({view, memory->meshes, nullptr, &memory->pairs, false, options}, *memory);
   if (contacts)
-    for (auto& [a, b] : contacts->objects) a = indices[a], b = indices[b];
+    for (auto& [a, b] : contacts->objects)
+      a = static_cast<std::uint32_t>(indices[a]), b = static_cast<std::uint32_t>(indices[b]);
   return contacts;
 }
 

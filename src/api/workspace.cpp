@@ -43,7 +43,7 @@ Worker<Stages>& Crew<Stages>::take(const Options& options) {
   if constexpr (std::is_same_v<Stages, PlainStages>) {
     worker.stages.configure(options, device.get());
   } else {
-    worker.stages.configure(options);
+    worker.stages.configure(options.find, options.kinds);
   }
   worker.stack.clear();
   worker.collector.restart(options.kinds, options.limit);

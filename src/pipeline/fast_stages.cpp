@@ -83,17 +83,18 @@ FastStages::Pair::Pair(const PlacedMesh& first, const PlacedMesh& second, const 
     : swapped(is_swapped(first.mesh, second.mesh)),
       a((swapped ? second : first).object),
       b((swapped ? first : second).object),
-      walk{(swapped ? second : first).mesh.wide_tree, (swapped ? first : second).mesh.wide_tree, {}, for_each} {
-  walk.relation = hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent());
-}
+      walk{(swapped ? second : first).mesh.wide_tree, (swapped ? first : second).mesh.wide_tree,
+           hierarchy::relate(*a.mesh, a.pose, walk.a.unit_exponent(), *b.mesh, b.pose, walk.b.unit_exponent()),
+           for_each} {}
 
 bool FastStages::Pair::is_swapped(const MeshState& first, const MeshState& second) {
   return first.wide_tree.unit_exponent() < second.wide_tree.unit_exponent();
 }
 
-void FastStages::configure(const Options& options) {
-  first_only_ = options.find == Options::Find::first;
-  any_is_enough_ = first_only_ && options.kinds == kAllKinds;
+void FastStages::configure(Options::Find find, std::uint8_t kinds) {
+  kinds_ = kinds;
+  first_only_ = find == Options::Find::first;
+  any_is_enough_ = first_only_ && kinds == kAllKinds;
   looked_at_ = 0;
 }
 
@@ -156,6 +157,7 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose,
                                                         filtered_.unsure, contacts_);
   const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
+    if ((kinds_ >> static_cast<int>(kind) & 1) == 0) return;
     const bool swapped = pair.is_self ? b < a : pair.swapped;
     keys_.push_back(swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
   };

@@ -42,7 +42,8 @@ class FastStages {
     [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
   };
 
-  void configure(const Options& options);
+  /// What is looked for, and the kinds that are wanted.
+  void configure(Options::Find find, std::uint8_t kinds);
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.
   void run_slice(const Pair& pair, bool fresh, std::vector<Step>& stack, StageClock& clock, Statistics& statistics);
@@ -50,7 +51,7 @@ class FastStages {
   [[nodiscard]] bool is_worth_sharing() const;
   /// Before the first slice of what was handed over.
   void resume();
-  /// Of the last slice.
+  /// Of the last slice, of the wanted kinds.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return keys_; }
 
  private:
@@ -61,8 +62,9 @@ class FastStages {
 
   bool first_only_ = false;
   bool any_is_enough_ = false;  ///< then, of any kind
-  unsigned slices_ = 0;         ///< of a search for one contact
-  std::size_t looked_at_ = 0;   ///< leaf pairs of such a search
+  std::uint8_t kinds_ = kAllKinds;
+  unsigned slices_ = 0;        ///< of a search for one contact
+  std::size_t looked_at_ = 0;  ///< leaf pairs of such a search
   std::vector<hierarchy::WideLeafPair> leaf_pairs_;
   partition::Sweep sweep_;
   partition::PairStream stream_;

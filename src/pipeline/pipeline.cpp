@@ -3,6 +3,7 @@
 #include "pipeline/pipeline.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -47,16 +48,30 @@ constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 constexpr int kSlicesForPieces = 8;
 
+/// A comparison of a few instructions, which `==` makes a call of: small queries take some thousand.
+template <std::size_t N>
+bool is(std::string_view backend, const char (&name)[N]) {
+  return backend.size() == N - 1 && std::memcmp(backend.data(), name, N - 1) == 0;
+}
+
+/// The calling thread begins with a lone pair, before any other is woken. What it finds and leaves is in
+/// `memory.touch`, and what it counts in the answer to be.
+void begin(const Query& query, const broad::ObjectPair& objects, bool is_timed, Workspace::State& memory) {
+  memory.touch.begin(FastStages::Pair(query, objects), query.options, StageClock(is_timed), memory.spare.statistics);
+}
+
 /// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
 /// at a time, then the results.
 template <class Stages>
 class Pipeline {
  public:
-  Pipeline(const Query& query, Crew<Stages>& crew, Workspace::State& memory)
+  /// `has_begun`: with the query's only pair.
+  Pipeline(const Query& query, Crew<Stages>& crew, Workspace::State& memory, bool has_begun = false)
       : query_(query),
         options_(query.options),
         crew_(crew),
         memory_(memory),
+        has_begun_(has_begun),
         first_only_(options_.find == Options::Find::first) {
     crew_.is_timed = options_.statistics || options_.predict_cost || crew_.device != nullptr;
   }
@@ -66,7 +81,8 @@ class Pipeline {
 
   Result<Contacts> run() {
     StageClock total(crew_.is_timed || options_.backend == "auto"), stage(crew_.is_timed);
-    Statistics statistics;
+    Statistics& statistics = memory_.spare.statistics;
+    if (!has_begun_) statistics = {};
     if (query_.pairs == nullptr)
       find_pairs(statistics);
     else if (query_.all_rows)
@@ -78,7 +94,7 @@ class Pipeline {
     statistics.object_pairs = pairs().size();
     stage.charge(statistics.broad_seconds);
 
-    memory_.device_found.restart(options_.kinds, options_.limit);
+    memory_.found_beside_crew.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
       if (options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
         memory_.asks_device = true, memory_.device = gpu::Devices::of_process().look_up(options_.device).opened;
@@ -86,9 +102,20 @@ class Pipeline {
         way_.choose(query_, pairs(), memory_);
         memory_.asks_device = way_.way() != schedule::Way::cpu;
       }
-      if (memory_.asks_device) work_with_device();
+      if (memory_.asks_device) {
+        has_begun_ = false;
+        work_with_device();
+      } else if (has_begun_ || (pairs().size() == 1 && !is_apart(pairs()[0]))) {
+        if (!std::exchange(has_begun_, true)) begin(query_, pairs()[0], crew_.is_timed, memory_);
+        collect(memory_.found_beside_crew, 0, memory_.touch.contacts());
+        if (settled(0)) memory_.touch.left().clear();
+      }
     }
-    if (!memory_.asks_device && (options_.threads == 1 || !work_on_first())) work_on_all();
+    if (has_begun_ && memory_.touch.left().empty()) {
+      report_done();
+    } else if (!memory_.asks_device) {
+      work_on_all();
+    }
     if (options_.stop.stop_requested()) return cancelled();
 
     if constexpr (std::is_same_v<Stages, PlainStages>)
@@ -96,17 +123,16 @@ class Pipeline {
 
     double threads_wall_clock = 0;
     stage.charge(threads_wall_clock);
-    Contacts contacts = gather(statistics);
+    gather(statistics);
     stage.charge(statistics.results_seconds);
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
     total.charge(statistics.total_seconds);
     way_.learn(statistics, has_brought_meshes_);
     if (options_.predict_cost) predict(statistics);
     if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
-    contacts.partial = first_only_ || options_.kinds != kAllKinds;
-    contacts.statistics = statistics;
-    contacts.warnings = std::move(memory_.warnings);
-    return contacts;
+    memory_.spare.partial = first_only_ || options_.kinds != kAllKinds;
+    memory_.spare.warnings = std::move(memory_.warnings);
+    return std::move(memory_.spare);
   }
 
  private:
@@ -159,28 +185,11 @@ class Pipeline {
     }
   }
 
-  /// The caller's thread begins with a lone pair: small queries end before another thread would wake. False if work
-  /// remains.
-  bool work_on_first() {
-    if (pairs().size() != 1 || is_apart(pairs()[0])) return false;
-    Worker<Stages>& worker = crew_.take(options_);
-    const typename Stages::Pair pair(query_, pairs()[0]);
-    bool done = false, fresh = true;
-    do {
-      run_slice(pair, 0, fresh, worker);
-      done = worker.stack.empty() || settled(0);
-      fresh = false;
-    } while (!done && !worker.stages.is_worth_sharing() && !options_.stop.stop_requested());
-    if (done) report_done();
-    if (!done) first_stack_ = std::exchange(worker.stack, {});
-    worker.stack.clear();
-    crew_.give_back(worker);
-    return done;
-  }
-
   void work_on_all() {
     if (options_.threads == 1) {
       Worker<Stages>& worker = crew_.take(options_);
+      if constexpr (std::is_same_v<Stages, FastStages>)
+        if (has_begun_) worker.stack.swap(memory_.touch.left());
       for (std::uint32_t i = 0; i < pairs().size(); ++i) run(i, worker, [](std::uint32_t, Worker<Stages>&) {});
       crew_.give_back(worker);
       return;
@@ -193,7 +202,8 @@ class Pipeline {
     std::vector<Task> tasks;
     tasks.reserve(number / at_once + 1);
     for (std::uint32_t i = 0; i < number; i += at_once) tasks.push_back({i, std::min(at_once, number - i), {}});
-    if (!first_stack_.empty()) tasks[0].stack = std::move(first_stack_);
+    if constexpr (std::is_same_v<Stages, FastStages>)
+      if (has_begun_) tasks[0].stack = std::move(memory_.touch.left());
     work_on(std::move(tasks));
   }
 
@@ -291,7 +301,7 @@ class Pipeline {
     SharedWork work(std::move(pieces), weights);
     DeviceDriver driver(query_, pairs(), work, memory_.device, mix);
     const auto sink = [&](std::uint32_t object_pair, std::span<const results::ContactKey> contacts) {
-      collect(memory_.device_found, object_pair, contacts);
+      collect(memory_.found_beside_crew, object_pair, contacts);
     };
     if (share >= 0) {
       driver.reserve(share, true);
@@ -344,9 +354,9 @@ class Pipeline {
     if (!driver.complaint().empty()) {
       undone = driver.done();
       if (first_only_)
-        for (const results::Run& run : memory_.device_found.runs())
+        for (const results::Run& run : memory_.found_beside_crew.runs())
           memory_.pair_states[run.object_pair].settled = false;
-      memory_.device_found.restart(options_.kinds, options_.limit);
+      memory_.found_beside_crew.restart(options_.kinds, options_.limit);
       memory_.warnings.push_back(driver.complaint() + "; the CPU did its work");
     } else {
       device_statistics_ = driver.statistics();
@@ -455,7 +465,8 @@ class Pipeline {
     return memory_.pair_states[object_pair].settled.load(std::memory_order_relaxed);
   }
 
-  Contacts gather(Statistics& statistics) {
+  /// Puts the answer together.
+  void gather(Statistics& statistics) {
     memory_.collectors.clear();
     for (const Worker<Stages>* worker : crew_.at_work()) {
       if constexpr (std::is_same_v<Stages, PlainStages>) warn(worker->stages.complaint());
@@ -466,16 +477,14 @@ class Pipeline {
     if (memory_.asks_device) {
       add(statistics, device_statistics_);
       statistics.cpu_seconds = cpu_seconds_;
-      memory_.collectors.push_back(&memory_.device_found);
     }
-    Contacts contacts = std::move(memory_.spare);  // a new one in its place would allocate
+    memory_.collectors.push_back(&memory_.found_beside_crew);
     const auto key_of = [&](std::uint32_t object) {
       return scene::key(query_.meshes[object]->data, query_.view.objects[object].pose);
     };
     results::assemble(memory_.collectors, pairs(), key_of,
                       {options_.limit, !first_only_, query_.all_rows, on_threads(options_.threads)}, memory_.assembly,
-                      contacts);
-    return contacts;
+                      memory_.spare);
   }
 
   void predict(Statistics& s) const {
@@ -503,7 +512,7 @@ class Pipeline {
   const Options& options_;
   Crew<Stages>& crew_;
   Workspace::State& memory_;
-  std::vector<typename Stages::Step> first_stack_;
+  bool has_begun_;  ///< what is left of the only pair, and what was found, is in `memory_.touch`
   bool first_only_;
   Statistics cpu_statistics_, device_statistics_;  ///< of either's part
   double cpu_seconds_ = 0;                         ///< the CPU's, beside the device
@@ -525,18 +534,57 @@ Result<void> validate(const Options& options) {
     return bad("find is neither Find::all nor Find::first");
   if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
   if (options.adjacency > Adjacency::by_index) return bad("adjacency is neither by_position nor by_index");
-  constexpr std::string_view kBackends[] = {"auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"};
-  if (std::find(std::begin(kBackends), std::end(kBackends), options.backend) == std::end(kBackends))
+  const auto is_one_of = [&](const auto&... names) { return (is(options.backend, names) || ...); };
+  if (!is_one_of("auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"))
     return bad("there is no backend '" + std::string(options.backend) +
                "'; choose auto, simd, paper, gpu, raster or hybrid");
   if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
   return {};
 }
 
+namespace {
+
+/// Whether a query about one pair, or none, needs no more of the pipeline than its stages unless it turns out to be
+/// large: no device, and nobody asks for its progress or its times.
+bool may_end_at_once(const Query& query) {
+  const Options& options = query.options;
+  return query.pairs != nullptr && query.pairs->size() <= 1 && !query.all_rows && !options.statistics &&
+         !options.predict_cost && options.progress == nullptr &&
+         (is(options.backend, "simd") || (is(options.backend, "auto") && !DeviceDriver::may_help(query, *query.pairs)));
+}
+
+/// Begins a query that `may_end_at_once`. Returns whether `memory.spare` is its answer.
+bool answer_at_once(const Query& query, Workspace::State& memory) {
+  const Options& options = query.options;
+  Contacts& answer = memory.spare;
+  answer.objects.clear(), answer.offsets.assign(1, 0), answer.triangles.clear(), answer.kinds.clear();
+  answer.truncated = false, answer.partial = options.find == Options::Find::first || options.kinds != kAllKinds;
+  answer.hash = 0, answer.statistics = {}, answer.warnings.clear();
+  if (query.pairs->empty()) return true;
+  const broad::ObjectPair& objects = query.pairs->front();
+  begin(query, objects, false, memory);
+  answer.statistics.object_pairs = 1;
+  if (memory.touch.contacts().empty()) return memory.touch.left().empty();
+  if (options.find != Options::Find::first || options.limit == 0) return false;
+  const results::ContactKey found = memory.touch.contacts().front();
+  answer.objects.push_back({objects.a, objects.b}), answer.offsets.push_back(1);
+  answer.triangles.push_back({results::triangle_a(found), results::triangle_b(found)});
+  answer.kinds.push_back(results::kind_of(found));
+  return true;
+}
+
+}  // namespace
+
 Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
   for (std::size_t i = 0; i < query.view.objects.size(); ++i) {
     if (query.view.objects[i].in_domain) continue;
     return not_in_range("object " + std::to_string(i));
+  }
+  const bool has_begun = may_end_at_once(query);
+  if (has_begun) {
+    const bool is_answer = answer_at_once(query, memory);
+    if (query.options.stop.stop_requested()) return cancelled();
+    if (is_answer) return std::move(memory.spare);
   }
   memory.warnings.clear(), memory.asks_device = false;
   memory.plain.device = nullptr;
@@ -561,7 +609,7 @@ Result<Contacts> run_pipeline(const Query& query, Workspace::State& memory) {
     memory.plain.device = nullptr;
     return contacts;
   }
-  Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory).run();
+  Result<Contacts> contacts = Pipeline<FastStages>(query, memory.fast, memory, has_begun).run();
   memory.device = nullptr;
   return contacts;
 }

@@ -8,20 +8,28 @@
 
 namespace impinge {
 
-TouchSearch::TouchSearch(std::stop_token stop) : stop_(std::move(stop)) {
-  stages_.configure({.find = Options::Find::first});
+void TouchSearch::run_slices(const FastStages::Pair& pair, bool may_share, const std::stop_token& stop,
+                             StageClock& clock, Statistics& counts) {
+  stack_.clear();
+  bool fresh = true;
+  do {
+    stages_.run_slice(pair, fresh, stack_, clock, counts);
+    fresh = false;
+  } while (stages_.contacts().empty() && !stack_.empty() && !(may_share && stages_.is_worth_sharing()) &&
+           !stop.stop_requested());
 }
 
 std::optional<TrianglePair> TouchSearch::find(const PlacedMesh& first, const PlacedMesh& second) {
-  const FastStages::Pair pair(first, second, {});
-  stack_.clear();
-  for (bool fresh = true; (fresh || !stack_.empty()) && !stop_.stop_requested(); fresh = false) {
-    stages_.run_slice(pair, fresh, stack_, clock_, statistics_);
-    if (stages_.contacts().empty()) continue;
-    const results::ContactKey found = stages_.contacts().front();
-    return TrianglePair{results::triangle_a(found), results::triangle_b(found)};
-  }
-  return std::nullopt;
+  stages_.configure(Options::Find::first, kAllKinds);
+  run_slices({first, second, {}}, false, stop_, clock_, statistics_);
+  if (stages_.contacts().empty()) return std::nullopt;
+  const results::ContactKey found = stages_.contacts().front();
+  return TrianglePair{results::triangle_a(found), results::triangle_b(found)};
+}
+
+void TouchSearch::begin(const FastStages::Pair& pair, const Options& options, StageClock clock, Statistics& counts) {
+  stages_.configure(options.find, options.kinds);
+  run_slices(pair, options.threads != 1, options.stop, clock, counts);
 }
 
 bool TouchSearch::is_contact(const PlacedMesh& first, const PlacedMesh& second, const TrianglePair& triangles) {

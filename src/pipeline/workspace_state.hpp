@@ -75,10 +75,10 @@ struct Workspace::State {
   results::AssembleScratch assembly;
   Contacts spare;
   measure::PairMemory nearest;
-  TouchSearch touch;                         ///< of the thread that asks
-  bool asks_device = false;                  ///< in the query at hand
-  std::shared_ptr<gpu::ReadyDevice> device;  ///< then; null: not opened yet
-  results::Collector device_found;
+  TouchSearch touch;                                       ///< of the thread that asks; it begins with a lone pair
+  bool asks_device = false;                                ///< in the query at hand
+  std::shared_ptr<gpu::ReadyDevice> device;                ///< then; null: not opened yet
+  results::Collector found_beside_crew;                    ///< by a device, or by the thread that asks when it began
   std::unordered_map<std::uint64_t, schedule::Ways> ways;  ///< of hybrid queries, by kind
   std::vector<std::string> warnings;
 };

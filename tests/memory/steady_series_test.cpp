@@ -42,7 +42,9 @@ std::vector<Options> all_options() {
 TEST(SteadySeries, OfPairsAllocatesNothing) {
   const Mesh knot = test::mesh_of(scenes::torus_knot_of(968)), ball = test::mesh_of(scenes::uv_sphere(24, 24));
   const std::vector<Pose> poses = poses_along({.t = {-2, 0.3, 0.1}}, 40, 0.1);
-  for (const Options& options : all_options()) {
+  std::vector<Options> options_of_pairs = all_options();
+  options_of_pairs.push_back({.find = Options::Find::first});  // ends before another thread would be woken
+  for (const Options& options : options_of_pairs) {
     Workspace workspace;
     std::size_t contacts = 0;
     expect_steady(40, [&](int i) {
@@ -123,6 +125,28 @@ TEST(SteadySeries, OfConfigurationsAllocatesNothingForEach) {
   expect_same(few, many, [&](const std::vector<Pose>& poses) {
     EXPECT_TRUE(robot.scene.distance_configurations(robot.links, poses, {.threads = 1}));
   });
+}
+
+/// Of one object with the others, and of a mesh that is none of them.
+TEST(SteadySeries, OfOneObjectAllocatesNothing) {
+  Robot robot;
+  const Mesh guest = test::mesh_of(scenes::cube());
+  Workspace workspace;
+  std::size_t contacts = 0;
+  for (const Options& options : all_options())
+    expect_steady(Robot::kConfigurations, [&](int i) {
+      EXPECT_TRUE(robot.scene.set_poses(robot.links, robot.configuration(i)));
+      EXPECT_TRUE(robot.scene.update(1));
+      for (const bool is_guest : {false, true}) {
+        const Pose& pose = robot.configuration(i)[0];
+        Contacts found = (is_guest ? robot.scene.collide_with(guest, pose, options, &workspace)
+                                   : robot.scene.collide_with(robot.links[0], options, &workspace))
+                             .value();
+        contacts += found.triangles.size();
+        workspace.recycle(std::move(found));
+      }
+    });
+  EXPECT_GT(contacts, 100u);
 }
 
 TEST(SteadySeries, OfTouchesAnyAllocatesNothing) {

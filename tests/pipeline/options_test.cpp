@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "scenes/hard.hpp"
@@ -143,6 +144,62 @@ TEST_P(WithBackend, FirstContactHonoursALimit) {
     EXPECT_EQ(found.objects, std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(limit)));
     EXPECT_EQ(found.truncated, limit < all.size());
   }
+}
+
+/// A pair of its own, as a scene has it by brute force, with the clock and without: most are answered by one thread and
+/// without what shares work and puts rows together.
+TEST_P(WithBackend, PairsHaveTheAnswersOfTheirScene) {
+  const scenes::PlacedScene placed = mixed_scene();
+  const std::vector<Mesh> meshes = test::meshes_of(placed);
+  const std::vector<test::Contact> all = test::brute_force(placed);
+  const auto expect = [&](std::uint32_t a, std::uint32_t b, const Options& options) {
+    std::vector<test::Contact> wanted;
+    for (const test::Contact& c : all)
+      if (c[0] == a && c[1] == b && (options.kinds >> c[4] & 1) != 0) wanted.push_back({0, 1, c[2], c[3], c[4]});
+    const auto &first = placed.objects[a], &second = placed.objects[b];
+    const Contacts found = collide(meshes[first.mesh], first.pose, meshes[second.mesh], second.pose, options).value();
+    const bool is_first = options.find == Options::Find::first;
+    const std::size_t findable = is_first ? std::min<std::size_t>(wanted.size(), 1) : wanted.size();
+    const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(findable, options.limit));
+    EXPECT_EQ(found.truncated, kept < findable);
+    EXPECT_EQ(found.partial, is_first || options.kinds != kAllKinds);
+    EXPECT_EQ(found.offsets, kept == 0 ? std::vector<std::uint64_t>{0} : (std::vector<std::uint64_t>{0, kept}));
+    ASSERT_EQ(found.triangles.size(), kept);
+    const std::vector<test::Contact> listed = test::listed(found);
+    if (is_first) {
+      EXPECT_EQ(found.hash, 0u);
+      for (const test::Contact& witness : listed) EXPECT_EQ(std::count(wanted.begin(), wanted.end(), witness), 1);
+    } else {
+      EXPECT_TRUE(std::equal(listed.begin(), listed.end(), wanted.begin()));
+    }
+  };
+  for (std::uint32_t a = 0; a < placed.objects.size(); ++a)
+    for (std::uint32_t b = a + 1; b < placed.objects.size(); ++b)
+      for (const auto find : {Options::Find::all, Options::Find::first})
+        for (const std::uint8_t kinds : {kAllKinds, kTouching})
+          for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1000000}})
+            for (const int threads : {1, 0})
+              for (const bool timed : {false, true})
+                expect(a, b,
+                       with({.find = find, .limit = limit, .kinds = kinds, .threads = threads, .statistics = timed}));
+}
+
+TEST_P(WithBackend, CountsAreThereWithoutTimes) {
+  const Mesh plane = test::mesh_of(scenes::bumpy_grid(30, 30));
+  for (const auto find : {Options::Find::all, Options::Find::first})
+    for (const double height : {0.0, 0.3, 40.0}) {
+      Options options = with({.find = find, .threads = 1});
+      const auto ask = [&] { return collide(plane, {}, plane, {.t = {0.5, 0.5, height}}, options)->statistics; };
+      ask();  // makes the trees
+      const Statistics plain = ask();
+      options.statistics = true;
+      const Statistics timed = ask();
+      const auto counts = [](const Statistics& s) {
+        return std::array{s.object_pairs, s.box_tests, s.leaf_pairs, s.triangle_pairs, s.element_tests, s.exact_calls};
+      };
+      EXPECT_EQ(counts(plain), counts(timed));
+      EXPECT_EQ(plain.total_seconds + plain.hierarchy_seconds, 0);
+    }
 }
 
 TEST_P(WithBackend, FirstContactIsCheaperThanAll) {

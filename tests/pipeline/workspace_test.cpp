@@ -109,11 +109,12 @@ TEST(Workspace, ServesAnySeriesOfQuestions) {
 /// What is recycled is memory, whatever stands in it.
 TEST(Workspace, TakesAnyContactsForTheirMemory) {
   const Mesh cube = test::mesh_of(scenes::cube());
-  const Contacts expected = collide(cube, {}, cube, {}).value();
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < 4; ++round) {
+    const Options options{.find = round < 2 ? Options::Find::all : Options::Find::first, .threads = 1};
+    const Contacts expected = collide(cube, {}, cube, {}, options).value();
     Workspace workspace;
     Contacts junk;
-    if (round == 1) {
+    if (round % 2 == 1) {
       junk.objects.assign(1000, {7, 8});
       junk.offsets.assign(3, 99);
       junk.triangles.assign(5, {1, 2});
@@ -125,7 +126,7 @@ TEST(Workspace, TakesAnyContactsForTheirMemory) {
       junk.offsets.clear();
     }
     workspace.recycle(std::move(junk));
-    const Contacts found = collide(cube, {}, cube, {}, {}, &workspace).value();
+    const Contacts found = collide(cube, {}, cube, {}, options, &workspace).value();
     test::expect_same(expected, found);
     EXPECT_EQ(found.statistics.element_tests, expected.statistics.element_tests);
   }
