@@ -81,7 +81,10 @@ TEST(Usage, WrongCommandLinesAreOneSentence) {
       {{"clash", "a.off", "--ignore", "a", "b"}, "nothing is named 'b'"},
       {{"clash", "a.off", "--json", "a.off"}, "one of the files to read"},
   };
-  for (const auto& [words, part] : wrong) EXPECT_THAT(refusal(folder, words), HasSubstr(part));
+  for (const auto& [words, part] : wrong) {
+    SCOPED_TRACE(testing::PrintToString(words));
+    EXPECT_THAT(refusal(folder, words), HasSubstr(part));
+  }
 }
 
 TEST(Usage, VersionAndHelpEndWell) {
