@@ -59,5 +59,24 @@ TEST(PairQueue, GivesBackEachPairOnceAndTheNearerAboutFirst) {
   }
 }
 
+/// Each test lowers the limit to a little more than it found, as a distance above its lower bound would.
+TEST(NearestFirst, TestsWhatIsNearAndTheLeastBoundFirst) {
+  test::Seeded seeded(12);
+  for (int size = 0; size < 40; ++size) {
+    std::vector<measure::NearTriangles> near;
+    for (int i = 0; i < size; ++i) near.push_back({seeded.random.uniform(-0.2, 1), static_cast<std::uint16_t>(i), 0});
+    std::vector<double> lower, tested;
+    for (const auto& pair : near) lower.push_back(pair.lower);
+    std::sort(lower.begin(), lower.end());
+    double limit = 0.9;
+    measure::nearest_first(
+        near, [&](const auto& pair) { return pair.lower <= limit; },
+        [&](const auto& pair) { tested.push_back(pair.lower), limit = std::min(limit, pair.lower + 0.3); });
+    const double least = lower.empty() ? 1 : std::min(0.9, lower.front() + 0.3);
+    lower.erase(std::upper_bound(lower.begin(), lower.end(), least), lower.end());
+    EXPECT_EQ(tested, lower);
+  }
+}
+
 }  // namespace
 }  // namespace impinge
