@@ -314,8 +314,10 @@ class Search {
   }
 
   void divide(TrianglePiece& piece) {
+    const std::size_t before = piece.near.size();
     while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
       piece.near.pop_back();
+    effort_ += (before - piece.near.size()) / kTrianglesAPoint;
     if (piece.near.empty() && !piece.is_settled && !find_side(piece)) return;
     // A new vertex is rounded once, after a multiple of a difference of two that are no farther apart than 2 radii.
     const double drift = piece.drift + 1.75 * 0x1p-8 * most_drift_ + 0x1p-51 * piece.radius;
@@ -354,8 +356,9 @@ class Search {
     return halve(piece.polygon);
   }
 
-  static constexpr double kFarther = 16;            ///< radii: no open edge beyond is looked for
-  static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
+  static constexpr double kFarther = 16;  ///< radii: no open edge beyond is looked for
+  /// So many boxes, and so many triangles held against a polygon, take as much time as one point.
+  static constexpr std::size_t kBoxesAPoint = 256, kTrianglesAPoint = 8;
 
   const solid::Body &inner_, &outer_;
   const Winding& winding_;
