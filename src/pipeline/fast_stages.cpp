@@ -153,8 +153,8 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   contacts_.clear();
   statistics.exact_calls += filtered_.unsure.size();
   if (pair.is_self) decide_neighbours(pair);
-  (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose,
-                                                        filtered_.unsure, contacts_);
+  (pair.is_outside_exact_domain() ? exact::settle_one_by_one : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh,
+                                                                              pair.b.pose, filtered_.unsure, contacts_);
   const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
     const bool swapped = pair.is_self ? b < a : pair.swapped;
     keys_.push_back(swapped ? results::contact_key(b, a, kind) : results::contact_key(a, b, kind));
