@@ -182,6 +182,24 @@ MeshData mismatched_cylinder(int around_wall, int around_caps, double radius, do
   return mesh;
 }
 
+MeshData moebius_band(int around) {
+  MeshData band;
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    for (const double side : {-0.3, 0.3}) {
+      const double r = 1 + side * std::cos(angle / 2);
+      band.add_vertex(r * std::cos(angle), r * std::sin(angle), side * std::sin(angle / 2));
+    }
+  }
+  const auto squares = static_cast<std::uint32_t>(around);
+  for (std::uint32_t i = 0; i < squares; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 1;
+    const std::uint32_t c = i + 1 < squares ? a + 2 : 1, d = i + 1 < squares ? a + 3 : 0;
+    band.add_triangle(a, c, d), band.add_triangle(a, d, b);
+  }
+  return band;
+}
+
 MeshData two_sided(const MeshData& mesh) { return joined(mesh, inverted(mesh)); }
 
 std::vector<DamagedSolid> damaged_solids(std::uint64_t seed) {

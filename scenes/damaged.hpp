@@ -25,6 +25,8 @@ MeshData with_triangles_flipped(const MeshData& mesh, double share, Random& rand
 MeshData with_a_face_flipped(const MeshData& mesh, Random& random);
 /// A cylinder about the z axis whose wall has another number of facets than its caps: nothing meets along the seams.
 MeshData mismatched_cylinder(int around_wall, int around_caps, double radius, double height);
+/// A band with half a turn, of so many squares in a ring about the z axis: no way of turning its triangles agrees.
+MeshData moebius_band(int around);
 /// Each triangle twice, once for each side.
 MeshData two_sided(const MeshData& mesh);
 

@@ -38,17 +38,6 @@ struct TrianglePiece {
   double distance = 0, error = 0;  ///< of the middle from the other body's triangles
 };
 
-/// A ball without triangles of the outer body, all of it on one side.
-struct ClearBall {
-  Vec3 center;
-  double radius = 0;
-  bool is_inside = false;
-  [[nodiscard]] bool holds(const Vec3& point) const {
-    const Vec3 off = point - center;
-    return dot(off, off) < radius * radius;
-  }
-};
-
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
   return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
@@ -202,14 +191,13 @@ class Search {
     return std::min({up.x, up.y, up.z, down.x, down.y, down.z}) + floor_;
   }
 
-  /// Bounds the depth of a piece by the triangle nearest to its middle. The side on which it lies is found out only
-  /// when its turn comes, except far from triangles, where the answer serves many pieces.
+  /// Bounds the depth of a piece by the triangle nearest to its middle. The side on which it lies, if it is not known,
+  /// is found out only when its turn comes.
   void look_at(TrianglePiece piece) {
     ++effort_;
     const Vec3 middle = piece.polygon.middle();
     for (const Vec3& vertex : piece.polygon) piece.radius = std::max(piece.radius, norm(vertex - middle));
-    const bool is_open = piece.near.empty() && !piece.is_settled;
-    if (is_open) {
+    if (piece.near.empty() && !piece.is_settled) {
       const std::optional<bool> side = known_side(piece);
       if (side == false) return;
       piece.is_settled = side.has_value();
@@ -220,8 +208,7 @@ class Search {
     if (!nearest) return;
     piece.nearest = last_nearest_ = nearest->triangle, piece.distance = nearest->distance, piece.error = nearest->error;
     piece.most = farthest_from(outer_.triangle(nearest->triangle), piece.polygon) + piece.drift + floor_;
-    const bool is_far = is_open && piece.distance > kFar * piece.radius;
-    if ((!piece.is_settled && !is_far) || examine(piece)) keep(std::move(piece));
+    if (!piece.is_settled || examine(piece)) keep(std::move(piece));
   }
 
   // Depth is 0 outside, and the depths of two points differ by no more than their distance: if the middle of a piece of
@@ -252,8 +239,6 @@ class Search {
     const double winding = winding_.at(middle);
     piece.is_inside = winding > 0.5;
     const double reach = reach_of_side(winding_, winding, middle, std::max(piece.distance, kFarther * piece.radius));
-    const ClearBall ball{middle, std::min(piece.distance - piece.error, reach) - most_drift_ - floor_, piece.is_inside};
-    if (ball.radius > 0) balls_[next_ball_++ % balls_.size()] = ball;
     if (!piece.near.empty()) return true;
     if (piece.radius < reach) {
       keep_side(piece.polygon, piece.is_inside, reach - piece.radius);
@@ -264,8 +249,7 @@ class Search {
     return piece.is_settled = piece.is_inside;
   }
 
-  /// The side of a piece that touches no triangle, where it lies in a known ball, or a corner's side is known to go on
-  /// over all of it.
+  /// The side of a piece that touches no triangle, where a corner's side is known to go on over all of it.
   std::optional<bool> known_side(const TrianglePiece& piece) {
     for (const Vec3& corner : piece.polygon) {
       const auto at = corner_numbers_.find(corner);
@@ -274,12 +258,7 @@ class Search {
       keep_side(piece.polygon, is_inside, reach - 2 * piece.radius);
       return is_inside;
     }
-    const auto holds_all = [&](const ClearBall& ball) {
-      return std::all_of(piece.polygon.begin(), piece.polygon.end(),
-                         [&](const Vec3& vertex) { return ball.holds(vertex); });
-    };
-    const auto ball = std::find_if(balls_.begin(), balls_.end(), holds_all);
-    return ball != balls_.end() ? std::optional(ball->is_inside) : std::nullopt;
+    return std::nullopt;
   }
 
   PieceCorner& corner_at(const Vec3& point) {
@@ -335,8 +314,10 @@ class Search {
   }
 
   void divide(TrianglePiece& piece) {
+    const std::size_t before = piece.near.size();
     while (!piece.near.empty() && !are_near(piece.polygon, outer_.triangle(piece.near.back()), near_))
       piece.near.pop_back();
+    effort_ += (before - piece.near.size()) / kTrianglesAPoint;
     if (piece.near.empty() && !piece.is_settled && !find_side(piece)) return;
     // A new vertex is rounded once, after a multiple of a difference of two that are no farther apart than 2 radii.
     const double drift = piece.drift + 1.75 * 0x1p-8 * most_drift_ + 0x1p-51 * piece.radius;
@@ -375,9 +356,9 @@ class Search {
     return halve(piece.polygon);
   }
 
-  static constexpr double kFar = 1.5;               ///< radii: a ball so large soon holds other pieces
-  static constexpr double kFarther = 16;            ///< radii: no open edge beyond is looked for
-  static constexpr std::size_t kBoxesAPoint = 256;  ///< so many boxes take as much time as one point
+  static constexpr double kFarther = 16;  ///< radii: no open edge beyond is looked for
+  /// So many boxes, and so many triangles held against a polygon, take as much time as one point.
+  static constexpr std::size_t kBoxesAPoint = 256, kTrianglesAPoint = 8;
 
   const solid::Body &inner_, &outer_;
   const Winding& winding_;
@@ -397,9 +378,7 @@ class Search {
   };
   std::priority_queue<Open> open_;
   std::vector<TrianglePiece> pieces_;
-  std::vector<std::size_t> free_;      ///< places in it
-  std::array<ClearBall, 64> balls_{};  ///< the newest
-  std::size_t next_ball_ = 0;
+  std::vector<std::size_t> free_;  ///< places in it
   std::uint32_t last_nearest_ = 0;
   /// Pieces share corners.
   PointTable corner_numbers_;

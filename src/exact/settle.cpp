@@ -66,8 +66,8 @@ void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, 
   }
 }
 
-void settle_fine(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
-                 std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) {
+void settle_one_by_one(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
+                       std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) {
   for (const TrianglePair& pair : pairs) {
     Triangle a, b;
     pose_vertices(pose_a, mesh_a.vertices, mesh_a.triangles[pair.a], a.data());

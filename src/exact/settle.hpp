@@ -17,7 +17,7 @@ void settle(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, 
             std::span<const TrianglePair> pairs, std::vector<Contact>& contacts);
 
 /// The same one by one, also of world coordinates that are no multiples of 2^-358.
-void settle_fine(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
-                 std::span<const TrianglePair> pairs, std::vector<Contact>& contacts);
+void settle_one_by_one(const MeshData& mesh_a, const Pose& pose_a, const MeshData& mesh_b, const Pose& pose_b,
+                       std::span<const TrianglePair> pairs, std::vector<Contact>& contacts);
 
 }  // namespace impinge::exact

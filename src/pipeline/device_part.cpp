@@ -52,8 +52,8 @@ struct DevicePart::Share {
         keep(hit.a, hit.b, Kind::crossing);
       }
     }
-    (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose, unsure,
-                                                          contacts);
+    (pair.is_outside_exact_domain() ? exact::settle_one_by_one : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh,
+                                                                                pair.b.pose, unsure, contacts);
     for (const exact::Contact& contact : contacts) keep(contact.a, contact.b, contact.kind);
   }
 };

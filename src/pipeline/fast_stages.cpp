@@ -154,8 +154,8 @@ void FastStages::decide(const Pair& pair, std::span<const hierarchy::WideLeafPai
   contacts_.clear();
   statistics.exact_calls += filtered_.unsure.size();
   if (pair.is_self) decide_neighbours(pair);
-  (pair.is_fine() ? exact::settle_fine : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh, pair.b.pose,
-                                                        filtered_.unsure, contacts_);
+  (pair.is_outside_exact_domain() ? exact::settle_one_by_one : exact::settle)(*pair.a.mesh, pair.a.pose, *pair.b.mesh,
+                                                                              pair.b.pose, filtered_.unsure, contacts_);
   const auto keep = [&](std::uint32_t a, std::uint32_t b, Kind kind) {
     if ((kinds_ >> static_cast<int>(kind) & 1) == 0) return;
     const bool swapped = pair.is_self ? b < a : pair.swapped;

@@ -39,7 +39,9 @@ class FastStages {
     const std::stop_token* stop = nullptr;  ///< then
     const scene::PlacedObject &a, &b;
     hierarchy::WideWalk walk;
-    [[nodiscard]] bool is_fine() const { return a.is_fine || b.is_fine; }
+    [[nodiscard]] bool is_outside_exact_domain() const {
+      return a.is_outside_exact_domain || b.is_outside_exact_domain;
+    }
   };
 
   /// What is looked for, and the kinds that are wanted.

@@ -45,7 +45,7 @@ struct Scene::State {
 
   std::uint32_t first_generation;  ///< of each index; differs from scene to scene, so that a foreign id is unknown
   std::vector<std::uint32_t> free_slots;
-  std::size_t fine = 0;  ///< objects that are outside the exact domain: `is_fine`
+  std::size_t outside_exact_domain = 0;  ///< how many objects are
   scene::IgnoredPairs ignored;
   broad::ObjectPairs own_pairs;  ///< objects that are tested against themselves, in order
   broad::NearPairs near_pairs;
@@ -75,14 +75,14 @@ struct Scene::State {
 
   /// Whether contacts and distances of all objects are exact.
   [[nodiscard]] Result<void> check_domain() const {
-    if (fine == 0) return {};
+    if (outside_exact_domain == 0) return {};
     for (std::size_t i = 0; i < objects.size(); ++i)
       if (!objects[i].in_domain) return not_in_range("object " + std::to_string(i));
     return {};
   }
   /// Puts an object, or nothing, where another one or nothing was.
   void put(std::uint32_t index, const MeshState* mesh, const scene::PlacedObject& placed) {
-    fine += int{placed.is_fine} - int{objects[index].is_fine};
+    outside_exact_domain += int{placed.is_outside_exact_domain} - int{objects[index].is_outside_exact_domain};
     objects[index] = placed, meshes[index] = mesh;
     near_pairs.place(index, placed);
   }
@@ -95,9 +95,9 @@ struct Scene::State {
   void move(std::span<const ObjectId> ids, const scene::PlacedBlock& block) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       scene::PlacedObject& object = objects[ids[i].index];
-      fine -= int{object.is_fine};
+      outside_exact_domain -= int{object.is_outside_exact_domain};
       block.write(i, object);
-      fine += int{object.is_fine};
+      outside_exact_domain += int{object.is_outside_exact_domain};
     }
     // Not at once: what has just been written number by number cannot be read in larger pieces yet.
     for (const ObjectId& id : ids) near_pairs.place(id.index, objects[id.index]);

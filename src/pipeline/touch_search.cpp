@@ -34,9 +34,9 @@ void TouchSearch::begin(const FastStages::Pair& pair, const Options& options, St
 
 bool TouchSearch::is_contact(const PlacedMesh& first, const PlacedMesh& second, const TrianglePair& triangles) {
   contacts_.clear();
-  const bool is_fine = first.object.is_fine || second.object.is_fine;
-  (is_fine ? exact::settle_fine : exact::settle)(*first.object.mesh, first.object.pose, *second.object.mesh,
-                                                 second.object.pose, {&triangles, 1}, contacts_);
+  const bool is_outside_exact_domain = first.object.is_outside_exact_domain || second.object.is_outside_exact_domain;
+  (is_outside_exact_domain ? exact::settle_one_by_one : exact::settle)(
+      *first.object.mesh, first.object.pose, *second.object.mesh, second.object.pose, {&triangles, 1}, contacts_);
   return !contacts_.empty();
 }
 

@@ -178,10 +178,10 @@ void PlacedBlock::write(std::size_t i, PlacedObject& object) const {
   const MeshData& mesh = *meshes_[i];
   object.pose = *poses_[i];
   object.mesh = mesh.triangles.empty() ? nullptr : &mesh;
-  object.in_domain = true, object.is_fine = false;
+  object.in_domain = true, object.is_outside_exact_domain = false;
   if (object.mesh != nullptr && lanes_.is_clear[i] == 0) {
-    object.is_fine = !in_exact_domain(object.pose, mesh);
-    object.in_domain = !object.is_fine || in_range(object.pose, mesh);
+    object.is_outside_exact_domain = !in_exact_domain(object.pose, mesh);
+    object.in_domain = !object.is_outside_exact_domain || in_range(object.pose, mesh);
   }
   if (object.mesh == nullptr || !object.in_domain) {  // queries refuse it, and its bounds might not be numbers
     object.sphere = {}, object.box = {};

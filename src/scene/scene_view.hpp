@@ -20,7 +20,8 @@ struct PlacedObject {
   Sphere sphere;          ///< around the world vertices, for certain
   Box box;                ///< around the world vertices, for certain: the posed box cut with the sphere's
   bool in_domain = true;  ///< `in_range`: contacts are exact (contract 1.3)
-  bool is_fine = false;   ///< some world vertices are not in the exact domain, so that contacts take `settle_fine`
+  /// Some world vertices are not in the exact domain, so that contacts take `settle_one_by_one`.
+  bool is_outside_exact_domain = false;
 };
 
 /// An unordered pair of object indices as one number.

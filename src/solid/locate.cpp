@@ -70,10 +70,6 @@ Around around_point(const hierarchy::PlacedTree& body, const PointSigns& p) {
   return result;
 }
 
-std::optional<int> winding_of(const Around& around) {
-  return around.holders.empty() ? std::optional(around.beside) : std::nullopt;
-}
-
 }  // namespace
 
 int side_beside(const Triangle& t) {
@@ -100,10 +96,8 @@ Around around(const hierarchy::PlacedTree& body, const exact::RationalPoint& poi
 }
 
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const Vec3& point) {
-  return winding_of(around(body, point));
-}
-std::optional<int> winding_number(const hierarchy::PlacedTree& body, const exact::RationalPoint& point) {
-  return winding_of(around(body, point));
+  const Around found = around(body, point);
+  return found.holders.empty() ? std::optional(found.beside) : std::nullopt;
 }
 
 }  // namespace impinge::solid

@@ -17,8 +17,6 @@ namespace impinge::solid {
 /// no vertex and no edge: ties are broken by rule (Edelsbrunner and Mücke, "Simulation of Simplicity", 1990). The point
 /// must be in range (contract 1.3).
 std::optional<int> winding_number(const hierarchy::PlacedTree& body, const Vec3& point);
-/// The same for a point whose coordinates are rational numbers.
-std::optional<int> winding_number(const hierarchy::PlacedTree& body, const exact::RationalPoint& point);
 
 /// The surface around a point that may lie on it.
 struct Around {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -15,6 +14,7 @@
 #include "core/vec3.hpp"
 #include "impinge/clash.hpp"
 #include "judged_at_once.hpp"
+#include "scenes/damaged.hpp"
 #include "scenes/shapes.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
@@ -29,35 +29,13 @@ Mesh mesh_of(const std::vector<double>& xyz, const std::vector<std::uint32_t>& t
   return Mesh::create(std::span<const double>(xyz), triangles).value();
 }
 
-/// A band with half a turn: 12 squares in a ring, of which the last is joined on to the first upside down.
-MeshData moebius_band() {
-  constexpr int kAround = 12;
-  MeshData band;
-  for (int i = 0; i < kAround; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kAround, twist = angle / 2;
-    for (const double side : {-0.25, 0.25}) {
-      const double r = 0.5 + side * std::cos(twist);
-      band.add_vertex(0.5 + r * std::cos(angle), 0.5 + r * std::sin(angle), 0.5 + side * std::sin(twist));
-    }
-  }
-  for (std::uint32_t i = 0; i < kAround; ++i) {
-    const bool is_last = i + 1 == kAround;
-    const std::uint32_t next = is_last ? 0 : 2 * i + 2, low = next + (is_last ? 1 : 0), high = next + (is_last ? 0 : 1);
-    band.add_triangle(2 * i, low, high), band.add_triangle(2 * i, high, 2 * i + 1);
-  }
-  return band;
-}
-
 /// So many small cubes in each direction, all apart.
 MeshData crowd(int nx, int ny, int nz, double shift) {
   MeshData result;
   const MeshData cube = scenes::box({0, 0, 0}, {0.5, 0.5, 0.5});
-  for (int i = 0; i < nx * ny * nz; ++i) {
-    const auto first = static_cast<std::uint32_t>(result.vertex_count());
-    const MeshData one = scenes::shifted(cube, shift + i % nx, shift + i / nx % ny, shift + i / nx / ny);
-    result.xyz.insert(result.xyz.end(), one.xyz.begin(), one.xyz.end());
-    for (const std::uint32_t v : one.triangles) result.triangles.push_back(first + v);
-  }
+  for (int i = 0; i < nx * ny * nz; ++i)
+    result = scenes::joined(std::move(result),
+                            scenes::shifted(cube, shift + i % nx, shift + i / nx % ny, shift + i / nx / ny));
   return result;
 }
 
@@ -98,7 +76,7 @@ std::vector<BadInput> bad_input() {
       {"very large", scaled(scenes::cube(), 1e200, 0), block, true},
       {"very small", scaled(scenes::cube(), 1e-200, 0), block, true},
       {"two shells of opposite winding", test::mesh_of(apart), block, false, Verdict::penetrating},
-      {"a Moebius band", test::mesh_of(moebius_band()), block},
+      {"a Moebius band", scaled(scenes::moebius_band(12), 0.5, 0.5), block},
       {"10,000 shells", test::mesh_of(crowd(25, 20, 20, 0)), test::mesh_of(crowd(25, 20, 20, 0.25)), false,
        Verdict::penetrating},
       {"1,000 shells in a block", shells, test::mesh_of(scenes::box({-1, -1, -1}, {30, 30, 30})), false,

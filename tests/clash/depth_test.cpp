@@ -140,18 +140,10 @@ TEST(OverlapDepth, OfBoxesAtACorner) {
 }
 
 TEST(OverlapDepth, OfARodThroughAPlate) {
-  const Mesh rod = box({-0.25, -0.25, -4}, {0.25, 0.25, 4}), plate = box({-2, -2, -0.5}, {2, 2, 0.5});
-  expect_depths(0.5, 0.25, rod, plate);
-  test::Seeded seeded(7);
-  for (int i = 0; i < 4; ++i) {
-    const Pose motion = scenes::random_motion(seeded.random, 10);
-    const auto depth = overlap_depth(rod, motion, plate, motion);
-    ASSERT_TRUE(depth);
-    EXPECT_LE(depth->a_in_b.lo, 0.5 + 1e-12);
-    EXPECT_GE(depth->a_in_b.hi, 0.5 - 1e-12);
-    EXPECT_LE(depth->b_in_a.lo, 0.25 + 1e-12);
-    EXPECT_GE(depth->b_in_a.hi, 0.25 - 1e-12);
-  }
+  const MeshData rod = scenes::box({-0.25, -0.25, -4}, {0.25, 0.25, 4}),
+                 plate = scenes::box({-2, -2, -0.5}, {2, 2, 0.5});
+  expect_depths(0.5, 0.25, test::mesh_of(rod), test::mesh_of(plate));
+  expect_depths_when_moved(0.5, 0.25, rod, plate, 7);
 }
 
 TEST(OverlapDepth, OfNestedBoxes) {

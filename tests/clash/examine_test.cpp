@@ -27,25 +27,32 @@ bool in_domain(const std::vector<double>& xyz) {
 const std::vector<double> kTetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 const std::vector<std::uint32_t> kOutward{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
 
-TEST(Examine, ATetrahedronIsClosed) {
-  const PartFacts surface = inspected(kTetrahedron, kOutward);
-  EXPECT_TRUE(surface.closed);
-  EXPECT_EQ(surface.open_edges, 0U);
-  EXPECT_EQ(surface.degenerate, 0U);
-}
-
-TEST(Examine, AMissingTriangleOpensItsThreeEdges) {
-  const PartFacts surface = inspected(kTetrahedron, {0, 2, 1, 0, 1, 3, 1, 2, 3});
-  EXPECT_FALSE(surface.closed);
-  EXPECT_EQ(surface.open_edges, 3U);
-}
-
-TEST(Examine, ATurnedTriangleOpensItsThreeEdges) {
-  EXPECT_EQ(inspected(kTetrahedron, {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3}).open_edges, 3U);
-}
-
-TEST(Examine, ADuplicateTriangleOpensItsThreeEdges) {
-  EXPECT_EQ(inspected(kTetrahedron, {0, 2, 1, 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}).open_edges, 3U);
+TEST(Examine, CountsOpenEdgesAndDegenerateTriangles) {
+  struct Case {
+    const char* what;
+    std::vector<std::uint32_t> triangles;
+    bool closed;
+    std::uint64_t open_edges, degenerate;
+  };
+  const std::vector<Case> cases{
+      {"a tetrahedron", kOutward, true, 0, 0},
+      {"a triangle missing", {0, 2, 1, 0, 1, 3, 1, 2, 3}, false, 3, 0},
+      {"a triangle turned", {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3}, false, 3, 0},
+      {"a triangle twice", {0, 2, 1, 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}, false, 3, 0},
+      {"two equal corners, and three", {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 0, 1, 2, 2, 2}, true, 0, 2},
+      {"three in a line, a sliver that nobody closes", {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 1, 4}, false, 3, 1},
+      {"no area", {0, 0, 1}, false, 0, 1},
+      {"no triangles", {}, false, 0, 0},
+  };
+  std::vector<double> xyz = kTetrahedron;
+  xyz.insert(xyz.end(), {0.5, 0, 0});
+  for (const Case& each : cases) {
+    SCOPED_TRACE(each.what);
+    const PartFacts facts = inspected(xyz, each.triangles);
+    EXPECT_EQ(facts.closed, each.closed);
+    EXPECT_EQ(facts.open_edges, each.open_edges);
+    EXPECT_EQ(facts.degenerate, each.degenerate);
+  }
 }
 
 TEST(Examine, CornersAreTheSameByPositionAndMinusZeroIsZero) {
@@ -64,28 +71,6 @@ TEST(Examine, CornersAreTheSameByPositionAndMinusZeroIsZero) {
   EXPECT_EQ(examined(soup, triangles).error().code, Code::out_of_range);
   soup[0] = 0x1p-300;
   EXPECT_FALSE(inspected(soup, triangles).closed);
-}
-
-TEST(Examine, TwoEqualCornersOpenNothingAndThreeInALineCountAsTheyAre) {
-  std::vector<std::uint32_t> triangles = kOutward;
-  triangles.insert(triangles.end(), {0, 0, 1, 2, 2, 2});
-  const PartFacts surface = inspected(kTetrahedron, triangles);
-  EXPECT_TRUE(surface.closed);
-  EXPECT_EQ(surface.degenerate, 2U);
-  // (0,0,0), (1,0,0) and (0.5,0,0): a sliver that nobody closes.
-  std::vector<double> xyz = kTetrahedron;
-  xyz.insert(xyz.end(), {0.5, 0, 0});
-  triangles = kOutward;
-  triangles.insert(triangles.end(), {0, 1, 4});
-  const PartFacts sliver = inspected(xyz, triangles);
-  EXPECT_EQ(sliver.degenerate, 1U);
-  EXPECT_EQ(sliver.open_edges, 3U);
-}
-
-TEST(Examine, WithoutAnAreaNothingIsClosed) {
-  EXPECT_FALSE(inspected(kTetrahedron, {0, 0, 1}).closed);
-  EXPECT_FALSE(inspected(kTetrahedron, {}).closed);
-  EXPECT_FALSE(inspected({}, {}).closed);
 }
 
 TEST(Examine, NothingIsSaidOutsideTheDomain) {

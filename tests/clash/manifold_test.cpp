@@ -8,6 +8,7 @@
 #include "core/vec3.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
 
 namespace impinge {
@@ -43,11 +44,6 @@ struct Pair {
 
 MeshData slab() { return scenes::box({-4, -4, -1}, {4, 4, 0}); }
 MeshData centred_cube() { return scenes::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}); }
-
-MeshData inside_out(MeshData mesh) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i], mesh.triangles[i + 1]);
-  return mesh;
-}
 
 std::vector<Vec3> corners(double x0, double x1, double y0, double y1, double z) {
   return {{x0, y0, z}, {x1, y0, z}, {x0, y1, z}, {x1, y1, z}};
@@ -87,8 +83,14 @@ std::vector<Pair> known_pairs() {
   const Pose on_edge{.R = turn(1, tilt), .t = {0, 0, std::sin(tilt) - 0.05}};
   const Pose on_corner = after({.t = {0, 0, -0.05}}, {.R = after({.R = turn(1, -0.6)}, {.R = turn(0, 0.7)}).R});
   const Vec3 edge = placed(on_edge, {1, 0, 0});
+  const auto by_an_eighth = [&](std::string name, MeshData a, MeshData b) {
+    return Pair{std::move(name), std::move(a), std::move(b), {}, on_slab, {0, 0, 1}, 0.125, feet, 4};
+  };
   return {
-      {"box in a slab", slab(), scenes::cube(), {}, on_slab, {0, 0, 1}, 0.125, feet, 4},
+      by_an_eighth("box in a slab", slab(), scenes::cube()),
+      by_an_eighth("box of many cells", slab(), scenes::box({0, 0, 0}, {1, 1, 1}, 5)),
+      by_an_eighth("slab of many cells", scenes::box({-4, -4, -1}, {4, 4, 0}, 9), scenes::cube()),
+      by_an_eighth("normals inwards", scenes::inverted(slab()), scenes::inverted(scenes::cube())),
       {"slab in a box below",
        scenes::shifted(scenes::cube(), 0.25, -0.5, -0.875),
        slab(),
@@ -98,17 +100,6 @@ std::vector<Pair> known_pairs() {
        0.125,
        {},
        4},
-      {"box of many cells", slab(), scenes::box({0, 0, 0}, {1, 1, 1}, 5), {}, on_slab, {0, 0, 1}, 0.125, feet, 4},
-      {"slab of many cells",
-       scenes::box({-4, -4, -1}, {4, 4, 0}, 9),
-       scenes::cube(),
-       {},
-       on_slab,
-       {0, 0, 1},
-       0.125,
-       feet,
-       4},
-      {"normals inwards", inside_out(slab()), inside_out(scenes::cube()), {}, on_slab, {0, 0, 1}, 0.125, feet, 4},
       {"flush", slab(), scenes::cube(), {}, {.t = {0.25, -0.5, 0}}, {0, 0, 1}, 0, corners(0.25, 1.25, -0.5, 0.5, 0), 4},
       {"boxes one upon the other, not quite",
        scenes::cube(),
@@ -271,10 +262,7 @@ TEST(Manifolds, HaveTheExtentOfTheirPatches) {
 
 /// Two feet that slide over a floor of many cells, while both turn and move.
 TEST(Manifolds, KeepTheirIdsAndTheOrderOfTheirPoints) {
-  MeshData feet = scenes::cube();
-  for (const std::uint32_t i : scenes::cube().triangles) feet.triangles.push_back(i + 8);
-  const std::vector<double> other = scenes::shifted(scenes::cube(), 2, 0, 0).xyz;
-  feet.xyz.insert(feet.xyz.end(), other.begin(), other.end());
+  const MeshData feet = scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 2, 0, 0));
   Scene scene;
   const ObjectId floor = scene.add(test::mesh_of(scenes::box({-9, -9, -1}, {9, 9, 0}, 18))).value();
   const ObjectId table = scene.add(test::mesh_of(feet)).value();
@@ -345,10 +333,7 @@ TEST(Manifolds, RefuseContactsOfOthers) {
   EXPECT_EQ(next(manifolds, two).size(), 1u);
 
   // Of an object with itself there is nothing to leave.
-  scenes::MeshData crossed = scenes::cube();
-  for (std::size_t i = 0, n = crossed.xyz.size(); i < n; ++i) crossed.xyz.push_back(crossed.xyz[i] + 0.5);
-  for (std::size_t i = 0, n = crossed.triangles.size(); i < n; ++i)
-    crossed.triangles.push_back(crossed.triangles[i] + 8);
+  const MeshData crossed = scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 0.5, 0.5, 0.5));
   Scene alone;
   ASSERT_TRUE(alone.self(alone.add(test::mesh_of(crossed)).value(), true));
   EXPECT_EQ(alone.collide()->objects.size(), 1u);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <queue>
 #include <string>
@@ -23,6 +22,7 @@
 #include "scenes/solid_pairs.hpp"
 #include "scenes/solids.hpp"
 #include "tests/core/support.hpp"
+#include "tests/solid/plain_winding.hpp"
 
 namespace impinge {
 namespace {
@@ -180,14 +180,7 @@ TEST(OneNumber, DecidesSurfacesAtEveryTolerance) {
 }
 
 Pair moved(const Pair& pair, const Pose& motion) {
-  const auto data = [](const Mesh& mesh) {
-    MeshData result;
-    for (const Point& p : mesh.vertices()) result.xyz.insert(result.xyz.end(), {p.x, p.y, p.z});
-    for (const auto& t : mesh.triangles()) result.triangles.insert(result.triangles.end(), t.begin(), t.end());
-    return result;
-  };
-  const scenes::PlacedScene scene = scenes::moved(
-      {{data(pair.a), data(pair.b)}, {{.mesh = 0, .pose = pair.pose_a}, {.mesh = 1, .pose = pair.pose_b}}}, motion);
+  const scenes::PlacedScene scene = scenes::moved({{}, {{.pose = pair.pose_a}, {.pose = pair.pose_b}}}, motion);
   return {pair.name, pair.a, pair.b, scene.objects[0].pose, scene.objects[1].pose};
 }
 
@@ -254,17 +247,8 @@ TEST(OneNumber, OfDamagedSolidsAndSurfacesStaysAfterARigidMotion) {
 
 // The oracle for depths: points, dense where they are deep, winding by the plain sum, distance by all triangles.
 
-double plain_winding(const std::vector<Triangle>& triangles, const Vec3& p) {
-  double sum = 0;
-  for (const Triangle& t : triangles) {
-    const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-    const double x = norm(a), y = norm(b), z = norm(c);
-    sum += std::atan2(dot(a, cross(b, c)), x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
-  }
-  return sum / (2 * std::numbers::pi);
-}
 bool is_inside(const std::vector<Triangle>& triangles, const Vec3& p) {
-  return std::abs(plain_winding(triangles, p)) > 0.5;
+  return std::abs(test::plain_winding(triangles, p)) > 0.5;
 }
 
 /// A part of a triangle, and a box: where deep points are looked for.

@@ -95,17 +95,12 @@ TEST(Reach, IsWhatAnEngineerExpects) {
 }
 
 TEST(Reach, OfPiecesThatCoincideIsThroughWhateverElseThereIs) {
-  MeshData bolts;
+  const MeshData bolt = scenes::pipe(12, 1, 2, 10, true);
+  MeshData bolts, others = scenes::shifted(bolt, 0, 100, 0);
   for (int i = 0; i < 8; ++i) {
-    const MeshData bolt = scenes::shifted(scenes::pipe(12, 1, 2, 10, true), 20 * i, 0, 0);
-    bolts = i == 0 ? bolt : scenes::joined(bolts, bolt);
+    if (i == 7) others = scenes::joined(others, bolts);
+    bolts = scenes::joined(bolts, scenes::shifted(bolt, 20 * i, 0, 0));
   }
-  MeshData others;
-  for (int i = 0; i < 7; ++i) {
-    const MeshData bolt = scenes::shifted(scenes::pipe(12, 1, 2, 10, true), 20 * i, 0, 0);
-    others = i == 0 ? bolt : scenes::joined(others, bolt);
-  }
-  others = scenes::joined(others, scenes::shifted(scenes::pipe(12, 1, 2, 10, true), 0, 100, 0));
   EXPECT_EQ(reach(bolts, others).fails_below(), kInfinity);
   // Two equal blocks with fins on opposite sides.
   const MeshData one = scenes::boundary({{0, 10, 30}, {0, 10, 11}, {0, 10}, [](int, int j, int) { return j == 0; }});

@@ -36,31 +36,4 @@ inline void expect_near(const Point& found, const Point& expected, double off = 
 
 inline bool is_closed(const std::vector<Point>& line) { return line.size() > 3 && line.front() == line.back(); }
 
-/// Closed, convex: the hull of a polygon in one plane and an apex, or of a polygon and its copy moved by `up`.
-inline scenes::MeshData cone(const std::vector<Point>& base, const Point& apex) {
-  scenes::MeshData mesh;
-  for (const Point& p : base) mesh.add_vertex(p.x, p.y, p.z);
-  const std::uint32_t top = mesh.add_vertex(apex.x, apex.y, apex.z);
-  const auto n = static_cast<std::uint32_t>(base.size());
-  for (std::uint32_t i = 0; i < n; ++i) mesh.add_triangle(i, (i + 1) % n, top);
-  for (std::uint32_t i = 2; i < n; ++i) mesh.add_triangle(0, i, i - 1);
-  return mesh;
-}
-inline scenes::MeshData prism(const std::vector<Point>& base, const Point& up) {
-  scenes::MeshData mesh;
-  for (const Point& p : base) mesh.add_vertex(p.x, p.y, p.z);
-  for (const Point& p : base) mesh.add_vertex(p.x + up.x, p.y + up.y, p.z + up.z);
-  const auto n = static_cast<std::uint32_t>(base.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    mesh.add_triangle(i, j, n + j);
-    mesh.add_triangle(i, n + j, n + i);
-  }
-  for (std::uint32_t i = 2; i < n; ++i) {
-    mesh.add_triangle(0, i, i - 1);
-    mesh.add_triangle(n, n + i - 1, n + i);
-  }
-  return mesh;
-}
-
 }  // namespace impinge::test

@@ -5,6 +5,7 @@
 #include "region_scenes.hpp"
 #include "scenes/motion.hpp"
 #include "scenes/solids.hpp"
+#include "tests/solid/placed.hpp"
 
 /// Regions of contact whose measures are known.
 namespace impinge {
@@ -160,7 +161,7 @@ TEST(RegionShapes, SpheresMeetInALens) {
 TEST(RegionShapes, AVertexOnAFaceIsAPoint) {
   const Point tip{0.3, 0.2, 1};
   const Region region =
-      region_between(box({-1, -1, 0}, {1, 1, 1}), test::cone({{1, 0, 3}, {0, 2, 3}, {-1, -1, 3}}, tip));
+      region_between(box({-1, -1, 0}, {1, 1, 1}), test::tetrahedron({Point{1, 0, 3}, {0, 2, 3}, {-1, -1, 3}, tip}));
   EXPECT_EQ(region.pairs, 3u);
   EXPECT_EQ(region.area, 0);
   EXPECT_EQ(region.length, 0);
@@ -174,8 +175,10 @@ TEST(RegionShapes, AVertexOnAFaceIsAPoint) {
 
 TEST(RegionShapes, EdgesMeetInAPointOrALine) {
   // A roof below, its ridge along x; one above, turned over, its ridge along y.
-  const scenes::MeshData roof = test::prism({{-2, 1, -1}, {-2, 0, 0}, {-2, -1, -1}}, {5, 0, 0});
-  const scenes::MeshData crossed = test::prism({{1, -2, 1}, {0, -2, 0}, {-1, -2, 1}}, {0, 5, 0});
+  const scenes::MeshData roof =
+      scenes::hull({{-2, 1, -1}, {-2, 0, 0}, {-2, -1, -1}, {3, 1, -1}, {3, 0, 0}, {3, -1, -1}});
+  const scenes::MeshData crossed =
+      scenes::hull({{1, -2, 1}, {0, -2, 0}, {-1, -2, 1}, {1, 3, 1}, {0, 3, 0}, {-1, 3, 1}});
   const Region point = region_between(roof, crossed);
   EXPECT_EQ(point.centroid, (Point{0, 0, 0}));
   EXPECT_EQ(point.length, 0);
@@ -194,10 +197,10 @@ TEST(RegionShapes, EdgesMeetInAPointOrALine) {
 /// Two faces that have an edge in common in part only: the one is divided where the other is not.
 TEST(RegionShapes, LinesAndOutlinesOfTJunctionsCountOnce) {
   // Ridges along each other, from -2 to 3 and from 0 to 4; one side of the lower roof is divided at 0.75.
-  scenes::MeshData roof = test::prism({{-2, 1, -1}, {-2, 0, 0}, {-2, -1, -1}}, {5, 0, 0});
+  scenes::MeshData roof = scenes::hull({{-2, 1, -1}, {-2, 0, 0}, {-2, -1, -1}, {3, 1, -1}, {3, 0, 0}, {3, -1, -1}});
   const scenes::MeshData divided{{-2, 0, 0, 0.75, 0, 0, 3, 0, 0, 0, 1, -1, -2, -1, -1, 3, -1, -1},
                                  {0, 1, 3, 1, 2, 3, 0, 4, 5, 0, 5, 2}};
-  const scenes::MeshData above = test::prism({{0, -1, 1}, {0, 0, 0}, {0, 1, 1}}, {4, 0, 0});
+  const scenes::MeshData above = scenes::hull({{0, -1, 1}, {0, 0, 0}, {0, 1, 1}, {4, -1, 1}, {4, 0, 0}, {4, 1, 1}});
   for (const scenes::MeshData& below : {roof, divided}) {
     const Region line = region_between(below, above);
     EXPECT_NEAR(line.length, 3, 1e-15);

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <iostream>
 
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
@@ -191,22 +189,6 @@ TEST(SharedPart, IsRoundedOnceAtTheEndsOfTheDomain) {
                 Triangle{Point{small, -big, big}, {small, big, -big}, {7 * small, -big, -big}}});
   expect_right({Triangle{Point{small, small, 0}, {4 * small, 0, 0}, {0, 5 * small, 0}},
                 Triangle{Point{2 * small, small, -small}, {small, 3 * small, 2 * small}, {0, 0, small}}});
-}
-
-/// The time that a pair takes is not an answer; it is printed so that a slow one is seen.
-TEST(SharedPart, TakesMicroseconds) {
-  test::Seeded seeded(14);
-  std::vector<test::Pair> pairs;
-  const auto soup = test::world_triangles(test::mesh_of(scenes::triangle_soup(seeded.random, 400, 1)), {});
-  for (const Triangle& a : soup)
-    for (const Triangle& b : soup)
-      if (&a != &b && clash::shared_part(a, b).size == 2) pairs.push_back({a, b});
-  const auto start = std::chrono::steady_clock::now();
-  std::size_t corners = 0;
-  for (const test::Pair& pair : pairs) corners += clash::shared_part(pair[0], pair[1]).size;
-  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-  ASSERT_EQ(corners, 2 * pairs.size());
-  std::cout << pairs.size() << " pairs, " << took.count() / static_cast<double>(pairs.size()) << " us each\n";
 }
 
 }  // namespace

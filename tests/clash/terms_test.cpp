@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "impinge/clash.hpp"
+#include "scenes/shapes.hpp"
 #include "tests/clash/same_clashes.hpp"
+#include "tests/core/support.hpp"
 
 namespace impinge {
 namespace {
@@ -20,10 +21,7 @@ namespace {
 /// A row of boxes along x, some moved aside; from one to the next there is an overlap, a gap or
 /// neither, of up to 1/4.
 Scene row_of_boxes() {
-  const std::vector<double> xyz{0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0, 0, 0, 2, 2, 0, 2, 0, 2, 2, 2, 2, 2};
-  const std::vector<std::uint32_t> triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                             2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-  const Mesh mesh = Mesh::create(std::span<const double>(xyz), triangles).value();
+  const Mesh mesh = test::mesh_of(scenes::box({0, 0, 0}, {2, 2, 2}));
   const std::vector<double> steps{1.75, 2.25, 2, 1.9999, 2.0001, 2 - 0x1p-24, 2 + 0x1p-24, 0};
   Scene scene;
   double x = 0;
@@ -91,12 +89,9 @@ TEST(Terms, GiveEachPairWhatItGetsOnThoseTermsAlone) {
 /// same shape, and what is near them.
 TEST(Terms, GiveEqualPartsInOnePlaceWhatEachPairGetsAlone) {
   const auto cube_of = [](double size, bool other_order) {
-    const std::vector<double> xyz{0, 0, 0,    size, 0, 0,    0, size, 0,    size, size, 0,
-                                  0, 0, size, size, 0, size, 0, size, size, size, size, size};
-    std::vector<std::uint32_t> triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
-                                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-    if (other_order) std::rotate(triangles.begin(), triangles.begin() + 3, triangles.end());
-    return Mesh::create(std::span<const double>(xyz), triangles).value();
+    scenes::MeshData cube = scenes::box({0, 0, 0}, {size, size, size});
+    if (other_order) std::rotate(cube.triangles.begin(), cube.triangles.begin() + 3, cube.triangles.end());
+    return test::mesh_of(cube);
   };
   const Mesh cube = cube_of(2, false), inner = cube_of(1, false);
   const std::vector<Mesh> meshes{cube, inner, cube_of(2, false), cube_of(2, true), cube, inner, cube};

@@ -159,7 +159,7 @@ TEST(Place, DomainIsThatOfTheWorldVertices) {
     for (double& t : pose.t) t = seed % 5 == 0 ? 0 : std::ldexp(random.uniform(-1, 1), random.integer(-320, 305));
     const bool expected = in_exact_domain(pose, test::numbers_of(mesh));
     const scene::PlacedObject placed = scene::place(test::numbers_of(mesh), pose, 0);
-    ASSERT_EQ(placed.is_fine, !expected);
+    ASSERT_EQ(placed.is_outside_exact_domain, !expected);
     ASSERT_EQ(placed.in_domain, expected || in_range(pose, test::numbers_of(mesh)));
     ++(expected ? inside : outside);
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -194,28 +195,19 @@ struct Polycube {
   }
   /// Its faces are cut along either diagonal.
   [[nodiscard]] MeshData mesh(Random& random) const {
-    MeshData mesh;
-    for (const auto& at : cubes) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        for (const int way : {-1, 1}) {
-          auto beyond = at;
-          beyond[axis] += way;
-          if (cubes.contains(beyond)) continue;
-          std::array<std::uint32_t, 4> corners{};
-          for (std::size_t i = 0; i < 4; ++i) {
-            std::array<int, 3> corner = at;
-            corner[axis] += way > 0 ? 1 : 0;
-            corner[(axis + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
-            corner[(axis + 2) % 3] += i >= 2 ? 1 : 0;
-            corners[i] = mesh.add_vertex(low.x + size * corner[0], low.y + size * corner[1], low.z + size * corner[2]);
-          }
-          if (way < 0) std::swap(corners[1], corners[3]);
-          const std::size_t turn = static_cast<std::size_t>(random.integer(0, 1));
-          mesh.add_triangle(corners[turn], corners[turn + 1], corners[turn + 2]);
-          mesh.add_triangle(corners[turn], corners[turn + 2], corners[(turn + 3) % 4]);
-        }
+    std::array<int, 3> first{};
+    std::array<std::vector<double>, 3> cuts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto before = [&](const auto& p, const auto& q) { return p[axis] < q[axis]; };
+      const auto [least, greatest] = std::minmax_element(cubes.begin(), cubes.end(), before);
+      first[axis] = (*least)[axis];
+      for (int i = first[axis]; i <= (*greatest)[axis] + 1; ++i)
+        cuts[axis].push_back(component(low, static_cast<int>(axis)) + size * i);
     }
-    return mesh;
+    const auto is_filled = [&](int i, int j, int k) {
+      return cubes.contains({first[0] + i, first[1] + j, first[2] + k});
+    };
+    return scenes::boundary({cuts[0], cuts[1], cuts[2], is_filled}, random.bits());
   }
 };
 

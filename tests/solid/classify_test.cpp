@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <stop_token>
 #include <thread>
 
@@ -99,21 +97,7 @@ TEST(Classify, WhatMeetsItselfIsSolid) {
 }
 
 TEST(Classify, AMobiusBandIsASurfaceAndIsNotTurned) {
-  scenes::MeshData band;
-  constexpr int kAround = 24;
-  for (int i = 0; i < kAround; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kAround;
-    for (const double side : {-0.3, 0.3}) {
-      const double r = 1 + side * std::cos(angle / 2);
-      band.add_vertex(r * std::cos(angle), r * std::sin(angle), side * std::sin(angle / 2));
-    }
-  }
-  for (std::uint32_t i = 0; i < kAround; ++i) {
-    const std::uint32_t a = 2 * i, b = a + 1;
-    const std::uint32_t c = i + 1 < kAround ? a + 2 : 1, d = i + 1 < kAround ? a + 3 : 0;
-    band.add_triangle(a, c, d), band.add_triangle(a, d, b);
-  }
-  const solid::Classification found = classified(band);
+  const solid::Classification found = classified(scenes::moebius_band(24));
   EXPECT_EQ(found.best, PartClass::surface);
   EXPECT_EQ(found.turned, 0U);
 }
@@ -149,12 +133,8 @@ TEST(Classify, ManyShellsTakeTimeLinearInThem) {
   scenes::MeshData shells;
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j)
-      for (int k = 0; k < 25; ++k) {
-        const auto first = static_cast<std::uint32_t>(shells.vertex_count());
-        const scenes::MeshData cube = scenes::shifted(scenes::cube(), 2 * i, 2 * j, 2 * k);
-        shells.xyz.insert(shells.xyz.end(), cube.xyz.begin(), cube.xyz.end());
-        for (const std::uint32_t v : cube.triangles) shells.triangles.push_back(first + v);
-      }
+      for (int k = 0; k < 25; ++k)
+        shells = scenes::joined(std::move(shells), scenes::shifted(scenes::cube(), 2 * i, 2 * j, 2 * k));
   EXPECT_EQ(classified(shells).counts(), (Pieces{10000, 0, 0}));
 }
 

@@ -51,7 +51,8 @@ void expect_agrees(const Placed& body, const Point& p, Random& random) {
 
 void expect_agrees(const Placed& body, const oracle::Vec& p, Random& random) {
   SCOPED_TRACE(testing::Message() << p[0] << ' ' << p[1] << ' ' << p[2]);
-  ASSERT_EQ(solid::winding_number(body.tree(), ours(p)), expected(body, p, random));
+  const solid::Around found = solid::around(body.tree(), ours(p));
+  ASSERT_EQ(found.holders.empty() ? std::optional(found.beside) : std::nullopt, expected(body, p, random));
 }
 
 /// Closed whatever the corners: tetrahedra of either orientation, some of them flat, on the integers [-side, side].
@@ -238,11 +239,8 @@ TEST(PointLocator, HasWhatLocateHas) {
   Random& random = seeded.random;
   scenes::MeshData nested = scenes::box({0, 0, 0}, {4, 4, 4}, 3);
   for (const scenes::MeshData& inner : {scenes::inverted(scenes::box({1, 1, 1}, {3, 3, 3}, 2)), scenes::cube(),
-                                        scenes::shifted(scenes::cube(), 0.5, 0.5, 0.5)}) {
-    const auto first = static_cast<std::uint32_t>(nested.vertex_count());
-    nested.xyz.insert(nested.xyz.end(), inner.xyz.begin(), inner.xyz.end());
-    for (const std::uint32_t i : inner.triangles) nested.triangles.push_back(first + i);
-  }
+                                        scenes::shifted(scenes::cube(), 0.5, 0.5, 0.5)})
+    nested = scenes::joined(nested, inner);
   const std::vector<scenes::MeshData> shapes{scenes::torus_knot_of(968), scenes::cube(), nested,
                                              scenes::scaled(scenes::uv_sphere(16, 16), 1, 1e-3, 100),
                                              scenes::scaled(scenes::uv_sphere(16, 16), 1e-9, 1e-9, 1e-9)};

@@ -106,31 +106,5 @@ TEST(Topology, IsWhatMapsAndSetsCount) {
   expect_as_by_the_book(scenes::box({-1, -1, -1}, {1, 1, 1}, 4));
 }
 
-TEST(Topology, ShellsEndAtEdgesOfMoreThanTwoTriangles) {
-  EXPECT_EQ(Examined(scenes::cube()).topology.shells, 1u);
-  EXPECT_TRUE(Examined(scenes::cube()).topology.closed);
-  // Two cubes of one part that share an edge, and two that share a vertex: four faces meet in the edge, of each cube
-  // two, which are joined along their other edges.
-  EXPECT_EQ(Examined(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 0))).topology.shells, 2u);
-  EXPECT_EQ(Examined(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 1, 1))).topology.shells, 2u);
-  // A face that both have, twice over: its outline is where its triangles meet two others each.
-  const Examined stacked(scenes::joined(scenes::cube(), scenes::shifted(scenes::cube(), 1, 0, 0)));
-  EXPECT_TRUE(stacked.topology.closed);
-}
-
-TEST(Topology, NegativeZeroIsZero) {
-  scenes::MeshData shape = scenes::cube();
-  for (std::size_t i = 0; i < shape.xyz.size(); i += 2)
-    if (shape.xyz[i] == 0) shape.xyz[i] = -0.0;
-  scenes::MeshData doubled;
-  for (const std::uint32_t v : shape.triangles) {
-    const std::uint32_t last = doubled.add_vertex(
-        shape.xyz[3 * v], v % 2 == 0 ? -shape.xyz[3 * v + 1] : -shape.xyz[3 * v + 1] + 0.0, shape.xyz[3 * v + 2]);
-    if (last % 3 == 2) doubled.add_triangle(last - 2, last - 1, last);
-  }
-  EXPECT_TRUE(Examined(doubled).topology.closed);
-  EXPECT_EQ(Examined(doubled).topology.positions, 8u);
-}
-
 }  // namespace
 }  // namespace impinge

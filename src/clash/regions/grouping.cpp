@@ -12,38 +12,26 @@
 namespace impinge::clash {
 namespace {
 
-/// For each position of part a, the contacts of the triangles that use it; contacts of one triangle are consecutive.
+/// The contacts of the triangles of part a that use a position.
 class ContactFans {
  public:
+  /// `contacts` are sorted by a.
   ContactFans(const solid::Part& part, std::span<const exact::Contact> contacts)
-      : offsets_(part.topology.positions + 1) {
-    for (std::size_t begin = 0, end = 0; begin < contacts.size(); begin = end) {
-      while (end < contacts.size() && contacts[end].a == contacts[begin].a) ++end;
-      runs_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
-    }
-    for (const Run& run : runs_)
-      for (const std::uint32_t p : part.corners(contacts[run.begin].a)) ++offsets_[p + 1];
-    std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-    of_position_.resize(offsets_.back());
-    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
-    for (std::uint32_t i = 0; i < runs_.size(); ++i)
-      for (const std::uint32_t p : part.corners(contacts[runs_[i].begin].a)) of_position_[next[p]++] = i;
+      : topology_(part.topology), first_(part.body.size() + 1) {
+    for (const exact::Contact& contact : contacts) ++first_[contact.a + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  /// Calls visit(contact) for the contacts of all triangles of a that use the position.
+  /// Calls visit(contact) for each of them.
   template <class Visit>
   void for_each(std::uint32_t position, const Visit& visit) const {
-    for (std::size_t i = offsets_[position]; i < offsets_[position + 1]; ++i)
-      for (std::uint32_t c = runs_[of_position_[i]].begin; c < runs_[of_position_[i]].end; ++c) visit(c);
+    for (const std::uint32_t t : topology_.fan(position))
+      for (std::uint32_t contact = first_[t]; contact < first_[t + 1]; ++contact) visit(contact);
   }
 
  private:
-  struct Run {
-    std::uint32_t begin, end;
-  };
-  std::vector<std::size_t> offsets_;
-  std::vector<Run> runs_;                   ///< the contacts of each triangle of a
-  std::vector<std::uint32_t> of_position_;  ///< indices of runs
+  const solid::Topology& topology_;
+  std::vector<std::uint32_t> first_;  ///< of each triangle's contacts
 };
 
 /// For each position or triangle of b, the last contact seen there while one position of a is visited (a turn).

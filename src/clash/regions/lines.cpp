@@ -90,18 +90,18 @@ class Net {
 }  // namespace
 
 bool less(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
+bool is_before(const Piece& x, const Piece& y) { return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to); }
 
 Piece piece(const Vec3& p, const Vec3& q, double flow) { return less(q, p) ? Piece{q, p, -flow} : Piece{p, q, flow}; }
 
 std::vector<Piece> merged(std::vector<Piece> pieces, const std::stop_token& stop) {
   const auto before = [](const Piece& x, const Piece& y) {
-    if (x.from != y.from) return less(x.from, y.from);
-    return x.to != y.to ? less(x.to, y.to) : x.flow < y.flow;
+    return x.from != y.from || x.to != y.to ? is_before(x, y) : x.flow < y.flow;
   };
   std::sort(pieces.begin(), pieces.end(), until_stopped(stop, before));
   std::size_t kept = 0;
   for (const Piece& next : pieces) {
-    if (kept > 0 && pieces[kept - 1].from == next.from && pieces[kept - 1].to == next.to) {
+    if (kept > 0 && !is_before(pieces[kept - 1], next)) {
       pieces[kept - 1].flow += next.flow;
     } else if (next.from != next.to) {
       pieces[kept++] = next;
@@ -112,19 +112,13 @@ std::vector<Piece> merged(std::vector<Piece> pieces, const std::stop_token& stop
 }
 
 std::vector<Piece> thinned(std::vector<Piece> pieces, const std::stop_token& stop) {
-  const auto before = [](const Piece& x, const Piece& y) {
-    return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
-  };
-  std::sort(pieces.begin(), pieces.end(), until_stopped(stop, before));
+  std::sort(pieces.begin(), pieces.end(), until_stopped(stop, is_before));
   std::size_t kept = 0;
-  const auto is_equal = [](const Piece& x, const Piece& y) { return x.from == y.from && x.to == y.to; };
-  for (const Piece& next : pieces) {
-    if (kept > 1 && is_equal(pieces[kept - 1], next) && is_equal(pieces[kept - 2], next)) {
+  for (const Piece& next : pieces)
+    if (kept > 1 && !is_before(pieces[kept - 2], next))
       --kept;
-    } else {
+    else
       pieces[kept++] = next;
-    }
-  }
   pieces.resize(kept);
   return pieces;
 }

@@ -40,4 +40,7 @@ std::vector<Polyline> joined(std::vector<Piece> pieces, const std::stop_token& s
 /// Compares points lexicographically.
 bool less(const Vec3& p, const Vec3& q);
 
+/// Compares pieces by their ends.
+bool is_before(const Piece& x, const Piece& y);
+
 }  // namespace impinge::clash

@@ -192,21 +192,18 @@ class Measures {
     borders_ = were_moved ? splitter.split_closely(std::move(borders_), thinned) : splitter.split(borders_);
   }
 
-  static bool before(const Piece& x, const Piece& y) {
-    return x.from != y.from ? less(x.from, y.from) : less(x.to, y.to);
-  }
   /// The pieces that are on no polygon's border: those on one belong to the area or its outline already.
   std::vector<Piece> lines_without_borders() {
-    std::sort(borders_.begin(), borders_.end(), until_stopped(stop_, before));
+    std::sort(borders_.begin(), borders_.end(), until_stopped(stop_, is_before));
     std::erase_if(pieces_,
-                  [&](const Piece& x) { return std::binary_search(borders_.begin(), borders_.end(), x, before); });
+                  [&](const Piece& x) { return std::binary_search(borders_.begin(), borders_.end(), x, is_before); });
     return std::move(pieces_);
   }
   /// The outline of the area: inside it each border belongs to an even number of polygons.
   std::vector<Piece> outline() {
     std::vector<Piece> result;
     for (std::size_t begin = 0, end = 0; begin < borders_.size(); begin = end) {
-      while (end < borders_.size() && !before(borders_[begin], borders_[end])) ++end;
+      while (end < borders_.size() && !is_before(borders_[begin], borders_[end])) ++end;
       if ((end - begin) % 2 != 0) result.push_back(borders_[begin]);
     }
     return result;

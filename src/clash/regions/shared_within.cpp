@@ -159,10 +159,6 @@ double length_of(const SharedPart& part, double unit) {
 
 }  // namespace
 
-SharedWithin shared_if_flush(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting) {
-  return Near(a, b, setting).shared_if_flush();
-}
-
 SharedWithin shared_within(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting) {
   const Near near(a, b, setting);
   const SharedWithin flush = near.shared_if_flush();

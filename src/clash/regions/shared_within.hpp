@@ -25,14 +25,9 @@ struct SharedWithin {
 ///     normals, they are no farther apart than the tolerance. A polygon narrower than 2^-10 of the resolution is
 ///     reduced to a segment, or to nothing where the triangles are farther apart than the resolution.
 ///   - If an edge is within the resolution of the other triangle wherever it lies over it, along more than 4
-///   resolutions
-///     and more than the triangles share exactly, they share that segment, likewise half-way.
+///     resolutions and more than the triangles share exactly, they share that segment, likewise half-way.
 ///   - All other triangles share what they share exactly or, if that is nothing, the point between their nearest
-///   points.
+///     points.
 SharedWithin shared_within(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting);
-
-/// Only the first of these: the polygon of flush triangles, or the segment or point to which it is reduced; empty if
-/// they are not flush.
-SharedWithin shared_if_flush(const Triangle& a, const Triangle& b, const SharedWithinSetting& setting);
 
 }  // namespace impinge::clash
