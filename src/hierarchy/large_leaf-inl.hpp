@@ -15,6 +15,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/mask_bits-inl.hpp"
 #include "hierarchy/tree_relation.hpp"
@@ -29,7 +30,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// their boxes along the axes of the leaf. Made once for many nodes.
 //
 // A direction n of the leaf's frame and the interval of n p over a triangle's corners p part the triangle from a box
-// whatever n is, so that n may be rounded; it is at most 1 + 2^-11 long. Let z be a shared point in the node's frame,
+// whatever n is, so that n may be rounded; it is at most 1 + 2^-20 long. Let z be a shared point in the node's frame,
 // |z| <= r_N in every coordinate, and p in the leaf's, |p| <= r_L, lengths in A's unit, s_L and s_N the units of the
 // leaf's tree and of the node's (scale or 1), u = 2^-24. With H the linear map of the node's tree to the leaf's frame,
 // and c where that takes the node's origin,
@@ -37,10 +38,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 // e comes from rounding in double, here and in the relation, which is off by its error a coordinate; 4 times that is
 // taken: less than 256 u_53 S. If the leaf is B's, H has Mᵀ for M⁻¹ : 6 defects s_L r_L. F_N⁻¹ - F_Nᵀ: 9 * 2^-20 s_N
 // r_N. And from single precision: Hᵀ n and F_N times it are off by 20 u s_N a coordinate, 60 u s_N r_N; the sums, for
-// |n c| is at most sqrt 3 (s_L r_L + s_N r_N) and a box's part along n no more, by 28 u (s_L r_L + s_N r_N). The
-// interval of n p is off by the corners' errors, times 1.74, and 8 u r_L. In all less than
-//   4 error + (6 defect + 2^-18) s_L r_L + 2^-16 s_N r_N + 1.74 s_L leaf.error,
-// and 2^-100 for underflow.
+// |n c| is at most sqrt 3 (s_L r_L + s_N r_N) and a box's part along n no more, by 24 u (s_L r_L + s_N r_N). The
+// interval of n p is off by the corners' errors, times 1.74, and 7 u s_L r_L. In all less than
+//   4 error + (6 defect + 2^-19) s_L r_L + 2^-16 s_N r_N + 1.74 s_L leaf.error,
+// and 2^-100 for underflow. Of what is apart, and perhaps far apart, sums are off by another 24 u times the distance.
 class LargeLeaf {
  public:
   /// Some of the triangles, a bit each.
@@ -51,17 +52,25 @@ class LargeLeaf {
   HWY_INLINE void set(const WideLeaf& leaf, bool leaf_is_a, const TreeRelation& trees);
   [[nodiscard]] const WideLeaf* leaf() const { return leaf_; }
   [[nodiscard]] Triangles all() const { return ~Triangles{0} >> (kMost - leaf_->count); }
+  /// A leaf of few triangles, and a node or leaf that is much the smaller.
+  static HWY_INLINE bool is_against(const TreeRef& a, const TreeRef& b, const TreeRelation& trees) {
+    if (!is_leaf_against_smaller(a, b, trees)) return false;
+    return (is_first_larger(a, b, trees) ? a : b).leaf().count <= kMost;
+  }
 
   /// What of some of the triangles and of a node's boxes may share a point.
   struct Meeting {
     unsigned boxes;       ///< a bit for each that may meet a triangle
     Triangles triangles;  ///< that may meet a box
-    float
-        height[kWidth];  ///< about the least distance of each such box's centre from the planes of those that it meets
+    /// About the least distance of each such box's centre from the planes of those that it meets.
+    float height[kWidth];
   };
   HWY_INLINE Meeting meet(const WideNode& node, Triangles among) const;
   /// Whether some of the triangles may share a point with one of another leaf's.
   HWY_INLINE bool meets(const WideLeaf& other, Triangles among) const;
+  /// Squares of lower bounds of the distances between a node's boxes and all triangles, in the leaf's frame and in A's
+  /// unit; 0 where they may share a point. They are right as far as `within`; 3e36 stands for farther ones.
+  HWY_INLINE void square_gaps(const WideNode& node, float within, float squares[kWidth]) const;
 
  private:
   using Lanes = hn::CappedTag<float, 16>;
@@ -73,13 +82,23 @@ class LargeLeaf {
     float slack;
   };
   [[nodiscard]] HWY_INLINE View from(const Frame& frame) const;
-  /// The triangles that may meet a cube about the view's frame that holds all that is in it.
-  [[nodiscard]] HWY_INLINE Triangles near(const View& view) const;
+  /// The triangles that may be so near to a cube about the view's frame that holds all that is in it.
+  [[nodiscard]] HWY_INLINE Triangles near(const View& view, float within) const;
   /// n c - middle and F_N H^T n: a point z of the frame is at `offset` + z `m` along a triangle's normal.
   struct Plane {
     float m[3], offset, reach;
   };
   [[nodiscard]] HWY_INLINE Plane plane(const View& view, std::size_t t) const;
+  /// A node's boxes along the leaf's axes.
+  HWY_INLINE void map(const View& view, const WideNode& node, Boxes& in_leaf) const;
+
+  using BoxLanes = hn::CappedTag<float, kWidth>;
+  using OfBoxes = hn::Vec<BoxLanes>;
+  /// How far boxes' centres are from a triangle's plane, and how near they must be to meet it.
+  struct Along {
+    OfBoxes distance, reach;
+  };
+  static HWY_INLINE Along along(const Plane& plane, const WideNode& node, std::size_t lane);
 
   const WideLeaf* leaf_ = nullptr;
   float node_scale_;
@@ -126,7 +145,7 @@ HWY_INLINE void LargeLeaf::set(const WideLeaf& leaf, bool leaf_is_a, const TreeR
   const float leaf_scale = leaf_is_a ? 1 : static_cast<float>(trees.scale);
   node_scale_ = leaf_is_a ? static_cast<float>(trees.scale) : 1;
   own_slack_ = 4 * static_cast<float>(trees.error) + 0x1p-100f +
-               (6 * static_cast<float>(trees.defect) + 0x1p-18f) * leaf_scale * leaf.frame.radius +
+               (6 * static_cast<float>(trees.defect) + 0x1p-19f) * leaf_scale * leaf.frame.radius +
                1.74f * leaf_scale * leaf.error;
   const Lanes d;
   using V = hn::Vec<Lanes>;
@@ -146,7 +165,9 @@ HWY_INLINE void LargeLeaf::set(const WideLeaf& leaf, bool leaf_is_a, const TreeR
           hn::Sub(hn::Mul(hn::Sub(q[j], p[j]), hn::Sub(r[k], p[k])), hn::Mul(hn::Sub(q[k], p[k]), hn::Sub(r[j], p[j])));
       square = hn::MulAdd(normal[i], normal[i], square);
     }
-    const V per_length = hn::ApproximateReciprocalSqrt(square);
+    // Right to 2^-22 after one of Newton's steps.
+    const V first = hn::ApproximateReciprocalSqrt(square), half_square = hn::Mul(hn::Set(d, 0.5f), square);
+    const V per_length = hn::Mul(first, hn::NegMulAdd(half_square, hn::Mul(first, first), hn::Set(d, 1.5f)));
     for (int i = 0; i < 3; ++i) normal[i] = hn::Mul(normal[i], per_length), hn::Store(normal[i], d, normal_[i] + lane);
     const auto along = [&](const V* v) HWY_ATTR {
       return hn::MulAdd(normal[0], v[0], hn::MulAdd(normal[1], v[1], hn::Mul(normal[2], v[2])));
@@ -184,68 +205,74 @@ HWY_INLINE LargeLeaf::Plane LargeLeaf::plane(const View& view, std::size_t t) co
   return plane;
 }
 
-HWY_INLINE LargeLeaf::Triangles LargeLeaf::near(const View& view) const {
+HWY_INLINE void LargeLeaf::map(const View& view, const WideNode& node, Boxes& in_leaf) const {
+  float D[3][3];
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      D[i][k] = 0;
+      for (int l = 0; l < 3; ++l) D[i][k] += static_cast<float>(map_[l][i]) * view.frame.axes[l][k];
+    }
+  constexpr float kNone[3] = {0, 0, 0};
+  map_boxes(node.center, node.half, D, kNone, view.c, view.slack, in_leaf);
+}
+
+HWY_INLINE LargeLeaf::Along LargeLeaf::along(const Plane& plane, const WideNode& node, std::size_t lane) {
+  const BoxLanes d;
+  Along along{hn::Set(d, plane.offset), hn::Set(d, plane.reach)};
+  for (int i = 0; i < 3; ++i) {
+    const OfBoxes part = hn::Set(d, plane.m[i]);
+    along.distance = hn::MulAdd(part, hn::Load(d, node.center[i] + lane), along.distance);
+    along.reach = hn::MulAdd(hn::Abs(part), hn::Load(d, node.half[i] + lane), along.reach);
+  }
+  along.distance = hn::Abs(along.distance);
+  return along;
+}
+
+HWY_INLINE LargeLeaf::Triangles LargeLeaf::near(const View& view, float within) const {
   const Lanes d;
-  const float reach = view.slack + 1.74f * node_scale_ * view.frame.radius;
-  const auto within = hn::Set(d, reach);
+  const float reach = view.slack + 1.74f * node_scale_ * view.frame.radius + within;
   Triangles triangles = 0;
   for (std::size_t lane = 0; lane < leaf_->count; lane += hn::Lanes(d)) {
     auto distance = hn::Neg(hn::Load(d, middle_ + lane));
     for (int i = 0; i < 3; ++i) distance = hn::MulAdd(hn::Load(d, normal_[i] + lane), hn::Set(d, view.c[i]), distance);
-    auto is_near = hn::Le(hn::Abs(distance), hn::Add(within, hn::Load(d, reach_ + lane)));
+    auto is_near = hn::Le(hn::Abs(distance), hn::Add(hn::Set(d, reach), hn::Load(d, reach_ + lane)));
     for (int i = 0; i < 3; ++i)
       is_near = hn::And(is_near, hn::And(hn::Le(hn::Load(d, lo_[i] + lane), hn::Set(d, view.c[i] + reach)),
                                          hn::Ge(hn::Load(d, hi_[i] + lane), hn::Set(d, view.c[i] - reach))));
-    triangles |= Triangles{impinge::HWY_NAMESPACE::mask_bits(d, hn::And(is_near, hn::FirstN(d, leaf_->count - lane)))}
-                 << lane;
+    is_near = hn::And(is_near, hn::FirstN(d, leaf_->count - lane));
+    triangles |= Triangles{impinge::HWY_NAMESPACE::mask_bits(d, is_near)} << lane;
   }
   return triangles;
 }
 
 HWY_INLINE LargeLeaf::Meeting LargeLeaf::meet(const WideNode& node, Triangles among) const {
-  const hn::CappedTag<float, kWidth> d;
+  const BoxLanes d;
   const View view = from(node.frame);
-  if (std::popcount(among) > 4) among &= near(view);
+  if (std::popcount(among) > 4) among &= near(view, 0);
   Meeting meeting;
   meeting.boxes = 0, meeting.triangles = 0;
   std::fill_n(meeting.height, kWidth, 1e30f);
   const unsigned filled = (1u << node.size) - 1;
-  Boxes in_leaf;  // along the leaf's axes, made when the first box meets a plane
-  bool is_mapped = false;
+  Boxes in_leaf;
+  bool is_mapped = false;  // when the first box meets a plane
   for (; among != 0; among &= among - 1) {
     const auto t = static_cast<std::size_t>(std::countr_zero(among));
     const Plane plane = this->plane(view, t);
     unsigned bits = 0;
     alignas(64) float height[kWidth];
     for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
-      auto distance = hn::Set(d, plane.offset), most = hn::Set(d, plane.reach);
-      for (int i = 0; i < 3; ++i) {
-        const auto along = hn::Set(d, plane.m[i]);
-        distance = hn::MulAdd(along, hn::Load(d, node.center[i] + lane), distance);
-        most = hn::MulAdd(hn::Abs(along), hn::Load(d, node.half[i] + lane), most);
-      }
-      distance = hn::Abs(distance);
-      hn::Store(distance, d, height + lane);
-      bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(distance, most)) << lane;
+      const Along boxes = along(plane, node, lane);
+      hn::Store(boxes.distance, d, height + lane);
+      bits |= impinge::HWY_NAMESPACE::mask_bits(d, hn::Le(boxes.distance, boxes.reach)) << lane;
     }
     bits &= filled;
     if (bits == 0) continue;
-    if (!is_mapped) {
-      is_mapped = true;
-      float D[3][3];
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-          D[i][k] = 0;
-          for (int l = 0; l < 3; ++l) D[i][k] += static_cast<float>(map_[l][i]) * node.frame.axes[l][k];
-        }
-      constexpr float kNone[3] = {0, 0, 0};
-      map_boxes(node.center, node.half, D, kNone, view.c, view.slack, in_leaf);
-    }
+    if (!std::exchange(is_mapped, true)) map(view, node, in_leaf);
     unsigned within = 0;
     for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
       auto mask = hn::FirstN(d, kWidth);
       for (int i = 0; i < 3; ++i) {
-        const auto middle = hn::Load(d, in_leaf.center[i] + lane), extent = hn::Load(d, in_leaf.half[i] + lane);
+        const OfBoxes middle = hn::Load(d, in_leaf.center[i] + lane), extent = hn::Load(d, in_leaf.half[i] + lane);
         mask = hn::And(mask, hn::And(hn::Le(hn::Sub(middle, extent), hn::Set(d, hi_[i][t])),
                                      hn::Ge(hn::Add(middle, extent), hn::Set(d, lo_[i][t]))));
       }
@@ -260,6 +287,35 @@ HWY_INLINE LargeLeaf::Meeting LargeLeaf::meet(const WideNode& node, Triangles am
     }
   }
   return meeting;
+}
+
+HWY_INLINE void LargeLeaf::square_gaps(const WideNode& node, float within, float squares[kWidth]) const {
+  const BoxLanes d;
+  const OfBoxes zero = hn::Zero(d), far = hn::Set(d, 1e18f), sure = hn::Set(d, 1 - 0x1p-18f);
+  const View view = from(node.frame);
+  std::fill_n(squares, kWidth, 3e36f);
+  Triangles triangles = near(view, std::min(1.001f * within, 1e25f));
+  if (triangles == 0) return;
+  Boxes in_leaf;
+  map(view, node, in_leaf);
+  for (; triangles != 0; triangles &= triangles - 1) {
+    const auto t = static_cast<std::size_t>(std::countr_zero(triangles));
+    const Plane plane = this->plane(view, t);
+    for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
+      const auto clamped = [&](OfBoxes gap) HWY_ATTR { return hn::Mul(sure, hn::Min(hn::Max(gap, zero), far)); };
+      OfBoxes square = zero;
+      for (int i = 0; i < 3; ++i) {
+        const OfBoxes middle = hn::Load(d, in_leaf.center[i] + lane), extent = hn::Load(d, in_leaf.half[i] + lane);
+        const OfBoxes gap = clamped(hn::Max(hn::Sub(hn::Set(d, lo_[i][t]), hn::Add(middle, extent)),
+                                            hn::Sub(hn::Sub(middle, extent), hn::Set(d, hi_[i][t]))));
+        square = hn::MulAdd(gap, gap, square);
+      }
+      const Along boxes = along(plane, node, lane);
+      const OfBoxes gap = clamped(hn::Sub(boxes.distance, boxes.reach));
+      square = hn::Max(square, hn::Mul(gap, gap));
+      hn::StoreU(hn::Min(square, hn::LoadU(d, squares + lane)), d, squares + lane);
+    }
+  }
 }
 
 HWY_INLINE bool LargeLeaf::meets(const WideLeaf& other, Triangles among) const {

@@ -104,6 +104,10 @@ HWY_INLINE Opening opening_of(const TreeRef& ref_a, const TreeRef& ref_b, const 
   return {2 * a >= b, 2 * b >= a};
 }
 
+HWY_INLINE bool is_first_larger(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
+  return frame_of(ref_a).radius > static_cast<float>(trees.scale) * frame_of(ref_b).radius;
+}
+
 /// A leaf, and a node or leaf of less than half its size, or of another part of it.
 HWY_INLINE bool is_leaf_against_smaller(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
   const float a = frame_of(ref_a).radius, b = static_cast<float>(trees.scale) * frame_of(ref_b).radius;

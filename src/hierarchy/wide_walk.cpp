@@ -123,22 +123,12 @@ struct Goal {
   }
 };
 
-HWY_INLINE bool is_a_larger(const TreeRefPair& pair, const TreeRelation& trees) {
-  return frame_of(pair.a).radius > static_cast<float>(trees.scale) * frame_of(pair.b).radius;
-}
-
-/// A leaf of few triangles, and a node or leaf of the other tree that is much the smaller.
-HWY_INLINE bool is_large_against_small(const TreeRefPair& pair, const TreeRelation& trees) {
-  if (!is_leaf_against_smaller(pair.a, pair.b, trees)) return false;
-  return (is_a_larger(pair, trees) ? pair.a : pair.b).leaf().count <= LargeLeaf::kMost;
-}
-
-/// Such a pair, down to the small leaves that may touch the large one's triangles, depth first: each node is held
-/// against those triangles alone that met its parent's boxes. By the large leaf's own box the whole node would be
-/// opened. What the goal leaves goes to the stack.
+/// A large leaf against what is much smaller, down to the small leaves that may touch the large one's triangles, depth
+/// first: each node is held against those triangles alone that met its parent's boxes. By the large leaf's own box the
+/// whole node would be opened. What the goal leaves goes to the stack.
 void walk_below(const WideWalk& walk, const TreeRefPair& pair, const Goal& goal, LargeLeaf& large,
                 std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, WalkCounts& counts) {
-  const bool large_is_a = is_a_larger(pair, walk.relation);
+  const bool large_is_a = is_first_larger(pair.a, pair.b, walk.relation);
   const TreeRef &leaf = large_is_a ? pair.a : pair.b, &top = large_is_a ? pair.b : pair.a;
   WideTree& tree = large_is_a ? walk.b : walk.a;
   if (large.leaf() != &leaf.leaf()) large.set(leaf.leaf(), large_is_a, walk.relation);
@@ -198,7 +188,7 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, block);
     stack.resize(stack.size() - size);
     const auto is_below = [&](const TreeRefPair& pair) HWY_ATTR {
-      if (!is_large_against_small(pair, walk.relation)) return false;
+      if (!LargeLeaf::is_against(pair.a, pair.b, walk.relation)) return false;
       walk_below(walk, pair, goal, large, stack, leaf_pairs, counts);
       return true;
     };

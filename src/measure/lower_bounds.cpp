@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 #include "core/mask_bits-inl.hpp"
-#include "hierarchy/leaf_against_box-inl.hpp"
+#include "hierarchy/large_leaf-inl.hpp"
 #include "hierarchy/wide_boxes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,11 +24,13 @@ using hierarchy::kWidth;
 using hierarchy::TreeRef;
 using hierarchy::TreeRelation;
 using hierarchy::WideLeaf;
+using hierarchy::WideNode;
 using hierarchy::HWY_NAMESPACE::Boxes;
 using hierarchy::HWY_NAMESPACE::BoxSide;
 using hierarchy::HWY_NAMESPACE::FrameRelation;
-using hierarchy::HWY_NAMESPACE::TriangleLanes;
+using hierarchy::HWY_NAMESPACE::LargeLeaf;
 using impinge::HWY_NAMESPACE::mask_bits;
+using TriangleLanes = hn::CappedTag<float, 16>;
 
 /// A gap is not taken for more than this: its square must not overflow.
 constexpr float kFar = 1e18f;
@@ -55,19 +57,38 @@ HWY_INLINE V gap(D d, V distance, V reach) {
   return hn::Min(hn::Max(hn::Sub(distance, reach), hn::Zero(d)), hn::Set(d, kFar));
 }
 
+/// A leaf's one box says little beside a node that is much the smaller: its triangles are compared with the boxes of
+/// the node's children.
+HWY_INLINE void bound_by_triangles(const LargeLeaf& large, const WideNode& node, float shrink, float most,
+                                   BoxBounds& bounds) {
+  float squares[kWidth];
+  large.square_gaps(node, std::sqrt(most), squares);
+  bounds.bits = 0;
+  for (std::uint32_t lane = 0; lane < node.size; ++lane) {
+    bounds.lower[0][lane] = shrink * std::sqrt(squares[lane]);
+    if (squares[lane] <= most) bounds.bits |= std::uint64_t{1} << lane;
+  }
+}
+
 HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_both, const TreeRelation& trees,
                           float limit, BoxBounds& bounds) {
-  const FrameRelation relation = hierarchy::HWY_NAMESPACE::relate_frames(frame_of(ref_a), frame_of(ref_b), trees);
-  BoxSide a, b;
-  Boxes own_a, own_b;
   using hierarchy::HWY_NAMESPACE::Opening;
   const auto opening =
       of_both ? Opening{!ref_a.is_leaf(), !ref_b.is_leaf()} : hierarchy::HWY_NAMESPACE::opening_of(ref_a, ref_b, trees);
+  bounds.opens_a = opening.a, bounds.opens_b = opening.b;
+  const float shrink = shrink_of(trees), most = square_of(limit, shrink);
+  if (LargeLeaf::is_against(ref_a, ref_b, trees)) {
+    LargeLeaf large;
+    large.set((ref_a.is_leaf() ? ref_a : ref_b).leaf(), ref_a.is_leaf(), trees);
+    return bound_by_triangles(large, (ref_a.is_leaf() ? ref_b : ref_a).node(), shrink, most, bounds);
+  }
+  const FrameRelation relation = hierarchy::HWY_NAMESPACE::relate_frames(frame_of(ref_a), frame_of(ref_b), trees);
+  BoxSide a, b;
+  Boxes own_a, own_b;
   hierarchy::HWY_NAMESPACE::open_both(ref_a, ref_b, opening, relation, trees, own_a, own_b, a, b);
-  bounds.bits = 0, bounds.opens_a = opening.a, bounds.opens_b = opening.b;
+  bounds.bits = 0;
   const BoxSide &one = bounds.opens_b ? a : b, &lanes = bounds.opens_b ? b : a;
   const unsigned filled = (1u << lanes.size) - 1;
-  const float shrink = shrink_of(trees), most = square_of(limit, shrink);
   const hn::CappedTag<float, kWidth> d;
   for (int i = 0; i < one.size; ++i) {
     unsigned bits = 0;
@@ -87,26 +108,6 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_bo
       bits |= mask_bits(d, hn::Le(square, hn::Set(d, most))) << lane;
     }
     bounds.bits |= std::uint64_t{bits & filled} << (kWidth * i);
-  }
-  if (!hierarchy::HWY_NAMESPACE::is_leaf_against_smaller(ref_a, ref_b, trees)) return;
-  // The leaf's one box says little: its triangles are compared with the boxes of the other's children.
-  const WideLeaf& leaf = ref_a.is_leaf() ? ref_a.leaf() : ref_b.leaf();
-  const hierarchy::HWY_NAMESPACE::LeafAgainstNode lies(
-      leaf, ref_a.is_leaf() ? 1 : static_cast<float>(trees.scale), ref_a.is_leaf(), relation, lanes,
-      hierarchy::HWY_NAMESPACE::slack_of(relation, trees, frame_of(ref_a).radius, frame_of(ref_b).radius));
-  float squares[kWidth];
-  std::fill_n(squares, kWidth, std::numeric_limits<float>::max());
-  for (std::size_t first = 0; first < leaf.count; first += hn::Lanes(TriangleLanes())) {
-    const hierarchy::HWY_NAMESPACE::TrianglesAgainstBoxes triangles(lies, first);
-    for (std::uint64_t left = bounds.bits; left != 0; left &= left - 1) {
-      const int lane = std::countr_zero(left);
-      squares[lane] = std::min(squares[lane], triangles.square_gap(lane));
-    }
-  }
-  for (std::uint64_t left = bounds.bits; left != 0; left &= left - 1) {
-    const int lane = std::countr_zero(left);
-    bounds.lower[0][lane] = std::max(bounds.lower[0][lane], shrink * std::sqrt(squares[lane]));
-    if (squares[lane] > most) bounds.bits &= ~(std::uint64_t{1} << lane);
   }
 }
 

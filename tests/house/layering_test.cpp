@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>> kHandedTo{
     {"exact", {}},
     {"measure",
      {"hierarchy/wide_tree.hpp", "hierarchy/wide_leaf.hpp", "hierarchy/tree_relation.hpp",
-      "hierarchy/wide_boxes-inl.hpp", "hierarchy/leaf_against_box-inl.hpp", "hierarchy/placed_tree.hpp",
+      "hierarchy/wide_boxes-inl.hpp", "hierarchy/large_leaf-inl.hpp", "hierarchy/placed_tree.hpp",
       "hierarchy/round_up.hpp", "exact/triangle_pair.hpp"}},
     {"clash",
      {"exact/contact.hpp", "exact/orientation.hpp", "exact/segment.hpp", "exact/triangle_pair.hpp", "solid/body.hpp",

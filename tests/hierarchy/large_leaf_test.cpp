@@ -2,61 +2,46 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/hierarchy/leaf_against_box_test.cpp"
+#define HWY_TARGET_INCLUDE "tests/hierarchy/large_leaf_test.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "hierarchy/leaf_against_box-inl.hpp"
+#include "hierarchy/large_leaf-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::test::HWY_NAMESPACE {
 
 namespace wide = hierarchy::HWY_NAMESPACE;
 
-/// A box in a leaf's frame, as one of a node whose axes are the frame's in another order, to either side.
-struct LeafAndBox {
-  LeafAndBox(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& center, const std::array<float, 3>& half,
-             std::size_t order, bool leaf_is_a)
-      : pair(leaf, 1, leaf_is_a, relation_of(order, leaf_is_a), boxes_of(center, half, order), 0) {}
-
-  static wide::FrameRelation relation_of(std::size_t order, bool leaf_is_a) {
-    wide::FrameRelation relation{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + order) % 3;
-      (leaf_is_a ? relation.columns[k][i] : relation.columns[i][k]) = order < 3 ? 1 : -1;
-    }
-    return relation;
-  }
-  const wide::BoxSide& boxes_of(const std::array<float, 3>& center, const std::array<float, 3>& half,
-                                std::size_t order) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      boxes.mapped.center[k][kPlace] = center[k], boxes.mapped.half[k][kPlace] = half[k];
-      own.half[k][kPlace] = half[(k + order) % 3];
-    }
-    boxes.center = own.center, boxes.half = own.half, boxes.size = hierarchy::kWidth;
-    return boxes;
-  }
-
-  static constexpr int kPlace = 3;
-  wide::Boxes own{};
-  wide::BoxSide boxes{};
-  wide::LeafAgainstNode pair;
-};
-
-/// The least lower bound over a leaf's triangles.
+/// The square of the least distance that is certain between a leaf's triangles and a box in its frame: a node's of the
+/// other tree, of which the axes are the leaf's in another order.
 float square_gap(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& center, const std::array<float, 3>& half,
                  std::size_t order) {
-  const LeafAndBox both(leaf, center, half, order, order % 2 == 0);
-  float least = 1e36f;
-  for (std::size_t lane = 0; lane < leaf.count; lane += hwy::HWY_NAMESPACE::Lanes(wide::TriangleLanes())) {
-    const wide::TrianglesAgainstBoxes triangles(both.pair, lane);
-    least = std::min(least, triangles.square_gap(LeafAndBox::kPlace));
+  hierarchy::TreeRelation in_place{};
+  in_place.scale = 1;
+  for (int i = 0; i < 3; ++i) in_place.rows[i][i] = in_place.scaled_columns[i][i] = 1;
+  hierarchy::WideNode node{};
+  node.frame = leaf.frame;
+  node.size = hierarchy::kWidth;
+  constexpr int kPlace = 3;
+  for (auto& row : node.half) std::fill_n(row, hierarchy::kWidth, hierarchy::kNoBox);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t axis = (k + order) % 3;
+    const float sign = order < 3 ? 1 : -1;
+    for (std::size_t l = 0; l < 3; ++l) node.frame.axes[l][k] = sign * leaf.frame.axes[l][axis];
+    node.center[k][kPlace] = sign * center[axis], node.half[k][kPlace] = half[axis];
+    node.frame.radius = std::max(node.frame.radius, std::abs(center[axis]) + half[axis]);
   }
-  return least;
+  wide::LargeLeaf large;
+  large.set(leaf, order % 2 == 0, in_place);
+  float squares[hierarchy::kWidth];
+  large.square_gaps(node, 1e3f, squares);
+  return squares[kPlace];
 }
 
 }  // namespace impinge::test::HWY_NAMESPACE
