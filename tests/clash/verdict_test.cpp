@@ -251,18 +251,6 @@ TEST(Points, AreJudgedExactly) {
   }
 }
 
-TEST(Tolerance, ExcusesWhatReachesInByLess) {
-  const auto plates = [](double height, double tolerance) {
-    return *judged({mesh_of(scenes::box({0, 0, 0}, {8, 8, 0.5}))},
-                   {mesh_of(scenes::box({0, 0, height}, {8, 8, height + 0.5}))}, tolerance);
-  };
-  EXPECT_EQ(plates(0.4, 0.11).verdict, Verdict::touching);
-  EXPECT_EQ(plates(0.4, 0.11).note, Note::overlap_within_tolerance);
-  EXPECT_EQ(plates(0.4, 0.11).tolerance, 0.11);
-  EXPECT_EQ(plates(0.4, 0.09).verdict, Verdict::penetrating);
-  EXPECT_EQ(plates(0.4, 0.09).note, Note::none);
-}
-
 /// Cubes with sides of 8, side by side but for this much of a gap.
 std::optional<Clash> cubes(double gap, std::optional<double> tolerance) {
   return judged({mesh_of(scenes::box({-8, 0, 0}, {0, 8, 8}))}, {mesh_of(scenes::box({gap, 0, 0}, {8, 8, 8}))},

@@ -22,12 +22,18 @@ constexpr double kShallow = 0x1p-10;
 
 /// What is summed over the contour of a region.
 struct Contour {
+  Vec3 about{0, 0, 0};  ///< the mean of its points, from which sums are taken
   double length = 0;
   Vec3 moment{0, 0, 0};  ///< of the lines
   Vec3 gap{0, 0, 0};     ///< the sum of the lines' directions: 0 where they close
   Vec3 flush_area{0, 0, 0};
+  Vec3 twice_area{0, 0, 0};  ///< that the lines run round
   double weight = 0;
   std::array<Vec3, 2> normals{};  ///< weighted by length if there is any
+
+  [[nodiscard]] bool is_closed() const { return length > 0 && norm(gap) <= kClosed * length; }
+  [[nodiscard]] Vec3 area() const { return flush_area + (is_closed() ? 0.5 * twice_area : Vec3{0, 0, 0}); }
+  [[nodiscard]] bool has_area() const { return norm(area()) > kRounding * length; }
 };
 
 double weight_of(const Touch& touch, bool by_length) {
@@ -70,6 +76,60 @@ struct Patches {
   }
   [[nodiscard]] double extent(const Vec3& n) const { return range(0, n).high - range(1, n).low; }
 };
+
+/// Collects the points of a region's contour, and what is summed over it.
+Contour contour_of(std::span<const Touch> touches, std::span<const std::uint32_t> region, std::vector<Vec3>& points) {
+  points.clear();
+  bool by_length = false;
+  for (const std::uint32_t i : region) {
+    const SharedPoints& shared = touches[i].shared;
+    by_length |= shared.size == 2 && shared.points[0] != shared.points[1];
+    points.insert(points.end(), shared.points.begin(), shared.points.begin() + shared.size);
+  }
+  Contour contour{.about = mean_of(points)};
+  for (const std::uint32_t i : region) {
+    const Touch& touch = touches[i];
+    const SharedPoints& shared = touch.shared;
+    const double weight = weight_of(touch, by_length);
+    contour.weight += weight;
+    for (const std::size_t s : {0, 1}) contour.normals[s] = contour.normals[s] + weight * touch.normals[s];
+    if (touch.is_flush()) {
+      Vec3 twice{0, 0, 0};
+      for (std::size_t k = 0; k < shared.size; ++k)
+        twice = twice + cross(shared.points[k] - contour.about, shared.points[(k + 1) % shared.size] - contour.about);
+      contour.flush_area = contour.flush_area + (0.25 * norm(twice)) * (touch.normals[0] - touch.normals[1]);
+    } else if (touch.has_length()) {
+      const Vec3 p = shared.points[0] - contour.about, q = shared.points[1] - contour.about;
+      const double length = norm(q - p);
+      contour.length += length, contour.gap = contour.gap + (q - p);
+      contour.moment = contour.moment + (0.5 * length) * (p + q);
+      contour.twice_area = contour.twice_area + cross(p, q);
+    }
+  }
+  return contour;
+}
+
+/// The direction of the contour's area; or the normal of one of the two facets nearest to it in direction, where the
+/// patches' extent along that is clearly less: facets are exact. `is_bound`: the patches are known to their last
+/// vertex.
+Vec3 normal_of(const Contour& contour, const Patches& patches, bool is_bound, std::span<const Touch> touches,
+               std::span<const std::uint32_t> region) {
+  const bool has_area = contour.has_area();
+  Vec3 normal = has_area ? unit_or_zero(contour.area()) : direction_without_area(contour);
+  double extent = patches.extent(normal);
+  if (!has_area && !(is_bound && extent > kRounding)) return normal;
+  std::array<Vec3, 2> nearest{normal, normal};
+  std::array<double, 2> cosine{0, 0};
+  for (const std::uint32_t i : region)
+    for (const std::size_t s : {0, 1}) {
+      const Vec3 outward = (s == 0 ? 1.0 : -1.0) * touches[i].normals[s];
+      if (const double along = dot(outward, normal); along > cosine[s]) cosine[s] = along, nearest[s] = outward;
+    }
+  extent *= 1 + kClearlyLess;
+  for (const Vec3& facet : nearest)
+    if (const double other = patches.extent(facet); other < extent) extent = other, normal = facet;
+  return normal;
+}
 
 /// Up to four points: the deepest, of several the farthest from the middle; the one with the greatest depth times
 /// distance from it; and with the greatest depth times distance from the line through both, on either side. A depth
@@ -166,63 +226,17 @@ void ManifoldMaker::group(const std::array<PlacedSurface, 2>& surfaces) {
 
 Manifold ManifoldMaker::measure(std::span<const std::uint32_t> region, const std::array<PlacedSurface, 2>& surfaces) {
   const LocalFrame& frame = surfaces[0].frame;
-  contour_.clear();
-  bool by_length = false;
-  for (const std::uint32_t i : region) {
-    const SharedPoints& shared = touches_[i].shared;
-    by_length |= shared.size == 2 && shared.points[0] != shared.points[1];
-    contour_.insert(contour_.end(), shared.points.begin(), shared.points.begin() + shared.size);
-  }
-  const Vec3 about = mean_of(contour_);
-  Contour contour;
-  Vec3 twice_area{0, 0, 0};
-  for (const std::uint32_t i : region) {
-    const Touch& touch = touches_[i];
-    const SharedPoints& shared = touch.shared;
-    const double weight = weight_of(touch, by_length);
-    contour.weight += weight;
-    for (const std::size_t s : {0, 1}) contour.normals[s] = contour.normals[s] + weight * touch.normals[s];
-    if (touch.is_flush()) {
-      Vec3 twice{0, 0, 0};
-      for (std::size_t k = 0; k < shared.size; ++k)
-        twice = twice + cross(shared.points[k] - about, shared.points[(k + 1) % shared.size] - about);
-      contour.flush_area = contour.flush_area + (0.25 * norm(twice)) * (touch.normals[0] - touch.normals[1]);
-    } else if (touch.has_length()) {
-      const Vec3 p = shared.points[0] - about, q = shared.points[1] - about;
-      const double length = norm(q - p);
-      contour.length += length, contour.gap = contour.gap + (q - p);
-      contour.moment = contour.moment + (0.5 * length) * (p + q);
-      twice_area = twice_area + cross(p, q);
-    }
-  }
-  const bool is_closed = contour.length > 0 && norm(contour.gap) <= kClosed * contour.length;
-  const Vec3 area = contour.flush_area + (is_closed ? 0.5 * twice_area : Vec3{0, 0, 0});
-  const bool has_area = norm(area) > kRounding * contour.length;
-
+  const Contour contour = contour_of(touches_, region, contour_);
   // Along sides that are flush the lines of both patches are listed, so that those of two solids need not close.
-  const bool is_bound = is_closed || (surfaces[0].topology->closed && surfaces[1].topology->closed);
+  const bool is_bound = contour.is_closed() || (surfaces[0].topology->closed && surfaces[1].topology->closed);
   Patches patches{contour_, {}};
   if (is_bound)
     for (const int side : {0, 1})
       patches.inner[static_cast<std::size_t>(side)] = inner_.patch(touches_[region.front()].region, side);
-  Vec3 normal = has_area ? unit_or_zero(area) : direction_without_area(contour);
-  double extent = patches.extent(normal);
-  if (has_area || (is_bound && extent > kRounding)) {
-    // The facets nearest in direction. They are exact, so that the area is taken only where it is better for certain.
-    std::array<Vec3, 2> nearest{normal, normal};
-    std::array<double, 2> cosine{0, 0};
-    for (const std::uint32_t i : region)
-      for (const std::size_t s : {0, 1}) {
-        const Vec3 outward = (s == 0 ? 1.0 : -1.0) * touches_[i].normals[s];
-        if (const double along = dot(outward, normal); along > cosine[s]) cosine[s] = along, nearest[s] = outward;
-      }
-    extent *= 1 + kClearlyLess;
-    for (const Vec3& facet : nearest)
-      if (const double other = patches.extent(facet); other < extent) extent = other, normal = facet;
-  }
+  const Vec3 normal = normal_of(contour, patches, is_bound, touches_, region);
 
   Manifold manifold;
-  const Vec3 middle = contour.length > 0 ? about + (1 / contour.length) * contour.moment : about;
+  const Vec3 middle = contour.length > 0 ? contour.about + (1 / contour.length) * contour.moment : contour.about;
   const Range a = patches.range(0, normal), b = patches.range(1, normal);
   const bool a_is_reference = a.high - a.low <= b.high - b.low;
   // Points of b lie below the plane that touches a's patch from above; of a above the one that touches b's from below.
