@@ -30,7 +30,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// their boxes along the axes of the leaf. Made once for many nodes.
 //
 // A direction n of the leaf's frame and the interval of n p over a triangle's corners p part the triangle from a box
-// whatever n is, so that n may be rounded; it is at most 1 + 2^-20 long. Let z be a shared point in the node's frame,
+// whatever n is, so that n may be rounded; it is at most 1 + 2^-20 long, and
+// how much less does not matter. Let z be a shared point in the node's frame,
 // |z| <= r_N in every coordinate, and p in the leaf's, |p| <= r_L, lengths in A's unit, s_L and s_N the units of the
 // leaf's tree and of the node's (scale or 1), u = 2^-24. With H the linear map of the node's tree to the leaf's frame,
 // and c where that takes the node's origin,
@@ -50,7 +51,8 @@ class LargeLeaf {
 
   LargeLeaf() = default;
   HWY_INLINE void set(const WideLeaf& leaf, bool leaf_is_a, const TreeRelation& trees);
-  [[nodiscard]] const WideLeaf* leaf() const { return leaf_; }
+  /// Two bodies may share a tree: a leaf may come as either's.
+  [[nodiscard]] bool is(const WideLeaf& leaf, bool leaf_is_a) const { return leaf_ == &leaf && is_a_ == leaf_is_a; }
   [[nodiscard]] Triangles all() const { return ~Triangles{0} >> (kMost - leaf_->count); }
   /// A leaf of few triangles, and a node or leaf that is much the smaller.
   static HWY_INLINE bool is_against(const TreeRef& a, const TreeRef& b, const TreeRelation& trees) {
@@ -75,10 +77,10 @@ class LargeLeaf {
  private:
   using Lanes = hn::CappedTag<float, 16>;
 
-  /// What is in here, as seen from a frame of the other tree.
+  /// A frame of the other tree, and where its origin lies in the leaf's.
   struct View {
     const Frame& frame;
-    float c[3];  ///< where the frame's origin lies
+    float c[3];
     float slack;
   };
   [[nodiscard]] HWY_INLINE View from(const Frame& frame) const;
@@ -101,6 +103,7 @@ class LargeLeaf {
   static HWY_INLINE Along along(const Plane& plane, const WideNode& node, std::size_t lane);
 
   const WideLeaf* leaf_ = nullptr;
+  bool is_a_ = false;
   float node_scale_;
   float own_slack_;               ///< the slack's part that every node has
   alignas(32) double map_[3][4];  ///< H: column k is what it makes of axis k of the node's tree
@@ -114,7 +117,7 @@ class LargeLeaf {
 };
 
 HWY_INLINE void LargeLeaf::set(const WideLeaf& leaf, bool leaf_is_a, const TreeRelation& trees) {
-  leaf_ = &leaf;
+  leaf_ = &leaf, is_a_ = leaf_is_a;
   const hn::CappedTag<double, 4> d4;
   const hn::Rebind<float, decltype(d4)> f4;
   double move[3];  // from the node's tree, turned by M⁻¹ if the leaf is B's, to the leaf's origin
@@ -165,7 +168,7 @@ HWY_INLINE void LargeLeaf::set(const WideLeaf& leaf, bool leaf_is_a, const TreeR
           hn::Sub(hn::Mul(hn::Sub(q[j], p[j]), hn::Sub(r[k], p[k])), hn::Mul(hn::Sub(q[k], p[k]), hn::Sub(r[j], p[j])));
       square = hn::MulAdd(normal[i], normal[i], square);
     }
-    // Right to 2^-22 after one of Newton's steps.
+    // One of Newton's steps, which never makes a direction longer than it is to be.
     const V first = hn::ApproximateReciprocalSqrt(square), half_square = hn::Mul(hn::Set(d, 0.5f), square);
     const V per_length = hn::Mul(first, hn::NegMulAdd(half_square, hn::Mul(first, first), hn::Set(d, 1.5f)));
     for (int i = 0; i < 3; ++i) normal[i] = hn::Mul(normal[i], per_length), hn::Store(normal[i], d, normal_[i] + lane);
@@ -268,7 +271,7 @@ HWY_INLINE LargeLeaf::Meeting LargeLeaf::meet(const WideNode& node, Triangles am
     bits &= filled;
     if (bits == 0) continue;
     if (!std::exchange(is_mapped, true)) map(view, node, in_leaf);
-    unsigned within = 0;
+    unsigned meets = 0;
     for (std::size_t lane = 0; lane < kWidth; lane += hn::Lanes(d)) {
       auto mask = hn::FirstN(d, kWidth);
       for (int i = 0; i < 3; ++i) {
@@ -276,9 +279,9 @@ HWY_INLINE LargeLeaf::Meeting LargeLeaf::meet(const WideNode& node, Triangles am
         mask = hn::And(mask, hn::And(hn::Le(hn::Sub(middle, extent), hn::Set(d, hi_[i][t])),
                                      hn::Ge(hn::Add(middle, extent), hn::Set(d, lo_[i][t]))));
       }
-      within |= impinge::HWY_NAMESPACE::mask_bits(d, mask) << lane;
+      meets |= impinge::HWY_NAMESPACE::mask_bits(d, mask) << lane;
     }
-    bits &= within;
+    bits &= meets;
     if (bits == 0) continue;
     meeting.boxes |= bits, meeting.triangles |= Triangles{1} << t;
     for (; bits != 0; bits &= bits - 1) {

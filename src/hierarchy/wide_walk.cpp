@@ -131,7 +131,7 @@ void walk_below(const WideWalk& walk, const TreeRefPair& pair, const Goal& goal,
   const bool large_is_a = is_first_larger(pair.a, pair.b, walk.relation);
   const TreeRef &leaf = large_is_a ? pair.a : pair.b, &top = large_is_a ? pair.b : pair.a;
   WideTree& tree = large_is_a ? walk.b : walk.a;
-  if (large.leaf() != &leaf.leaf()) large.set(leaf.leaf(), large_is_a, walk.relation);
+  if (!large.is(leaf.leaf(), large_is_a)) large.set(leaf.leaf(), large_is_a, walk.relation);
   struct Step {
     TreeRef ref;
     LargeLeaf::Triangles triangles;

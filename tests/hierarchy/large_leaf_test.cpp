@@ -21,7 +21,7 @@ namespace wide = hierarchy::HWY_NAMESPACE;
 /// The square of the least distance that is certain between a leaf's triangles and a box in its frame: a node's of the
 /// other tree, of which the axes are the leaf's in another order.
 float square_gap(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& center, const std::array<float, 3>& half,
-                 std::size_t order) {
+                 std::size_t order, float within) {
   hierarchy::TreeRelation in_place{};
   in_place.scale = 1;
   for (int i = 0; i < 3; ++i) in_place.rows[i][i] = in_place.scaled_columns[i][i] = 1;
@@ -40,7 +40,7 @@ float square_gap(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& ce
   wide::LargeLeaf large;
   large.set(leaf, order % 2 == 0, in_place);
   float squares[hierarchy::kWidth];
-  large.square_gaps(node, 1e3f, squares);
+  large.square_gaps(node, within, squares);
   return squares[kPlace];
 }
 
@@ -59,8 +59,8 @@ namespace impinge {
 namespace test {
 HWY_EXPORT(square_gap);
 float square_gap_anywhere(const hierarchy::WideLeaf& leaf, const std::array<float, 3>& center,
-                          const std::array<float, 3>& half, int order) {
-  return HWY_DYNAMIC_DISPATCH(square_gap)(leaf, center, half, static_cast<std::size_t>(order));
+                          const std::array<float, 3>& half, int order, float within = 0) {
+  return HWY_DYNAMIC_DISPATCH(square_gap)(leaf, center, half, static_cast<std::size_t>(order), within);
 }
 }  // namespace test
 namespace {
@@ -69,9 +69,9 @@ using test::Rational3;
 
 /// Needles down to a width of 2^-30 of their length, a single leaf; and where they lie in it.
 struct Needles {
-  Needles(scenes::Random& random, double away) {
+  Needles(scenes::Random& random, double away, int most = 6) {
     scenes::MeshData data;
-    for (int t = random.integer(1, 6); t > 0; --t) {
+    for (int t = random.integer(1, most); t > 0; --t) {
       const double width = std::ldexp(1.0, -random.integer(0, 30));
       const auto number = [&] { return random.uniform(-1, 1); };
       const Vec3 from{number() + away, number() + away, number() + away}, along{number(), number(), number()};
@@ -82,7 +82,7 @@ struct Needles {
       data.add_triangle(last - 3, last - 2, last - 1);
     }
     mesh = test::mesh_of(data);
-    tree = std::make_unique<hierarchy::WideTree>(test::numbers_of(*mesh), 16);
+    tree = std::make_unique<hierarchy::WideTree>(test::numbers_of(*mesh), 64);
     hierarchy::MadeNodes made;
     root = tree->root(made);
     for (const auto& t : test::numbers_of(*mesh).triangles) {
@@ -127,12 +127,13 @@ TEST(SquareGap, IsZeroOfEveryBoxThatHoldsAPointOfATriangle) {
   }
 }
 
-/// And of points beside them it is no more than the square of the distance; mostly it is not much less.
+/// And of points beside them it is no more than the square of the distance; mostly it is not much less. What is left
+/// out is farther than was asked for.
 TEST(SquareGap, IsALowerBound) {
   int close = 0, all = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     test::Seeded seeded(seed);
-    const Needles needles(seeded.random, 0);
+    const Needles needles(seeded.random, 0, seed % 8 == 0 ? 64 : 6);
     for (int attack = 0; attack < 10; ++attack) {
       std::array<float, 3> center;
       for (float& x : center) x = static_cast<float>(seeded.random.uniform(-1.5, 1.5));
@@ -143,9 +144,10 @@ TEST(SquareGap, IsALowerBound) {
         for (std::size_t k = 0; k < 3; ++k) near[k] = {t[k][0].get_d(), t[k][1].get_d(), t[k][2].get_d()};
         least = std::min(least, oracle::square_distance(near, {p, p, p}));
       }
-      const double gap = std::sqrt(test::square_gap_anywhere(needles.root.leaf(), center, {0, 0, 0}, 0));
       const double distance = std::sqrt(least.get_d());
-      ASSERT_LE(gap, distance + 0x1p-45);
+      const auto within = static_cast<float>(attack % 2 == 0 ? 1e3 : seeded.random.uniform(0.5, 1.5) * distance);
+      const double gap = std::sqrt(test::square_gap_anywhere(needles.root.leaf(), center, {0, 0, 0}, 0, within));
+      ASSERT_LE(gap > 1e9 ? within : gap, distance + 0x1p-45);
       ++all, close += gap >= 0.5 * distance;
     }
   }

@@ -31,7 +31,7 @@ inline void expect_contains(const TrianglePairs& many, const TrianglePairs& few)
     ASSERT_TRUE(std::binary_search(many.begin(), many.end(), pair)) << pair.first << ' ' << pair.second;
 }
 
-/// The two objects of a scene with wide trees of their own, that of the larger unit first.
+/// The two objects of a scene with wide trees of their own, that of the larger unit first; those of one mesh share one.
 class TreePair {
  public:
   TreePair(const scenes::PlacedScene& scene, std::uint32_t leaf_size)
@@ -39,7 +39,8 @@ class TreePair {
         trees_{hierarchy::WideTree(numbers(scene, 0), leaf_size), hierarchy::WideTree(numbers(scene, 1), leaf_size)},
         swapped_(trees_[0].unit_exponent() < trees_[1].unit_exponent()),
         first_{meshes_[object(scene, 0).mesh], object(scene, 0).pose, trees_[swapped_ ? 1 : 0]},
-        second_{meshes_[object(scene, 1).mesh], object(scene, 1).pose, trees_[swapped_ ? 0 : 1]},
+        second_{meshes_[object(scene, 1).mesh], object(scene, 1).pose,
+                trees_[swapped_ || scene.objects[0].mesh == scene.objects[1].mesh ? 0 : 1]},
         relation_(hierarchy::relate(numbers_of(first_.mesh), first_.pose, first_.tree.unit_exponent(),
                                     numbers_of(second_.mesh), second_.pose, second_.tree.unit_exponent())) {}
   TreePair(const TreePair&) = delete;

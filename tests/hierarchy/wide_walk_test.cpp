@@ -13,6 +13,7 @@
 #include "scenes/motion.hpp"
 #include "scenes/placed.hpp"
 #include "scenes/shapes.hpp"
+#include "scenes/solids.hpp"
 #include "tests/core/instruction_sets.hpp"
 #include "tests/hierarchy/pinned.hpp"
 #include "tests/hierarchy/tree_pair.hpp"
@@ -133,6 +134,21 @@ TEST(WideWalk, ReachesWhatTouchesInMeshesOfDifferentSizes) {
       ASSERT_NO_FATAL_FAILURE(expect_reaches_all(scenes::pair_scene(large, tiny), {1, 16}));
       ASSERT_NO_FATAL_FAILURE(expect_reaches_all(scenes::pair_scene(tiny, large), {3}));
     }
+  }
+}
+
+/// A leaf of their one tree is met as that of either.
+TEST(WideWalk, ReachesWhatTouchesInTwoCopiesOfOneMesh) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::Seeded seeded(seed);
+    scenes::Random& random = seeded.random;
+    scenes::MeshData mesh = scenes::box({-10, -10, -4}, {10, 10, 6});
+    for (int i = 0; i < 12; ++i)
+      mesh = scenes::joined(std::move(mesh), scenes::shifted(scenes::uv_sphere(7, 6, 0.4), random.uniform(-8, 8),
+                                                             random.uniform(-8, 8), random.uniform(-4, 6)));
+    scenes::PlacedScene scene{.meshes = {mesh}, .objects = {{.mesh = 0}, {.mesh = 0}}};
+    scene.objects[1].pose = scenes::random_motion(random, 1);
+    ASSERT_NO_FATAL_FAILURE(expect_reaches_all(scene, {12, 16}));
   }
 }
 
