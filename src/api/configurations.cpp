@@ -203,13 +203,14 @@ Result<bool> any_touches(broad::ObjectPairs& pairs, const Placed& placed, const 
               [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
   if (options.threads == 1 || pairs.size() <= kFew) {
     memory.touch.restart(options.stop);
-    for (std::size_t i = 0; i < pairs.size() && !found; ++i) found = touch(memory.touch, i);
+    for (std::size_t i = 0; i < pairs.size() && !found && !options.stop.stop_requested(); ++i)
+      found = touch(memory.touch, i);
   } else {
     share(
         pairs.size(), options.threads, [&] { return TouchSearch(options.stop); },
         [&](TouchSearch& search, std::size_t i) {
           if (touch(search, i)) found = true;
-          return !found;
+          return !found && !options.stop.stop_requested();
         });
   }
   if (options.stop.stop_requested() && !found) return cancelled();
