@@ -126,10 +126,12 @@ class Pipeline {
     gather(statistics);
     stage.charge(statistics.results_seconds);
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
-    total.charge(statistics.total_seconds);
+    double total_seconds = 0;
+    total.charge(total_seconds);
+    if (crew_.is_timed || memory_.asks_device) statistics.total_seconds = total_seconds;
     way_.learn(statistics, has_brought_meshes_);
     if (options_.predict_cost) predict(statistics);
-    if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
+    if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(total_seconds);
     memory_.spare.partial = first_only_ || options_.kinds != kAllKinds;
     memory_.spare.warnings = std::move(memory_.warnings);
     return std::move(memory_.spare);

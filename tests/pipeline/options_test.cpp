@@ -59,7 +59,7 @@ class WithBackend : public testing::TestWithParam<const char*> {
     return options;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Options, WithBackend, testing::Values("simd", "paper"),
+INSTANTIATE_TEST_SUITE_P(Options, WithBackend, testing::Values("auto", "simd", "paper"),
                          [](const auto& backend) { return backend.param; });
 
 TEST_P(WithBackend, KindsFilterTheAnswer) {
