@@ -96,14 +96,13 @@ class Pipeline {
 
     memory_.found_beside_crew.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
-      if (options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
+      if (!has_begun_ && options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
         memory_.asks_device = true, memory_.device = gpu::Devices::of_process().look_up(options_.device).opened;
       if (memory_.asks_device) {
         way_.choose(query_, pairs(), memory_);
         memory_.asks_device = way_.way() != schedule::Way::cpu;
       }
       if (memory_.asks_device) {
-        has_begun_ = false;
         work_with_device();
       } else if (has_begun_ || (pairs().size() == 1 && !is_apart(pairs()[0]))) {
         if (!std::exchange(has_begun_, true)) begin(query_, pairs()[0], crew_.is_timed, memory_);
