@@ -48,8 +48,9 @@ struct Options {
   std::uint8_t kinds = kAllKinds;                                   ///< the kinds wanted, or-ed
   int threads = 0;  ///< at most so many; 0: as many as oneTBB offers, a machine's all by default
   /// What does the work; the answer is the same.
-  ///   "auto"    "simd"; "hybrid" for large queries, once a program has spent half a second or if one is huge, where a
-  ///             device is there that is no program on the CPU and IMPINGE_DEVICE is not "none"
+  ///   "auto"    "simd"; "hybrid" for large queries, once a program has spent half a second on others (what one thread
+  ///             begins of a lone pair does not count) or if one is huge, where a device is there that is no program on
+  ///             the CPU and IMPINGE_DEVICE is not "none"
   ///   "simd"    the CPU, many at a time
   ///   "paper"   the CPU, one thing at a time: the paper's method from its sorted borders to its grid, and the
   ///             reference that the others are held against; "scalar" is another name of it

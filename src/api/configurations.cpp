@@ -29,25 +29,35 @@ Result<void> validate(const Scene::State& scene, int threads) {
   return scene.check_domain();
 }
 
-/// Calls body(worker, i) for i = 0 to n - 1, which takes a microsecond or more, on up to so many threads until it
-/// returns false. Each thread at work has a worker of its own, which `make` makes.
+/// A thread is woken for so many items, and takes so many at once or more.
+struct Shares {
+  std::size_t worth_waking = 32, at_once = 8;  // of a microsecond or more
+};
+
+/// Calls body(worker, i) for i = 0 to n - 1 on up to so many threads until it returns false or throws. Each thread at
+/// work has a worker of its own, which `make` makes.
 template <class Make, class Body>
-void share(std::size_t n, int threads, const Make& make, const Body& body) {
-  constexpr std::size_t kWorthWaking = 32, kTurns = 16;
+void share(std::size_t n, int threads, const Make& make, const Body& body, const Shares& shares = {}) {
+  constexpr std::size_t kTurns = 16, kMostAtOnce = 64;
   // A thread takes so few at once that none is long at work when the others are done, but neighbours in memory are
   // mostly written by one thread.
   const auto most = static_cast<std::size_t>(schedule::concurrency(threads));
-  const std::size_t at_once = std::clamp<std::size_t>(n / (kTurns * most), 8, 64);
+  const std::size_t at_once = std::clamp(n / (kTurns * most), shares.at_once, kMostAtOnce);
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> ended = false;
-  run_each(on_threads(threads), std::min(most, (n + kWorthWaking - 1) / kWorthWaking), [&](std::size_t) {
+  run_each(on_threads(threads), std::min(most, (n + shares.worth_waking - 1) / shares.worth_waking), [&](std::size_t) {
     if (next >= n) return;
-    auto worker = make();
-    for (std::size_t i; (i = next.fetch_add(at_once)) < n;)
-      for (const std::size_t end = std::min(i + at_once, n); i < end; ++i) {
-        if (ended) return;
-        if (!body(worker, i)) ended = true;
-      }
+    try {
+      auto worker = make();
+      for (std::size_t i; (i = next.fetch_add(at_once)) < n;)
+        for (const std::size_t end = std::min(i + at_once, n); i < end; ++i) {
+          if (ended) return;
+          if (!body(worker, i)) ended = true;
+        }
+    } catch (...) {
+      ended = true;
+      throw;
+    }
   });
 }
 
@@ -76,11 +86,12 @@ struct Batch {
 
   /// Calls take(configuration, found) for the configurations number_of(0), number_of(1), .. until it returns false.
   template <class MakeSearch, class Number, class Take>
-  Result<void> run(const MakeSearch& make_search, const Number& number_of, const Take& take) const {
+  Result<void> run(const MakeSearch& make_search, const Number& number_of, const Take& take,
+                   const Shares& shares = {}) const {
     std::mutex mutex;
     std::optional<std::pair<std::size_t, Error>> first_error;  // of the lowest configuration that has one
     bool is_over = false;
-    share(size(), threads, make_search, [&](auto& search, std::size_t i) {
+    const auto body = [&](auto& search, std::size_t i) {
       if (stop.stop_requested()) return false;
       const std::size_t configuration = number_of(i);
       const auto found = search.find(poses.subspan(configuration * movers.size(), movers.size()));
@@ -91,7 +102,8 @@ struct Batch {
       else if (!first_error || configuration < first_error->first)
         first_error = {configuration, found.error()};
       return !found;
-    });
+    };
+    share(size(), threads, make_search, body, shares);
     if (stop.stop_requested()) return cancelled();
     if (is_over || !first_error) return {};
     const auto& [configuration, error] = *first_error;
@@ -203,13 +215,14 @@ Result<bool> any_touches(broad::ObjectPairs& pairs, const Placed& placed, const 
               [&](const broad::ObjectPair& p, const broad::ObjectPair& q) { return square(p) < square(q); });
   if (options.threads == 1 || pairs.size() <= kFew) {
     memory.touch.restart(options.stop);
-    for (std::size_t i = 0; i < pairs.size() && !found; ++i) found = touch(memory.touch, i);
+    for (std::size_t i = 0; i < pairs.size() && !found && !options.stop.stop_requested(); ++i)
+      found = touch(memory.touch, i);
   } else {
     share(
         pairs.size(), options.threads, [&] { return TouchSearch(options.stop); },
         [&](TouchSearch& search, std::size_t i) {
           if (touch(search, i)) found = true;
-          return !found;
+          return !found && !options.stop.stop_requested();
         });
   }
   if (options.stop.stop_requested() && !found) return cancelled();
@@ -307,7 +320,8 @@ Result<std::vector<std::optional<ObjectDistance>>> Scene::distance_configuration
     std::vector<std::optional<ObjectDistance>> found(batch->size());
     const auto take = [&](std::size_t i, const std::optional<ObjectDistance>& one) { return found[i] = one, true; };
     const auto make_search = [&] { return DistantConfigurations(batch->movers, options); };
-    if (auto done = batch->run(make_search, in_order, take); !done) return done.error();
+    constexpr Shares kOfMilliseconds{1, 1};
+    if (auto done = batch->run(make_search, in_order, take, kOfMilliseconds); !done) return done.error();
     return found;
   });
 }

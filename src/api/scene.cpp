@@ -3,7 +3,6 @@
 #include "impinge/scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 
@@ -31,7 +30,6 @@ Result<Contacts> collide_one(const Scene::State& scene, const PlacedMesh& one, s
   broad::BoxTree::Search& near = memory->near_pairs.jumping;
   (*CurrentPairs(scene.near_pairs, options.threads)).find_near(one.object.box, near);
   std::vector<std::uint64_t>& indices = near.found;
-  for (std::uint64_t& found : indices) found = static_cast<std::uint32_t>(found);  // the lower half
   std::erase_if(indices, [&](std::uint64_t object) {
     return index != kGuest && (object == index || !scene.are_tested(index, static_cast<std::uint32_t>(object)));
   });

@@ -109,11 +109,13 @@ Result<TouchingConfigurations::Found> TouchingConfigurations::find(std::span<con
       search_.is_contact(placed_.mesh(last_->mover), second(*last_), last_triangles_))
     return touch(*last_, last_triangles_);
   find_candidates();
-  for (const Candidate& candidate : candidates_)
+  for (const Candidate& candidate : candidates_) {
+    if (search_.is_stopped()) break;
     if (const auto triangles = search_.find(placed_.mesh(candidate.mover), second(candidate))) {
       last_ = candidate, last_triangles_ = *triangles;
       return touch(candidate, *triangles);
     }
+  }
   return Found();
 }
 

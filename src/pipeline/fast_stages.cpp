@@ -96,6 +96,7 @@ void FastStages::configure(Options::Find find, std::uint8_t kinds) {
   first_only_ = find == Options::Find::first;
   any_is_enough_ = first_only_ && kinds == kAllKinds;
   looked_at_ = 0;
+  keys_.clear();
 }
 
 bool FastStages::is_worth_sharing() const { return !first_only_ || slices_ >= kWholeSlice; }

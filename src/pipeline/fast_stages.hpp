@@ -44,7 +44,7 @@ class FastStages {
     }
   };
 
-  /// What is looked for, and the kinds that are wanted.
+  /// What is looked for, and the kinds that are wanted. Nothing is found yet.
   void configure(Options::Find find, std::uint8_t kinds);
 
   /// The stages, in order, on part of one pair of objects. `fresh`: from the roots.

@@ -96,14 +96,13 @@ class Pipeline {
 
     memory_.found_beside_crew.restart(options_.kinds, options_.limit);
     if constexpr (std::is_same_v<Stages, FastStages>) {
-      if (options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
+      if (!has_begun_ && options_.backend == "auto" && DeviceDriver::may_help(query_, pairs()))
         memory_.asks_device = true, memory_.device = gpu::Devices::of_process().look_up(options_.device).opened;
       if (memory_.asks_device) {
         way_.choose(query_, pairs(), memory_);
         memory_.asks_device = way_.way() != schedule::Way::cpu;
       }
       if (memory_.asks_device) {
-        has_begun_ = false;
         work_with_device();
       } else if (has_begun_ || (pairs().size() == 1 && !is_apart(pairs()[0]))) {
         if (!std::exchange(has_begun_, true)) begin(query_, pairs()[0], crew_.is_timed, memory_);
@@ -126,10 +125,12 @@ class Pipeline {
     gather(statistics);
     stage.charge(statistics.results_seconds);
     statistics.measured_seconds = schedule::modelled_seconds(cpu_statistics_);
-    total.charge(statistics.total_seconds);
+    double total_seconds = 0;
+    total.charge(total_seconds);
+    if (crew_.is_timed || memory_.asks_device) statistics.total_seconds = total_seconds;
     way_.learn(statistics, has_brought_meshes_);
     if (options_.predict_cost) predict(statistics);
-    if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(statistics.total_seconds);
+    if (options_.backend == "auto" && !memory_.asks_device) DeviceDriver::count_without_help(total_seconds);
     memory_.spare.partial = first_only_ || options_.kinds != kAllKinds;
     memory_.spare.warnings = std::move(memory_.warnings);
     return std::move(memory_.spare);

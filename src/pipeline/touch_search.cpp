@@ -11,12 +11,10 @@ namespace impinge {
 void TouchSearch::run_slices(const FastStages::Pair& pair, bool may_share, const std::stop_token& stop,
                              StageClock& clock, Statistics& counts) {
   stack_.clear();
-  bool fresh = true;
-  do {
+  for (bool fresh = true; (fresh || !stack_.empty()) && !stop.stop_requested(); fresh = false) {
     stages_.run_slice(pair, fresh, stack_, clock, counts);
-    fresh = false;
-  } while (stages_.contacts().empty() && !stack_.empty() && !(may_share && stages_.is_worth_sharing()) &&
-           !stop.stop_requested());
+    if (!stages_.contacts().empty() || (may_share && stages_.is_worth_sharing())) break;
+  }
 }
 
 std::optional<TrianglePair> TouchSearch::find(const PlacedMesh& first, const PlacedMesh& second) {

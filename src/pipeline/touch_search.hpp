@@ -20,6 +20,7 @@ class TouchSearch {
   explicit TouchSearch(std::stop_token stop = {}) : stop_(std::move(stop)) {}
   /// When to stop from now on.
   void restart(std::stop_token stop) { stop_ = std::move(stop); }
+  [[nodiscard]] bool is_stopped() const { return stop_.stop_requested(); }
 
   /// A pair of triangles of the first and of the second that touch; nothing where there is none, or when asked to stop.
   std::optional<TrianglePair> find(const PlacedMesh& first, const PlacedMesh& second);
@@ -27,7 +28,7 @@ class TouchSearch {
   /// Slices of work until one gives wanted contacts, nothing is left, the rest is worth sharing between the options'
   /// threads, or their stop is heard. Adds to the counts.
   void begin(const FastStages::Pair& pair, const Options& options, StageClock clock, Statistics& counts);
-  /// What that found, in its last slice.
+  /// What that found, in its last slice; nothing where it was stopped before the first.
   [[nodiscard]] std::span<const results::ContactKey> contacts() const { return stages_.contacts(); }
   /// What is left then, for whoever goes on.
   [[nodiscard]] std::vector<FastStages::Step>& left() { return stack_; }

@@ -161,6 +161,7 @@ TEST(Deformed, AnswersAsTheMeshOfTheSameNumbers) {
         ASSERT_TRUE(expected && found);
         test::expect_same(*expected, *found);
         EXPECT_EQ(test::listed(*found), test::brute_force(named.scene));
+        test::expect_same(*expected, test::scene_of(named.scene, leaf_size).collide(options).value());
       }
       EXPECT_EQ(mesh_a.sphere_radius(), meshes[a.mesh].sphere_radius());
     }

@@ -369,6 +369,25 @@ TEST(Scene, AnswersConfigurationsAsIfItsObjectsStoodThere) {
   EXPECT_LT(touching, 250u);
 }
 
+/// No tree is made, of however many pairs.
+TEST(Scene, IsNotSearchedAfterAStop) {
+  const Mesh ball = test::mesh_of(scenes::uv_sphere(24, 16)), guest = test::mesh_of(scenes::uv_sphere(24, 16));
+  const std::size_t without_trees = ball.memory_bytes();
+  std::stop_source stop;
+  stop.request_stop();
+  Scene scene;
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_TRUE(scene.add(ball, at(0.001 * i)));
+    for (const int threads : {1, 2}) {
+      const ConfigurationOptions options{.threads = threads, .stop = stop.get_token()};
+      EXPECT_EQ(scene.touches_with(guest, {}, options).error().code, Code::cancelled);
+      EXPECT_EQ(scene.touches_any(options).error().code, Code::cancelled);
+    }
+  }
+  EXPECT_EQ(collide(ball, {}, guest, {}, {.stop = stop.get_token()}).error().code, Code::cancelled);
+  EXPECT_EQ(ball.memory_bytes() + guest.memory_bytes(), 2 * without_trees);
+}
+
 TEST(Scene, SaysWhichConfigurationIsWrong) {
   Scene scene;
   const std::array ids{scene.add(cube()).value(), scene.add(cube(), at(5)).value()};
