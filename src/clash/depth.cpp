@@ -358,7 +358,7 @@ class Search {
 
   static constexpr double kFarther = 16;  ///< radii: no open edge beyond is looked for
   /// So many boxes, and so many triangles held against a polygon, take as much time as one point.
-  static constexpr std::size_t kBoxesAPoint = 256, kTrianglesAPoint = 8;
+  static constexpr std::size_t kBoxesAPoint = 256, kTrianglesAPoint = 64;
 
   const solid::Body &inner_, &outer_;
   const Winding& winding_;

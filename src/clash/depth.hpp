@@ -17,8 +17,8 @@ namespace impinge::clash {
 struct DepthGoal {
   /// The width of the interval relative to the depth. A width of 2^-42 of the largest coordinate always suffices.
   double precision = 0.01;
-  /// The search ends when so many points have been examined, or as much else, and four more for each pair of triangles
-  /// that touch; the interval may then be wider than `precision`.
+  /// The search ends when so many points have been examined (256 boxes or 64 triangles tested count as one), and 4 more
+  /// for each pair of triangles that touch; the interval may then be wider than `precision`.
   std::uint64_t most_points = 1 << 17;
   double nothing = 0;  ///< depths up to this count as 0, as those up to some 2^-42 of the largest coordinate do
   /// Depths that the caller will hold the answer against: beyond `precision` the search goes on while one of them is in

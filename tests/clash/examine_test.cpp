@@ -53,6 +53,7 @@ TEST(Examine, CountsOpenEdgesAndDegenerateTriangles) {
     EXPECT_EQ(facts.open_edges, each.open_edges);
     EXPECT_EQ(facts.degenerate, each.degenerate);
   }
+  EXPECT_FALSE(inspected({}, {}).closed);
 }
 
 TEST(Examine, CornersAreTheSameByPositionAndMinusZeroIsZero) {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "clash/regions/grouping.hpp"
 
+#include <algorithm>
 #include <array>
-#include <numeric>
+#include <vector>
 
 #include "clash/point_grid.hpp"
 #include "core/point_table.hpp"
@@ -12,27 +13,16 @@
 namespace impinge::clash {
 namespace {
 
-/// The contacts of the triangles of part a that use a position.
-class ContactFans {
- public:
-  /// `contacts` are sorted by a.
-  ContactFans(const solid::Part& part, std::span<const exact::Contact> contacts)
-      : topology_(part.topology), first_(part.body.size() + 1) {
-    for (const exact::Contact& contact : contacts) ++first_[contact.a + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  }
-
-  /// Calls visit(contact) for each of them.
-  template <class Visit>
-  void for_each(std::uint32_t position, const Visit& visit) const {
-    for (const std::uint32_t t : topology_.fan(position))
-      for (std::uint32_t contact = first_[t]; contact < first_[t + 1]; ++contact) visit(contact);
-  }
-
- private:
-  const solid::Topology& topology_;
-  std::vector<std::uint32_t> first_;  ///< of each triangle's contacts
-};
+/// The positions that triangles of part a with contacts use, in order.
+std::vector<std::uint32_t> positions_of(const solid::Part& a, std::span<const exact::Contact> contacts) {
+  std::vector<std::uint32_t> positions;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (i == 0 || contacts[i].a != contacts[i - 1].a)
+      for (const std::uint32_t p : a.corners(contacts[i].a)) positions.push_back(p);
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  return positions;
+}
 
 /// For each position or triangle of b, the last contact seen there while one position of a is visited (a turn).
 class Last {
@@ -114,15 +104,18 @@ void join_near_corners(const SharedParts& parts, std::size_t contacts, double to
 // position q. All pairs are visited once for each p: pairs with a common triangle of b also have its three q in common.
 void join_neighbours(const solid::Part& a, const solid::Part& b, std::span<const exact::Contact> contacts,
                      const SharedParts& parts, DisjointSets& groups, const std::stop_token& stop) {
-  const ContactFans fans(a, contacts);
   Last at_triangle(b.body.size()), at_position(b.topology.positions);
-  for (std::uint32_t p = 0; p < a.topology.positions; ++p)
-    fans.for_each(p, [&](std::uint32_t contact) {
-      throw_if_stopped(stop);
-      const std::uint32_t t = contacts[contact].b;
-      if (at_triangle.join(t, p, contact, groups)) return;
-      for (const std::uint32_t q : b.corners(t)) at_position.join(q, p, contact, groups);
-    });
+  const auto visit = [&](std::uint32_t p, std::uint32_t contact) {
+    throw_if_stopped(stop);
+    const std::uint32_t t = contacts[contact].b;
+    if (at_triangle.join(t, p, contact, groups)) return;
+    for (const std::uint32_t q : b.corners(t)) at_position.join(q, p, contact, groups);
+  };
+  for (const std::uint32_t p : positions_of(a, contacts))
+    for (const std::uint32_t t : a.topology.fan(p)) {
+      const auto [first, last] = std::ranges::equal_range(contacts, t, {}, &exact::Contact::a);
+      for (auto at = first; at != last; ++at) visit(p, static_cast<std::uint32_t>(at - contacts.begin()));
+    }
   join_at_corners(parts, contacts.size(), groups, stop);
 }
 
