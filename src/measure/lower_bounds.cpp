@@ -35,12 +35,13 @@ using TriangleLanes = hn::CappedTag<float, 16>;
 /// A gap is not taken for more than this: its square must not overflow.
 constexpr float kFar = 1e18f;
 
-// What a length in a frame is of the length in the world, at least. Positions are right to within the slack of the maps
-// (hierarchy/wide_boxes-inl.hpp); what is left are linear maps close to isometries, as parts of the length:
+// The least ratio of a length in the world to the frame's, and of the frame's to it. Positions are right to within the
+// slack of the maps (hierarchy/wide_boxes-inl.hpp); what is left are linear maps close to isometries, as parts of the
+// length:
 //   1.5 * 2^-20 for the frame (|F| <= 1 + 1.5 max|F Fᵀ - I|), 1.5 defects of a pose, of which the relation's defect
 //   holds six times the sum; and, for B's frame, CᵀC in place of the identity: 3 defect + 6.5 * 2^-20;
 //   and six roundings to float, with five more of a unit normal. In all less than 3.25 defect + 9 * 2^-20.
-// No more is a length in the world greater than that in the frame.
+// Either way: a length in the world is at least the frame's * shrink, and at most the frame's / shrink.
 HWY_INLINE float shrink_of(const TreeRelation& relation) {
   return 1 - (0x1p-16f + 4 * static_cast<float>(relation.defect));
 }

@@ -29,6 +29,9 @@ struct Local {
 /// bound is a difference of two dot products with a vector of length 1 to within 4 u: 2 (3.5 + 6 + 14) u, and 7 u.
 /// 2^-46 = 128 u is taken for either; what was scaled back is rounded once more, which is counted in it.
 constexpr double kMargin = 0x1p-46;
+/// A slab whose gap is this part of the margin less than the distance of two points found confirms them: of the margin,
+/// the errors of the gap and of the points leave more than that.
+constexpr double kConfirming = 0.25;
 /// Triangles that share the nearest corner are as near as each other up to rounding, and one of them is enough.
 constexpr double kAllowance = 4 * kMargin;
 
@@ -200,7 +203,7 @@ double turned_gap(const Local& local, const Found& found, double enough) {
 TriangleDistance finished(const Local& local, const Found& found) {
   const double value = std::sqrt(found.square);
   double gap = std::max(0.0, gap_along(found.b - found.a, local.a, local.b));
-  const double enough = value - kMargin;
+  const double enough = value - kConfirming * kMargin;
   if (gap < enough) gap = std::max(gap, gap_along(slab_normal(found), local.a, local.b));
   if (gap < enough) gap = std::max(gap, turned_gap(local, found, enough));
   return {local.unit * value, local.unit * kMargin, local.unit * std::max(0.0, gap - kMargin), local.world(found.a),
@@ -219,17 +222,20 @@ TriangleDistance same_point(const Local& local) {
 /// Squared distance below which two points give no direction for a slab; the bound matters little then.
 constexpr double kClose = 0x1p-60;
 
-/// All features' distances, which is the triangles' distance unless they cross.
-Found nearest_features(const Local& local, const Edges& a, const Edges& b) {
+/// The nearest of all features, which are the triangles' nearest points unless they cross.
+TriangleDistance nearest_features(const Local& local, const Edges& a, const Edges& b) {
   Found found;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (!offer_edges(a[i], b[j], found)) continue;
       // Nearest points of two edges are those of the triangles if both third corners are out of the slab between them
-      // (Larsen et al., 1999).
+      // (Larsen et al., 1999). Where the points are near and a triangle is thin, the signs are those of rounding
+      // errors, so a slab has to confirm them.
       const Vec3 r = found.b - found.a;
       const Vec3 &third_a = local.a[(i + 2) % 3], &third_b = local.b[(j + 2) % 3];
-      if (dot(r, third_a - found.a) <= 0 && dot(r, third_b - found.b) >= 0 && found.square > kClose) return found;
+      if (dot(r, third_a - found.a) > 0 || dot(r, third_b - found.b) < 0 || found.square <= kClose) continue;
+      const TriangleDistance d = finished(local, found);
+      if (d.lower >= d.distance - (1 + kConfirming) * d.margin) return d;
     }
   }
   const Face face_a(a), face_b(b);
@@ -238,7 +244,7 @@ Found nearest_features(const Local& local, const Edges& a, const Edges& b) {
     face_b.offer_foot(p, [&](const Vec3& foot, const Vec3& d, const Vec3& e) { found.offer(p, foot, d, e); });
     face_a.offer_foot(q, [&](const Vec3& foot, const Vec3& d, const Vec3& e) { found.offer(foot, q, d, e); });
   }
-  return found;
+  return finished(local, found);
 }
 
 }  // namespace
@@ -267,11 +273,11 @@ TriangleDistance triangle_distance(const Triangle& a, const Triangle& b, double 
       is_a ? found.offer(foot, corner, d, e) : found.offer(corner, foot, d, e);
     });
     const double value = std::sqrt(found.square);
-    if (gap >= value - kMargin)
+    if (gap >= value - kConfirming * kMargin)
       return {local.unit * value, local.unit * kMargin, local.unit * (gap - kMargin), local.world(found.a),
               local.world(found.b)};
   }
-  return finished(local, nearest_features(local, edges_a, edges_b));
+  return nearest_features(local, edges_a, edges_b);
 }
 
 TriangleDistance point_distance(const Vec3& point, const Triangle& triangle, double enough_apart) {
@@ -309,9 +315,10 @@ std::array<Vec3, 2> common_point(const Triangle& a, const Triangle& b) {
   };
   offer_piercing(edges_a, edges_b, true);
   offer_piercing(edges_b, edges_a, false);
-  if (const Found features = found.square < 0x1p-100 ? found : nearest_features(local, edges_a, edges_b);
-      features.square < found.square)
-    found = features;
+  if (!(found.square < 0x1p-100))
+    if (const TriangleDistance d = nearest_features(local, edges_a, edges_b);
+        d.distance < local.unit * std::sqrt(found.square))
+      return {d.a, d.b};
   return {local.world(found.a), local.world(found.b)};
 }
 

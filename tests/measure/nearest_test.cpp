@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/pair_walk.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "scenes/hard.hpp"
 #include "scenes/motion.hpp"
@@ -111,6 +112,44 @@ void expect_limits_are_kept(const Bodies& bodies) {
   EXPECT_LT(quick->distance, 2 * d + 1e-3);
 }
 
+/// Of every two leaves: a pair of triangles that are the nearest is listed, and no bound is above the exact distance.
+void expect_nearest_of_leaves(const Bodies& bodies) {
+  const PlacedTree first = bodies.placed(0), second = bodies.placed(1);
+  const measure::PairWalk walk(first, second);
+  const auto is_bound = [&](double lower, const mpq_class& square) {
+    return lower <= 0 || mpq_class(lower) * mpq_class(lower) <= square;
+  };
+  std::vector<measure::NearTriangles> near;
+  std::vector<measure::NodePair> open{walk.roots()};
+  while (!open.empty()) {
+    measure::NodePair pair = open.back();
+    open.pop_back();
+    walk.reach(pair);
+    if (!pair.a.is_leaf() || !pair.b.is_leaf()) {
+      walk.open(pair, kInfinity, open);
+      continue;
+    }
+    const auto &a = pair.a.leaf(), &b = pair.b.leaf();
+    const auto square = [&](std::uint32_t i, std::uint32_t j) -> const mpq_class& {
+      return walk.is_swapped() ? bodies.square(b.ids()[j], a.ids()[i]) : bodies.square(a.ids()[i], b.ids()[j]);
+    };
+    mpq_class least = square(0, 0);
+    for (std::uint32_t i = 0; i < a.count; ++i)
+      for (std::uint32_t j = 0; j < b.count; ++j) least = std::min(least, square(i, j));
+    EXPECT_TRUE(is_bound(pair.lower, least)) << pair.lower << " above " << std::sqrt(least.get_d());
+    for (const double limit : {std::sqrt(least.get_d()) * (1 + 0x1p-40), kInfinity}) {
+      walk.open_leaves(pair, limit, measure::Wanted::nearest, near);
+      bool has_nearest = false;
+      for (const auto& [lower, i, j] : near) {
+        EXPECT_TRUE(is_bound(walk.world_length(lower), square(i, j)))
+            << walk.world_length(lower) << " above " << std::sqrt(square(i, j).get_d());
+        has_nearest |= square(i, j) == least;
+      }
+      EXPECT_TRUE(has_nearest) << "within " << limit << " none of " << near.size() << " is the nearest";
+    }
+  }
+}
+
 /// Everything on a scene, on every instruction set.
 void expect_all(const scenes::PlacedScene& scene, std::uint32_t leaf_size) {
   const Bodies bodies(scene, leaf_size);
@@ -119,6 +158,8 @@ void expect_all(const scenes::PlacedScene& scene, std::uint32_t leaf_size) {
     const test::OnInstructionSet on(set);
     ASSERT_NO_FATAL_FAILURE(expect_nearest(bodies, 0x1p-33 * size));
     ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(bodies));
+    expect_nearest_of_leaves(bodies);
+    ASSERT_FALSE(testing::Test::HasFailure());
     for (const double within : {0.0, d, 1.1 * d, d + 0.01 * size, d + 0.2 * size})
       ASSERT_NO_FATAL_FAILURE(expect_near_pairs(bodies, within));
   }
