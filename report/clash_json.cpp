@@ -127,8 +127,11 @@ std::uint64_t count_failing(const Review& review, const std::vector<std::size_t>
 /// As a file of decisions has them, without what is empty.
 Json json_decisions(const Review& review) {
   Json all = Json::object();
+  // No key is there twice, and `all[key]` would compare each with all before it.
+  auto& members = all.get_ref<Json::object_t&>();
+  members.reserve(review.decisions.size());
   for (const auto& [key, decision] : review.decisions) {
-    Json& entry = all[key] = Json::object();
+    Json& entry = members.emplace_back(key, Json::object()).second;
     for (const auto& [name, field] : kDecisionFields)
       if (!(decision.*field).empty()) entry[name] = decision.*field;
   }

@@ -77,20 +77,23 @@ bool is_pair_id(std::string_view key) {
 
 Result<Decisions> parse_decisions(const std::string& name, const std::string& text) {
   static const json schema = json::parse(kDecisionsSchema);
-  const Result<json> value = parse_json(name, text, {}, kMostValuesOfDecisions);
+  // Patterns count in the order of the file, which `json` does not keep. Keys within decisions are among these too.
+  std::vector<std::string> keys;
+  const auto note_key = [&](const std::string& key) { return keys.push_back(key), true; };
+  const Result<json> value = parse_json(name, text, note_key, kMostValuesOfDecisions);
   if (!value) return value.error();
   if (auto valid = check_against(schema, name, text, *value); !valid) return valid.error();
-  const auto document = nlohmann::ordered_json::parse(text);  // patterns count in the order of the file
   Decisions decisions;
-  for (const auto& [key, entry] : document.items()) {
-    if (key == "$schema") continue;
+  for (const std::string& key : keys) {
+    const auto entry = value->find(key);
+    if (key == "$schema" || entry == value->end()) continue;
     const std::size_t bar = key.find(kBetweenNames);
     if (bar == std::string::npos && !is_pair_id(key))
       return json_error(name, text, (json::json_pointer() / key).to_string(),
                         "this is neither the id of a pair, as the JSON has it, nor two names of parts with ' | ' "
                         "between them");
     Decision decision;
-    for (const auto& [member, field] : kDecisionFields) decision.*field = entry.value(member, "");
+    for (const auto& [member, field] : kDecisionFields) decision.*field = entry->value(member, "");
     if (!decision.due.empty() && !is_day(decision.due))
       return json_error(name, text, (json::json_pointer() / key / "due").to_string(),
                         fmt::format("a day is such as 2024-06-14, not '{}'", fit(printable(decision.due), 80)));
@@ -133,6 +136,7 @@ std::vector<std::string> decide(const Decisions& decisions, Review& review) {
     return named;
   };
   for (const Decisions::ByNames& entry : decisions.by_names) {
+    if (review.options.stop.stop_requested()) break;
     review.decisions.emplace_back(entry.key, entry.decision);
     const std::vector<bool> a = parts_named(entry.a), b = parts_named(entry.b);
     bool is_matched = false;

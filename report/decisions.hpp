@@ -52,7 +52,7 @@ bool is_day(std::string_view text);
 bool is_pair_id(std::string_view key);
 
 /// Gives each pair the decision about its id, or else the first one about its parts' names. Returns the keys that match
-/// no pair.
+/// no pair. Ends early where the review's `stop` asks for it.
 std::vector<std::string> decide(const Decisions& decisions, Review& review);
 
 /// Whether a new table or BCF of the review, whose decisions are those given, may take an earlier one's place. Errors:

@@ -220,6 +220,7 @@ Result<Review> make_review(Assembly assembly, ReviewInput input, std::optional<C
     for (std::string& warning : renaming_warnings(review.known_names, *review.options.previous))
       review.warnings.push_back(std::move(warning));
   warn_of_unmatched(decide(input.decisions, review), review);
+  if (review.options.stop.stop_requested()) return interrupted();
   review.options.progress = nullptr;  // the caller's, which need not live as long
   return review;
 }

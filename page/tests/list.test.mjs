@@ -10,23 +10,25 @@ import { review, reviewPage } from './fixture.mjs';
 const kOrder = ['duplicate', 'inside', 'penetrating', 'crossing', 'touching', 'apart'];
 const { report, scene } = review();
 const depth = (pair) =>
-  pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a[1]) : NaN;
+  pair.overlap_depth ? Math.max(pair.overlap_depth.a_in_b[1], pair.overlap_depth.b_in_a?.[1] ?? 0) : NaN;
 const failsBelow = (pair) => pair.fails_below ?? Infinity;
 const area = (pair) => pair.regions.reduce((sum, region) => sum + region.area, 0);
 const last = (x, y, sign) => (Number.isNaN(x) || Number.isNaN(y) ? Number.isNaN(x) - Number.isNaN(y) : sign * (x - y));
-const ranked = report.pairs
-  .map((pair, i) => ({ pair, i }))
-  .sort(
-    (x, y) =>
-      Math.max(kOrder.indexOf(x.pair.verdict), 3) - Math.max(kOrder.indexOf(y.pair.verdict), 3) ||
-      last(failsBelow(y.pair), failsBelow(x.pair), 1) ||
-      (depth(y.pair) || 0) - (depth(x.pair) || 0) ||
-      kOrder.indexOf(x.pair.verdict) - kOrder.indexOf(y.pair.verdict) ||
-      area(y.pair) - area(x.pair) ||
-      (x.pair.distance ?? 0) - (y.pair.distance ?? 0) ||
-      x.i - y.i,
-  )
-  .map(({ pair }) => pair);
+const rankedOf = (pairs) =>
+  pairs
+    .map((pair, i) => ({ pair, i }))
+    .sort(
+      (x, y) =>
+        Math.max(kOrder.indexOf(x.pair.verdict), 3) - Math.max(kOrder.indexOf(y.pair.verdict), 3) ||
+        last(failsBelow(y.pair), failsBelow(x.pair), 1) ||
+        (depth(y.pair) || 0) - (depth(x.pair) || 0) ||
+        kOrder.indexOf(x.pair.verdict) - kOrder.indexOf(y.pair.verdict) ||
+        area(y.pair) - area(x.pair) ||
+        (x.pair.distance ?? 0) - (y.pair.distance ?? 0) ||
+        x.i - y.i,
+    )
+    .map(({ pair }) => pair);
+const ranked = rankedOf(report.pairs);
 const rankOf = (pair) => String(ranked.indexOf(pair) + 1);
 const ranksOf = (keep) => ranked.filter(keep).map(rankOf);
 const changeOf = ({ change, regions }) =>
@@ -154,11 +156,12 @@ describe('the list of clashes', () => {
     free.touching = free.coplanar = free.crossing = 0;
     const page = await browser.visit(t, { report });
     const namesOf = (some) => some.map(({ a, b }) => `${a} ${b}`).sort();
+    const ranked = rankedOf(report.pairs);
     const pairs = async (field, value) => {
       await page.fill(field, value);
-      const found = await page.evaluate(() => window.impinge.visible().map(({ pair }) => pair));
+      const ranks = await listed(page);
       await page.fill(field, '');
-      return namesOf(found);
+      return namesOf(ranks.map((rank) => ranked[rank - 1]));
     };
     const isMeeting = (pair) => pair.verdict !== 'apart' && pair !== free;
     for (const [value, near] of [

@@ -26,7 +26,7 @@ struct Decision {
   std::string status, comment, assignee;
   std::string due;  ///< a day, such as 2024-06-14
 };
-/// Its fields, by the names that all documents have for them.
+/// Its fields, by their names in JSON and CSV.
 inline constexpr std::array<std::pair<const char*, std::string Decision::*>, 4> kDecisionFields{
     {{"status", &Decision::status},
      {"comment", &Decision::comment},

@@ -145,8 +145,15 @@ class Steps {
 };
 
 std::string_view name_of(Feature feature) {
-  constexpr std::array<std::string_view, 3> kNames{"vertex_face", "face_vertex", "edge_edge"};
-  return kNames[static_cast<std::size_t>(feature)];
+  switch (feature) {
+    case Feature::vertex_face:
+      return "vertex_face";
+    case Feature::face_vertex:
+      return "face_vertex";
+    case Feature::edge_edge:
+      return "edge_edge";
+  }
+  return {};
 }
 
 /// The vertices of one of the two features of an impact.

@@ -29,7 +29,7 @@ class Mover {
   /// a part that is flat at rest, of which no shape is left), with the object's name.
   [[nodiscard]] Result<std::vector<Posed>> at(double seconds) const;
 
-  /// Some of them.
+  /// The objects of these indices, in this order. Errors: as above.
   [[nodiscard]] Result<std::vector<Posed>> at(double seconds, std::span<const std::uint32_t> objects) const;
 
   /// How long the animation runs.
