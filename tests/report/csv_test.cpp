@@ -190,8 +190,10 @@ TEST_F(Csv, BringsDecisionsBackAndIsNotReplacedByOneThatKnowsLess) {
   EXPECT_EQ(rows_of(folder.read("t.csv"))[1].at("status"), "");
 
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
-           {"", "bad.csv:1: a table of decisions has the columns"},
-           {"id,area\n", "bad.csv:1: a table of decisions has the columns"},
+           {"",
+            "bad.csv:1: a table of decisions needs the column 'id' and at least one of 'status', 'comment', "
+            "'assignee', 'due'"},
+           {"id,area\n", "bad.csv:1: a table of decisions needs the column"},
            {"id,due\n01234567-89ab-5cde-8f01-23456789abcd,2023-02-29\n",
             "bad.csv:2: the cell under 'due' is no day such as 2024-06-14: '2023-02-29'"},
            {"id,status\n,\n7,open\n", "bad.csv:3: the cell under 'id' is no id of a pair: '7'"},
