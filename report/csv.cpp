@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "report/conventions.hpp"
 #include "report/place.hpp"
@@ -43,12 +44,20 @@ constexpr auto kColumns =
                                      "volume",      "volume_error", "volume_m3",   "depth_least", "due",
                                      "axes"});
 
-/// The place of a column, which there must be. Those of b stand behind those of a, those of y and z behind those of x.
+/// The place of a column, which there must be. Functions below rely on those of b behind those of a, and of y
+/// and z behind those of x.
 consteval std::size_t column(std::string_view name) {
   const auto at = std::ranges::find(kColumns, name);
   if (at == kColumns.end()) throw name;
   return static_cast<std::size_t>(at - kColumns.begin());
 }
+consteval bool adjoin(std::initializer_list<std::string_view> names) {
+  return std::equal(names.begin(), names.end(), kColumns.data() + column(*names.begin()));
+}
+static_assert(adjoin({"a", "b", "a_path", "b_path", "a_product", "b_product", "a_file", "b_file"}));
+static_assert(adjoin({"a_class", "b_class", "a_global_id", "b_global_id", "a_tag", "b_tag", "a_storey", "b_storey"}));
+static_assert(adjoin({"x", "y", "z", "normal_x", "normal_y", "normal_z", "crossing", "touching", "coplanar"}));
+static_assert(adjoin({"x_m", "y_m", "z_m"}));
 
 /// A row; what is not known is an empty cell.
 using Cells = std::array<std::string, kColumns.size()>;

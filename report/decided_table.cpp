@@ -88,10 +88,13 @@ bool are_of_decisions(const std::map<std::string, std::size_t>& columns) {
 Result<Decisions> parse_decided_table(const std::string& name, const std::string& text) {
   Table table(text);
   const auto columns = columns_of(table);
-  if (!are_of_decisions(columns))
-    return Error{Code::bad_file, fmt::format("{}:1: a table of decisions has the columns 'id', 'status', 'comment', "
-                                             "'assignee' and 'due', as the CSV of impinge clash has them",
-                                             name)};
+  if (!are_of_decisions(columns)) {
+    std::string fields;
+    for (const auto& [field_name, field] : kDecisionFields)
+      fields += fmt::format("{}'{}'", fields.empty() ? "" : ", ", field_name);
+    return Error{Code::bad_file,
+                 fmt::format("{}:1: a table of decisions needs the column 'id' and at least one of {}", name, fields)};
+  }
   Decisions decisions;
   while (const std::optional<Table::Row> row = table.next()) {
     const auto cell = [&](const char* column) {

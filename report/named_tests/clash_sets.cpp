@@ -75,8 +75,8 @@ void warn(const std::vector<IgnoredSelector>& ignored, Configuration& to) {
     to.warnings.push_back(to.error_at(ignored[i].selector.place, what).message);
   }
   if (ignored.size() > kMost)
-    to.warnings.push_back(
-        fmt::format("{} more with a selector and no \"mode\"", counted(ignored.size() - kMost, "source")));
+    to.warnings.push_back(fmt::format("{}: {} more with a selector and no \"mode\"; add a mode to each", to.name,
+                                      counted(ignored.size() - kMost, "source")));
 }
 
 NamedTest read_clash_set(const JsonNode& node, std::vector<IgnoredSelector>& ignored) {

@@ -55,7 +55,8 @@ TEST_F(Advice, SelectorsOfIfcClashWithoutAModeAreNamed) {
   folder.write("sets.json", many + "]");
   const std::string told = impinge(folder, {"clash", "--config", "sets.json"}).err;
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 6) << told;
-  EXPECT_THAT(told, HasSubstr("impinge: 95 sources more with a selector and no \"mode\"\n"));
+  EXPECT_THAT(told,
+              HasSubstr("impinge: sets.json: 95 sources more with a selector and no \"mode\"; add a mode to each\n"));
 }
 
 TEST_F(Advice, AClearanceThatNoTestAsksForIsNamed) {

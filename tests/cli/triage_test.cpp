@@ -40,6 +40,10 @@ class NamedTests : public testing::Test {
     folder.write("c/clash.json", configuration);
     return impinge(folder, joined({"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"}, more));
   }
+  [[nodiscard]] std::string refused(const std::string& configuration) const {
+    folder.write("c/clash.json", configuration);
+    return refusal(folder, {"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"});
+  }
   [[nodiscard]] Tests tests(const std::string& configuration) const {
     folder.write("c/clash.json", configuration);
     return pairs_of(document(folder, {"clash", "pipe1.off", "pipe2.off", "--config", "c/clash.json"}, 1));
@@ -133,7 +137,7 @@ TEST_F(NamedTests, SayWhatTheyCannotFind) {
        "/tests/0/ignore/pairs/0/1: nothing is named 'x'; the nearest name is 'pipe1'"},
   };
   for (const auto& [configuration, said] : mistakes)
-    EXPECT_EQ(sentence_of(clash(configuration)), "impinge: c/clash.json:1: " + said + "\n") << configuration;
+    EXPECT_EQ(refused(configuration), "impinge: c/clash.json:1: " + said + "\n") << configuration;
   EXPECT_EQ(impinge(folder, {"clash", "--config", "none.json"}).err,
             "impinge: none.json cannot be read: No such file or directory\n");
   folder.write("own.json", R"({"tests":[{"name":"n","a":"*"}]})");
