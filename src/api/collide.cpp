@@ -14,6 +14,7 @@
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/options.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/workspace_state.hpp"
 #include "scene/placed_block.hpp"

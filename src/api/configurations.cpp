@@ -16,7 +16,7 @@
 #include "pipeline/configuration_search.hpp"
 #include "pipeline/domain_error.hpp"
 #include "pipeline/on_threads.hpp"
-#include "pipeline/pipeline.hpp"
+#include "pipeline/options.hpp"
 #include "pipeline/workspace_state.hpp"
 #include "scene/validate_pose.hpp"
 #include "schedule/parallel.hpp"

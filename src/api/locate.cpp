@@ -12,7 +12,7 @@
 #include "pipeline/domain_error.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
-#include "pipeline/pipeline.hpp"
+#include "pipeline/options.hpp"
 #include "scene/validate_pose.hpp"
 #include "solid/location_grid.hpp"
 #include "solid/topology.hpp"

@@ -14,7 +14,7 @@
 #include "core/pose.hpp"
 #include "pipeline/mesh_state.hpp"
 #include "pipeline/on_threads.hpp"
-#include "pipeline/pipeline.hpp"
+#include "pipeline/options.hpp"
 #include "scene/bounding_sphere.hpp"
 #include "scene/vertex_numbers.hpp"
 

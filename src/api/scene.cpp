@@ -9,6 +9,7 @@
 #include "broad/may_touch.hpp"
 #include "core/guarded.hpp"
 #include "pipeline/on_threads.hpp"
+#include "pipeline/options.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/scene_state.hpp"
 #include "pipeline/workspace_state.hpp"

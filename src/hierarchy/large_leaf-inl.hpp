@@ -30,11 +30,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// their boxes along the axes of the leaf. Made once for many nodes.
 //
 // A direction n of the leaf's frame and the interval of n p over a triangle's corners p part the triangle from a box
-// whatever n is, so that n may be rounded; it is at most 1 + 2^-20 long, and
-// how much less does not matter. Let z be a shared point in the node's frame,
-// |z| <= r_N in every coordinate, and p in the leaf's, |p| <= r_L, lengths in A's unit, s_L and s_N the units of the
-// leaf's tree and of the node's (scale or 1), u = 2^-24. With H the linear map of the node's tree to the leaf's frame,
-// and c where that takes the node's origin,
+// whatever n is, so that n may be rounded; it is at most 1 + 2^-20 long, and may be shorter. Let z be a shared point in
+// the node's frame, |z| <= r_N in every coordinate, and p in the leaf's, |p| <= r_L, lengths in A's unit, s_L and s_N
+// the units of the leaf's tree and of the node's (scale or 1), u = 2^-24. With H the linear map of the node's tree to
+// the leaf's frame, and c where that takes the node's origin,
 //   n p s_L = n c + (F_N Hᵀ n) z + e.
 // e comes from rounding in double, here and in the relation, which is off by its error a coordinate; 4 times that is
 // taken: less than 256 u_53 S. If the leaf is B's, H has Mᵀ for M⁻¹ : 6 defects s_L r_L. F_N⁻¹ - F_Nᵀ: 9 * 2^-20 s_N
@@ -54,10 +53,13 @@ class LargeLeaf {
   /// Two bodies may share a tree: a leaf may come as either's.
   [[nodiscard]] bool is(const WideLeaf& leaf, bool leaf_is_a) const { return leaf_ == &leaf && is_a_ == leaf_is_a; }
   [[nodiscard]] Triangles all() const { return ~Triangles{0} >> (kMost - leaf_->count); }
-  /// A leaf of few triangles, and a node or leaf that is much the smaller.
-  static HWY_INLINE bool is_against(const TreeRef& a, const TreeRef& b, const TreeRelation& trees) {
-    if (!is_leaf_against_smaller(a, b, trees)) return false;
-    return (is_first_larger(a, b, trees) ? a : b).leaf().count <= kMost;
+  enum class Side : std::uint8_t { none, a, b };
+  /// Which of the two is a leaf of not too many triangles and more than twice as large as the other.
+  static HWY_INLINE Side side_of(const TreeRef& a, const TreeRef& b, const TreeRelation& trees) {
+    const float size_a = frame_of(a).radius, size_b = static_cast<float>(trees.scale) * frame_of(b).radius;
+    if (a.is_leaf() && 2 * size_b < size_a) return a.leaf().count <= kMost ? Side::a : Side::none;
+    if (b.is_leaf() && 2 * size_a < size_b) return b.leaf().count <= kMost ? Side::b : Side::none;
+    return Side::none;
   }
 
   /// What of some of the triangles and of a node's boxes may share a point.

@@ -104,16 +104,6 @@ HWY_INLINE Opening opening_of(const TreeRef& ref_a, const TreeRef& ref_b, const 
   return {2 * a >= b, 2 * b >= a};
 }
 
-HWY_INLINE bool is_first_larger(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
-  return frame_of(ref_a).radius > static_cast<float>(trees.scale) * frame_of(ref_b).radius;
-}
-
-/// A leaf, and a node or leaf of less than half its size, or of another part of it.
-HWY_INLINE bool is_leaf_against_smaller(const TreeRef& ref_a, const TreeRef& ref_b, const TreeRelation& trees) {
-  const float a = frame_of(ref_a).radius, b = static_cast<float>(trees.scale) * frame_of(ref_b).radius;
-  return (ref_a.is_leaf() && 2 * b < a) || (ref_b.is_leaf() && 2 * a < b);
-}
-
 // Let x be a shared point in A's frame and y, in B's, the same as B has it; |x| <= r_a, |y| <= r_b (in A's unit) in
 // every coordinate. With u = 2^-24, and frames orthonormal to within 2^-20:
 //   x = C y + c + e, e from the double error of the relation, from F_B⁻¹ - F_Bᵀ (at most 5.2 * 2^-20 r_b), and from

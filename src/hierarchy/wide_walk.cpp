@@ -126,9 +126,8 @@ struct Goal {
 /// A large leaf against what is much smaller, down to the small leaves that may touch the large one's triangles, depth
 /// first: each node is held against those triangles alone that met its parent's boxes. By the large leaf's own box the
 /// whole node would be opened. What the goal leaves goes to the stack.
-void walk_below(const WideWalk& walk, const TreeRefPair& pair, const Goal& goal, LargeLeaf& large,
+void walk_below(const WideWalk& walk, const TreeRefPair& pair, bool large_is_a, const Goal& goal, LargeLeaf& large,
                 std::vector<TreeRefPair>& stack, std::vector<WideLeafPair>& leaf_pairs, WalkCounts& counts) {
-  const bool large_is_a = is_first_larger(pair.a, pair.b, walk.relation);
   const TreeRef &leaf = large_is_a ? pair.a : pair.b, &top = large_is_a ? pair.b : pair.a;
   WideTree& tree = large_is_a ? walk.b : walk.a;
   if (!large.is(leaf.leaf(), large_is_a)) large.set(leaf.leaf(), large_is_a, walk.relation);
@@ -188,8 +187,9 @@ void advance(const WideWalk& walk, std::vector<TreeRefPair>& stack, std::vector<
     std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, block);
     stack.resize(stack.size() - size);
     const auto is_below = [&](const TreeRefPair& pair) HWY_ATTR {
-      if (!LargeLeaf::is_against(pair.a, pair.b, walk.relation)) return false;
-      walk_below(walk, pair, goal, large, stack, leaf_pairs, counts);
+      const LargeLeaf::Side side = LargeLeaf::side_of(pair.a, pair.b, walk.relation);
+      if (side == LargeLeaf::Side::none) return false;
+      walk_below(walk, pair, side == LargeLeaf::Side::a, goal, large, stack, leaf_pairs, counts);
       return true;
     };
     size = static_cast<std::size_t>(std::remove_if(block, block + size, is_below) - block);

@@ -21,8 +21,8 @@ struct WalkLimits {
   std::size_t leaf_pairs;             ///< stop after so many
   std::uint64_t box_tests;            ///< stop after so many
   std::size_t at_once = kMostAtOnce;  ///< pairs of nodes taken off the stack together
-  /// Of each pair's children, first the two whose boxes' centres are closest; of a leaf against a node that is much the
-  /// smaller, the child whose centre is closest to the plane of a triangle that may meet its box.
+  /// Of each pair's children, first the two whose boxes' centres are closest. (Of a node below a large leaf the child
+  /// whose centre is closest to the plane of a triangle that may meet its box always comes first.)
   bool nearest_first = false;
 };
 

@@ -78,10 +78,11 @@ HWY_ATTR void bound_boxes(const TreeRef& ref_a, const TreeRef& ref_b, bool of_bo
       of_both ? Opening{!ref_a.is_leaf(), !ref_b.is_leaf()} : hierarchy::HWY_NAMESPACE::opening_of(ref_a, ref_b, trees);
   bounds.opens_a = opening.a, bounds.opens_b = opening.b;
   const float shrink = shrink_of(trees), most = square_of(limit, shrink);
-  if (LargeLeaf::is_against(ref_a, ref_b, trees)) {
+  if (const auto side = LargeLeaf::side_of(ref_a, ref_b, trees); side != LargeLeaf::Side::none) {
+    const bool large_is_a = side == LargeLeaf::Side::a;
     LargeLeaf large;
-    large.set((ref_a.is_leaf() ? ref_a : ref_b).leaf(), ref_a.is_leaf(), trees);
-    return bound_by_triangles(large, (ref_a.is_leaf() ? ref_b : ref_a).node(), shrink, most, bounds);
+    large.set((large_is_a ? ref_a : ref_b).leaf(), large_is_a, trees);
+    return bound_by_triangles(large, (large_is_a ? ref_b : ref_a).node(), shrink, most, bounds);
   }
   const FrameRelation relation = hierarchy::HWY_NAMESPACE::relate_frames(frame_of(ref_a), frame_of(ref_b), trees);
   BoxSide a, b;

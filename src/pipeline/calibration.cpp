@@ -26,6 +26,7 @@
 #include "paper/sweep_and_prune.hpp"
 #include "pipeline/device_part.hpp"
 #include "pipeline/mesh_state.hpp"
+#include "pipeline/options.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "scene/scene_view.hpp"

@@ -3,11 +3,9 @@
 #include "pipeline/pipeline.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <tuple>
 #include <type_traits>
@@ -19,6 +17,7 @@
 #include "pipeline/calibration.hpp"
 #include "pipeline/device_driver.hpp"
 #include "pipeline/domain_error.hpp"
+#include "pipeline/lone_pair.hpp"
 #include "pipeline/on_threads.hpp"
 #include "pipeline/query_way.hpp"
 #include "pipeline/self_pair.hpp"
@@ -47,18 +46,6 @@ void add(Statistics& sum, const Statistics& s) {
 constexpr std::size_t kManyPairs = 256, kPieces = 256;
 constexpr std::uint64_t kEnoughForAMix = 1 << 14;
 constexpr int kSlicesForPieces = 8;
-
-/// A comparison of a few instructions, which `==` makes a call of: small queries take some thousand.
-template <std::size_t N>
-bool is(std::string_view backend, const char (&name)[N]) {
-  return backend.size() == N - 1 && std::memcmp(backend.data(), name, N - 1) == 0;
-}
-
-/// The calling thread begins with a lone pair, before any other is woken. What it finds and leaves is in
-/// `memory.touch`, and what it counts in the answer to be.
-void begin(const Query& query, const broad::ObjectPair& objects, bool is_timed, Workspace::State& memory) {
-  memory.touch.begin(FastStages::Pair(query, objects), query.options, StageClock(is_timed), memory.spare.statistics);
-}
 
 /// One query: the broad phase, then for each pair of objects the stages that `Stages` strings together, a slice of work
 /// at a time, then the results.
@@ -105,7 +92,7 @@ class Pipeline {
       if (memory_.asks_device) {
         work_with_device();
       } else if (has_begun_ || (pairs().size() == 1 && !is_apart(pairs()[0]))) {
-        if (!std::exchange(has_begun_, true)) begin(query_, pairs()[0], crew_.is_timed, memory_);
+        if (!std::exchange(has_begun_, true)) begin_lone_pair(query_, pairs()[0], crew_.is_timed, memory_);
         collect(memory_.found_beside_crew, 0, memory_.touch.contacts());
         if (settled(0)) memory_.touch.left().clear();
       }
@@ -520,59 +507,6 @@ class Pipeline {
   QueryWay way_;                                   ///< where a device may take part
   bool has_brought_meshes_ = false;
 };
-
-}  // namespace
-
-bool is_papers_way(const Options& options) {
-  return options.backend == "paper" || options.backend == "scalar" || options.backend == "raster";
-}
-
-Result<void> validate(const Options& options) {
-  const auto bad = [](std::string message) { return Error{Code::bad_option, std::move(message)}; };
-  if (options.threads < 0)
-    return bad("threads is " + std::to_string(options.threads) + "; choose 0 for all, or a positive number");
-  if (options.find != Options::Find::all && options.find != Options::Find::first)
-    return bad("find is neither Find::all nor Find::first");
-  if (options.kinds > kAllKinds) return bad("kinds has bits beyond kCrossing | kTouching | kCoplanar");
-  if (options.adjacency > Adjacency::by_index) return bad("adjacency is neither by_position nor by_index");
-  const auto is_one_of = [&](const auto&... names) { return (is(options.backend, names) || ...); };
-  if (!is_one_of("auto", "simd", "paper", "scalar", "gpu", "raster", "hybrid"))
-    return bad("there is no backend '" + std::string(options.backend) +
-               "'; choose auto, simd, paper, gpu, raster or hybrid");
-  if (!(options.device_share <= 1)) return bad("device_share is not a number up to 1");
-  return {};
-}
-
-namespace {
-
-/// Whether a query about one pair, or none, needs no more of the pipeline than its stages unless it turns out to be
-/// large: no device, and nobody asks for its progress or its times.
-bool may_end_at_once(const Query& query) {
-  const Options& options = query.options;
-  return query.pairs != nullptr && query.pairs->size() <= 1 && !query.all_rows && !options.statistics &&
-         !options.predict_cost && options.progress == nullptr &&
-         (is(options.backend, "simd") || (is(options.backend, "auto") && !DeviceDriver::may_help(query, *query.pairs)));
-}
-
-/// Begins a query that `may_end_at_once`. Returns whether `memory.spare` is its answer.
-bool answer_at_once(const Query& query, Workspace::State& memory) {
-  const Options& options = query.options;
-  Contacts& answer = memory.spare;
-  answer.objects.clear(), answer.offsets.assign(1, 0), answer.triangles.clear(), answer.kinds.clear();
-  answer.truncated = false, answer.partial = options.find == Options::Find::first || options.kinds != kAllKinds;
-  answer.hash = 0, answer.statistics = {}, answer.warnings.clear();
-  if (query.pairs->empty()) return true;
-  const broad::ObjectPair& objects = query.pairs->front();
-  begin(query, objects, false, memory);
-  answer.statistics.object_pairs = 1;
-  if (memory.touch.contacts().empty()) return memory.touch.left().empty();
-  if (options.find != Options::Find::first || options.limit == 0) return false;
-  const results::ContactKey found = memory.touch.contacts().front();
-  answer.objects.push_back({objects.a, objects.b}), answer.offsets.push_back(1);
-  answer.triangles.push_back({results::triangle_a(found), results::triangle_b(found)});
-  answer.kinds.push_back(results::kind_of(found));
-  return true;
-}
 
 }  // namespace
 

@@ -26,8 +26,8 @@ constexpr std::uint64_t kBoxTestsForANode = 1000;
 /// Of what both sides' speeds ask for, what the device is given from the beginning.
 constexpr double kFirstShare = 0.85;
 
-/// One number for all queries that are alike: in what is asked, in the number of pairs and the sizes of the first one,
-/// to a power of 2, and in whether the first one's trees are to be made.
+/// A hash of what decides how long a query takes. Queries have the same kind if they ask the same, have as many pairs
+/// and as many triangles in the first pair (up to a factor of 2), and if both or neither must make that pair's trees.
 std::uint64_t kind_of(const Query& query, const broad::ObjectPairs& pairs, bool makes_trees) {
   const Options& options = query.options;
   const auto size = [](std::size_t n) { return static_cast<std::uint64_t>(std::bit_width(n)); };
